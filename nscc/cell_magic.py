@@ -52,8 +52,8 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """Return the parser of a cell's first line: an optional name, and the options of `nscc build`
-    that take a value."""
+    """Return the parser of a cell's first line: an optional name for the program, and the options
+    of `nscc build` that take a value."""
     parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
     parser.add_argument("name", nargs="?", metavar="NAME")
     for key in keys_of(Options):
@@ -63,7 +63,8 @@ def _line() -> _Line:
 
 
 def _read(kind: Kind, text: str) -> Any:
-    """Return the value of an option of this kind.
+    """Return the value that `text` spells for an option of this kind; quotes around a text are
+    optional.
 
     Raises ArgumentTypeError, with what is allowed, for a text that does not spell such a value."""
     try:

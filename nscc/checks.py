@@ -22,8 +22,8 @@ class Inconsistent(Exception):
 
 
 def check_tree(source: Source, tree: File) -> None:
-    """Check that all statements lie inside the text, in order and without overlap; raise
-    Inconsistent if not."""
+    """Check that all statements of `tree` lie inside the text `source`, in order and without
+    overlap; raise Inconsistent if not."""
     end = 0
     for statement in tree.statements:
         require(end <= statement.span.start <= statement.span.end, "statements overlap")
@@ -56,8 +56,8 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """Return for each slot the shutters whose light a plan collects in a bucket, as a truth vector
-    (an integer with one bit for each shutter).
+    """Return for each slot the shutters whose light `plan` collects in bucket number `bucket`. They
+    are truth vectors: integers with one bit for each shutter.
 
     `first` are the shutters that are open in slot 0. Raises Inconsistent if the light of a shutter
     is never read."""

@@ -71,8 +71,8 @@ class InvalidRecord(ValueError):
         self.reason, self.place = reason, place
 
     def inside(self, place: str) -> InvalidRecord:
-        """Return the same error for a value that is inside the value at `place`, which is added to
-        its path."""
+        """Return the same error for a value that is inside the value at `place`, such as `[3]` or
+        `.words`, which is put before its path."""
         return InvalidRecord(self.reason, place + self.place)
 
 
@@ -139,8 +139,8 @@ def from_plain(kind: Any, plain: Any) -> Any:
 def to_json(record: Any, schema: str = "") -> str:
     """Return a record as one line of JSON in ASCII; the same record gives the same text.
 
-    With `schema`, such as ``"nscc-plan-2"``, the text has a key `schema` that names its format and
-    version."""
+    Raises InvalidRecord as `to_plain` does. With `schema`, such as ``"nscc-plan-2"``, the text has
+    a key `schema` that names its format and version."""
     import json
 
     plain = to_plain(record)
@@ -172,8 +172,8 @@ def from_json(kind: type[Kind], text: str | bytes, schema: str = "") -> Kind:
 class _Codec(NamedTuple):
     """How values of one hint are written to JSON values and read again.
 
-    `width` is the number of items that a value takes in the list of a record, 0 for a list of any
-    length."""
+    `write` and `read` raise InvalidRecord for a value that the hint does not allow. `width` is the
+    number of items that a value takes in the list of a record, 0 for a list of any length."""
 
     write: Convert
     read: Convert
@@ -301,7 +301,7 @@ _SCALARS: dict[Any, Convert] = {
 
 def _read_fraction(items: list[Any]) -> Fraction:
     """Return the fraction of a numerator and a denominator; raise InvalidRecord unless both are
-    integers."""
+    integers and the denominator is not 0."""
     if not all(type(item) is int for item in items) or items[1] == 0:
         raise InvalidRecord("is not a fraction: two integers, the second not 0")
     return Fraction(*items)
@@ -347,7 +347,8 @@ def _read_hex(text: Any) -> int:
 def _checked(limits: Within, convert: Convert) -> Convert:
     """Return the conversion `convert`, followed by a check of the result against `limits`.
 
-    The new function raises InvalidRecord if a number, or a length, is outside."""
+    The new function raises InvalidRecord if the result is a number outside the limits, or another
+    value whose length is."""
 
     def converted(value: Any) -> Any:
         """Convert `value`; raise InvalidRecord if the result (or its length) is outside the
@@ -395,8 +396,8 @@ def _union(kinds: tuple[Any, ...]) -> _Codec:
 
 
 def _convert_all(convert: Convert, values: Any) -> list[Any]:
-    """Return the converted values of a sequence; an InvalidRecord names the index of the invalid
-    value."""
+    """Return the values of a sequence, each converted by `convert`; an InvalidRecord names the
+    index of the invalid value."""
     converted: list[Any] = []
     try:
         for value in values:
@@ -407,8 +408,8 @@ def _convert_all(convert: Convert, values: Any) -> list[Any]:
 
 
 def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a mapping with converted values; an InvalidRecord names the key of the invalid
-    value."""
+    """Return a mapping whose values are converted by `convert`; an InvalidRecord names the key of
+    the invalid value."""
     converted: dict[str, Any] = {}
     name = ""
     try:
@@ -422,9 +423,9 @@ def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, An
 def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
     """Return the items of a record's fields in one list.
 
-    `row` declares the fields and `values` are theirs. A field of width 2 adds two items; a record's
-    only field, if it is a list, adds its items; every other field adds one item. Raises
-    InvalidRecord for an invalid value."""
+    `row` declares the fields, and `values` has one value for each, in the same order. A field of
+    width 2 adds two items; a record's only field, if it is a list, adds its items; every other
+    field adds one item. Raises InvalidRecord for an invalid value."""
     items: list[Any] = []
     for field, value in zip(row, values, strict=True):
         try:
@@ -485,7 +486,8 @@ def _values(kind: Any, record: Any) -> list[Any]:
 def _write_object(kind: Any, record: Any) -> dict[str, Any]:
     """Return a record of the dataclass `kind` as a JSON object.
 
-    Fields of a newer version are left out if they have their default. Raises InvalidRecord."""
+    Fields of a newer version are left out if they have their default. Raises InvalidRecord for an
+    invalid value, or a record of another class."""
     plain: dict[str, Any] = {}
     for field, value in zip(_fields(kind), _values(kind, record), strict=True):
         if not field.later or value != field.default:

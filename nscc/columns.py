@@ -12,12 +12,13 @@ def columns(
     `indent`.
 
     Columns whose index is in `left_aligned` (None: all) are aligned to the left, others to the
-    right."""
+    right. There are no blanks at the end of lines, and no line break after the last. Without rows,
+    the result is ""."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
 
     def line(row: Sequence[str]) -> str:
-        """Return one row: cells padded to the column widths, two spaces apart, without trailing
-        spaces."""
+        """Return one row as text: cells padded to the column widths, two spaces apart, without
+        trailing spaces."""
         cells = (
             cell.ljust(width)
             if left_aligned is None or number in left_aligned

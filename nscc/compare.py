@@ -26,7 +26,8 @@ NoiseOf = Callable[[Container], tuple[float, float] | None]
 class OnChip:
     """A program compiled for one chip, or the first error.
 
-    `shortest_slot_us` is None if unknown; `frame_us` includes the readout. `sent_bits` is the
+    `compiled` is None if the program does not fit, and `first_error` if it fits. `shortest_slot_us`
+    is in microseconds and None if unknown; `frame_us` includes the readout. `sent_bits` is the
     amount of data per frame, `bits_per_us` the data rate while data is sent; None if there is an
     error. `stored` describes the chip's memory use. `noise_e` is the noise in electrons in the dark
     and at half a full well, None if unknown."""
@@ -47,8 +48,9 @@ def compare(
 ) -> list[OnChip]:
     """Compile the program in a file for each chip, at optimisation level `level`.
 
-    `noise_of` returns the noise of a compiled program; None leaves the noise out. Raises Rejected
-    for errors that do not depend on the chip: syntax, names and types."""
+    `noise_of` returns the noise of a compiled program; None leaves the noise out. The result has
+    one entry for each of `targets`, in their order. Raises Rejected for errors that do not depend
+    on the chip: syntax, names and types."""
     return [_compile_for_chip(path, target, level, noise_of) for target in targets]
 
 
@@ -87,8 +89,8 @@ def _compile_for_chip(path: Path, target: Target, level: int, noise_of: NoiseOf 
 
 
 def compared_text(chips: Sequence[OnChip]) -> str:
-    """Return a table with one column for each chip, then the error and the alternatives of chips
-    that do not fit."""
+    """Return a text: a table with one column for each chip, then the error and the alternatives of
+    chips that do not fit."""
     rows: list[tuple[str, ...]] = [("", *(chip.target.name for chip in chips))]
     for title, cell_text in _ROWS.items():
         rows.append((title, *(cell_text(chip) for chip in chips)))
@@ -127,7 +129,7 @@ def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
 
 
 def _time(us: float | None) -> str:
-    """Return a length of slots as text: ? if unknown, "any" if 0."""
+    """Return a length of time in microseconds as text: ? if unknown, "any" if 0."""
     return "?" if us is None else time_text(us) if us else "any"
 
 
@@ -145,7 +147,8 @@ def _sent(chip: OnChip) -> str:
 
 
 def _mean_rate(chip: OnChip) -> str:
-    """Return the data rate of a chip while it receives data, and the mean over a frame, as text."""
+    """Return the data rate of a chip while it receives data, and the mean over a frame, as text;
+    what `_sent` says ("?" or "nothing") if it receives none."""
     if not chip.sent_bits:
         return _sent(chip)
     assert chip.bits_per_us is not None

@@ -24,7 +24,8 @@ def compile_file(
 ) -> Compiled:
     """Return the compiled program of a `.nsl` file; its `target` and data files are relative to it.
 
-    `see` is called after each pass (None: not). Raises Rejected with all errors."""
+    `options` None means the defaults. `see` is called after each pass with the pass and its value
+    (None: not). Raises Rejected with all errors."""
     return compile_source(read_source(path), path.parent, options or Options(), see)
 
 
@@ -33,9 +34,9 @@ def compile_source(
 ) -> Compiled:
     """Return the compiled program of a text; files that it names are relative to the folder `base`.
 
-    `see` is called after each pass (None: not). Raises Rejected with all errors. If the only error
-    is that the program does not fit, similar programs are compiled, and the diagnostics suggest
-    those that fit."""
+    `see` is called after each pass with the pass and its value (None: not). Raises Rejected with
+    all errors. If the only error is that the program does not fit, similar programs are compiled,
+    and the diagnostics suggest those that fit."""
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:
@@ -47,7 +48,8 @@ def _with_ways_out(
     diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
     """Return the diagnostics of a program that does not fit, with similar programs that fit added
-    to them."""
+    to them as `ways_out`. Diagnostics of errors that a similar program cannot avoid stay as they
+    are."""
     if not any(has_ways_out(d) for d in diagnostics):
         return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # imported only for programs that do not fit
@@ -75,7 +77,7 @@ def files_of(program: Path) -> set[Path]:
     """Return the program's path and the paths of the targets, codebooks, kernels and pixel codes
     that it names.
 
-    If the program cannot be read, return only its own path."""
+    The files need not exist. If the program cannot be read, return only its own path."""
     files = {program}
     try:
         statements = parse(read_source(program))[0].statements

@@ -46,9 +46,11 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
     """Return the shutters and codes of all pixels as arrays, named as in a frame file.
 
-    The names are `shutter`, `shutter_shape` and `codes_FIELD`. A program with one code needs no
-    pixel data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 and NS0444 as
-    `replayed` does."""
+    The names are `shutter`, uint8 (buckets, rows, cols, ceil(N / 8)) with the first slot in the
+    lowest bit, and `shutter_shape`, which is (buckets, rows, cols, N). Further names are
+    `codes_FIELD`, int64 (rows, cols), one for each field. A program with one code needs no pixel
+    data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 if the words do not
+    implement shutters, NS0444 if these depend on the light."""
     pixels = container.pixel_codes
     if pixels is None and len(container.table.codes) == 1:
         target = container.target

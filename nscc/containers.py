@@ -37,8 +37,8 @@ def is_compiled(path: Path) -> bool:
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Return the container of an `.icw` file, or of a program that is compiled with `options`; and
-    messages.
+    """Return the container of an `.icw` file, or of a program that is compiled with `options`
+    (None: the defaults); and the messages of its compilation, none for an .icw file.
 
     Raises Rejected if the program does not compile or a file cannot be read, and ValueError if the
     options leave it open whether the program fits."""
@@ -59,8 +59,8 @@ def with_pixels(
     own.
 
     A program without fields needs none. `name` is the container in messages, and the path of its
-    program. Raises Rejected: NS0741 (status 2) if there are no codes, and the errors of
-    `codes_from`."""
+    program, in whose folder files are looked up. Raises Rejected: NS0741 (status 2) if there are no
+    codes, and for invalid `pixels` NS0311 to NS0314 and NS0319."""
     target, fields = container.target, container.table.fields
     if pixels is not None:
         program = Path(name)

@@ -19,7 +19,8 @@ _LOCAL_LINK = re.compile(r"\[([^\]]+)\]\((?!https?:)[^)]*\)")
 
 
 def notebook(page: str) -> bytes:
-    """Return a Markdown page as the bytes of a Jupyter notebook, whose code cells have no outputs.
+    """Return a Markdown page, whose code is in blocks `{code-cell}`, as the bytes of a Jupyter
+    notebook, whose code cells have no outputs.
 
     Links to other pages become plain text, because a notebook is read outside the site."""
     texts = _CELL.split(_HEAD.sub("", page))  # text and code alternate
@@ -37,8 +38,8 @@ def notebook(page: str) -> bytes:
 def _cell(kind: str, text: str) -> dict[str, Any]:
     """Return a notebook cell as JSON values; `kind` is "code" or "markdown".
 
-    The first line of code may give tags, which become metadata. Links to local files become plain
-    text in Markdown."""
+    The first line of code may give tags, such as `:tags: [hide-input]`, which become metadata.
+    Links to local files become plain text in Markdown."""
     if kind == "markdown":
         return {"cell_type": kind, "metadata": {}, "source": _LOCAL_LINK.sub(r"\1", text.strip())}
     tags = _TAGS.match(text)
@@ -127,7 +128,8 @@ def tasks() -> dict[str, dict[str, ExampleScene]]:
 
 
 def contents(path: Path) -> tuple[str, bytes]:
-    """Return the name and the bytes of the file that a user gets for the example at `path`."""
+    """Return the name and the bytes of the file that a user gets for the example at `path`: a
+    notebook for a page (.md), else the file itself."""
     if path.suffix != ".md":
         return path.name, path.read_bytes()
     return f"{path.stem}.ipynb", notebook(path.read_text(encoding="utf-8"))
@@ -152,7 +154,7 @@ def example(name: str) -> Path:
 
 def about(path: Path) -> str:
     """Return the description of an example: a tutorial's title, or the first sentence of a file's
-    first comment."""
+    first comment without its full stop. It is "" for a file that begins without a comment."""
     lines = path.read_text(encoding="utf-8").splitlines()
     if path.suffix == ".md":
         title = next((line for line in lines if line.startswith("# ")), "")

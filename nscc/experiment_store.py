@@ -188,7 +188,8 @@ class ExperimentStore:
         """Store a measurement, which is on the disk when this returns; one that is stored already
         stays as it is.
 
-        `value` is a JSON value. Raises ValueError for None, NaN and infinity, which JSON cannot
+        `value` is a JSON value. `label` describes it for people, `seconds` is how long it took, and
+        `worker` names the process. Raises ValueError for None, NaN and infinity, which JSON cannot
         represent or `get` not distinguish."""
         if value is None:
             raise ValueError(f"the measurement '{name}' has no value")
@@ -214,8 +215,8 @@ class ExperimentStore:
         """Claim a measurement for this process; return False if another process has claimed it,
         else True.
 
-        Claims are locks on bytes of a file, so a process that dies releases them. Without a file,
-        every claim succeeds."""
+        A process that has the claim already gets True again. Claims are locks on bytes of a file,
+        so a process that dies releases them. Without a file, every claim succeeds."""
         if self._claims is not None:
             place = _place(self._of, name)
             try:
@@ -225,12 +226,14 @@ class ExperimentStore:
         return True
 
     def release(self, name: str) -> None:
-        """Release this process's claim of a measurement, so that others may measure it."""
+        """Release this process's claim of a measurement, so that others may measure it; without a
+        claim, do nothing."""
         if self._claims is not None:
             fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(self._of, name))
 
     def remove(self) -> None:
-        """Close the store, and delete its files unless another process uses them."""
+        """Close the store, and delete its files unless another process uses them; that process then
+        keeps them."""
         self._database.close()
         if self._path is None or self._claims is None:
             return
@@ -270,7 +273,7 @@ class ExperimentStore:
 
 
 def _is_locked(error: Exception) -> bool:
-    """Return whether SQLite failed because another process writes the file."""
+    """Return whether SQLite failed because another process has locked the file."""
     primary = getattr(error, "sqlite_errorcode", 0) & 0xFF
     return primary in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED)
 

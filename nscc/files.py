@@ -67,7 +67,8 @@ def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
 
 
 def file_sha256(path: Path) -> str:
-    """Return the SHA-256 of the file `path` in hexadecimal, read block by block."""
+    """Return the SHA-256 of the file `path` in hexadecimal, read block by block. Raises OSError if
+    it cannot be read."""
     from hashlib import file_digest
 
     with open(path, "rb") as file:
@@ -83,8 +84,11 @@ def write_whole(path: Path, data: Product) -> None:
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write the products of a command, and remember that it wrote files (`wrote_files`); see
-    `store_files`."""
+    """Write the products of a command, and remember that it wrote files (`wrote_files`).
+
+    `products` maps paths to contents; no file is replaced before all data is on the disk. Raises
+    Rejected (status 2): NS0784 if a file cannot be written, NS0785 if it is an input of the
+    command."""
     store_files(products)
     _written.extend(path for path in products if path.is_file())
 
@@ -98,7 +102,8 @@ def wrote_files() -> bool:
 
 
 def store_files(products: Mapping[Path, Product]) -> None:
-    """Write several files; none is replaced before all data is on the disk.
+    """Write several files, given as contents by path; none is replaced before all data is on the
+    disk.
 
     Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,
     NS0785 if it is an input of the same command (`reads`) and would change."""
@@ -124,7 +129,8 @@ def store_files(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """Write an input file that the user asked to change, as `write_whole` does.
+    """Write an input file that the user asked to change, atomically. Raises Rejected (NS0784,
+    status 2) if it cannot be written.
 
     The file then no longer counts as an input, which may not be overwritten."""
     known = _inputs.get()
@@ -135,8 +141,7 @@ def write_back(path: Path, data: Product) -> None:
 
 
 def write_new(products: Mapping[Path, Product]) -> None:
-    """Write several files as `write_together` does; raise Rejected (NS0788, status 2) if one of
-    them exists."""
+    """Write several new files, or none; raise Rejected (NS0788, status 2) if one of them exists."""
     for path in products:
         if path.exists():
             raise rejected(
@@ -148,7 +153,8 @@ def write_new(products: Mapping[Path, Product]) -> None:
 
 
 def refuse_same(paths: Collection[Path], options: str) -> None:
-    """Raise Rejected (NS0745, status 2) if two products have the same path.
+    """Raise Rejected (NS0745, status 2) if two products have the same path, after they are made
+    absolute; links are not followed.
 
     `options` are the options that name the paths."""
     if len({path.absolute() for path in paths}) < len(paths):
@@ -167,7 +173,8 @@ def refuse_inputs(*paths: Path) -> None:
 
 
 def _refuse_input(path: Path, data: Product) -> None:
-    """Raise Rejected (NS0785) if `path` is an input of the command and `data` would change it."""
+    """Raise Rejected (NS0785) if `path` is an input of the command and `data` would change it. A
+    function as `data` counts as a change."""
     try:
         status = path.stat()
     except (OSError, ValueError):

@@ -26,7 +26,8 @@ def text(value: object) -> Html:
 
 
 def card(title: str, subtitle: str, *sections: Html) -> str:
-    """Return a box with a title, a subtitle and sections below each other."""
+    """Return a box with a title, a subtitle and sections below each other. Empty sections are left
+    out."""
     head = (
         f"<div><strong>{text(title)}</strong> <span style='{_FAINT}'>{text(subtitle)}</span></div>"
     )
@@ -37,7 +38,7 @@ def card(title: str, subtitle: str, *sections: Html) -> str:
 
 
 def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html:
-    """Return a table of left-aligned cells.
+    """Return a table of left-aligned cells; each row has at least one.
 
     Without `head`, the first cell of each row is its label and fainter than the others."""
     cell = "text-align:left;padding:.1em .8em .1em 0;border:none;background:none"
@@ -77,7 +78,8 @@ def legend(names: Sequence[str]) -> Html:
 
 
 def picture(png: bytes, caption: str, width: int) -> Html:
-    """Return a PNG with a caption, displayed `width` pixels wide without smoothing."""
+    """Return a PNG with a caption, displayed `width` pixels wide, at most the page's width, without
+    smoothing."""
     data = b64encode(png).decode()
     return Html(
         f"<figure style='margin:0'><img alt='{text(caption)}' src='data:image/png;base64,{data}' "
@@ -87,7 +89,8 @@ def picture(png: bytes, caption: str, width: int) -> Html:
 
 
 def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> Html:
-    """Return an SVG of `shapes`, `width` x `height` pixels, which shrinks with the page.
+    """Return an SVG of `shapes`, which are SVG elements as text that is not escaped, `width` x
+    `height` pixels, which shrinks with the page.
 
     `title` names it for screen readers."""
     return Html(
@@ -99,6 +102,6 @@ def drawing(width: float, height: float, shapes: Iterable[str], title: str) -> H
 
 
 def words(x: float, y: float, value: object, anchor: str = "start") -> str:
-    """Return SVG text with its baseline at y pixels; `anchor` "end" ends it at x, "start" begins it
-    there."""
+    """Return SVG text with its baseline at `y` pixels from the top; `anchor` "end" ends it `x`
+    pixels from the left, "start" begins it there."""
     return f"<text x='{x:g}' y='{y:g}' text-anchor='{anchor}'>{text(value)}</text>"

@@ -69,7 +69,8 @@ def findings() -> Iterator[Finding]:
 
 
 def _import_error(distribution: str) -> str:
-    """Return why the module of an installed package cannot be imported, or "" if it can."""
+    """Return why the module of an installed package cannot be imported, in at most 100 characters,
+    or "" if it can."""
     try:
         with redirect_stderr(StringIO()), warnings.catch_warnings(action="ignore"):
             import_module(module_of(distribution))
@@ -79,7 +80,8 @@ def _import_error(distribution: str) -> str:
 
 
 def _targets() -> Finding:
-    """Return the finding on the built-in targets: the names of all, or the first error in one."""
+    """Return the finding on all targets, also those of installed packages: their names, or the
+    first error in one."""
     try:
         names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:

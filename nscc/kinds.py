@@ -40,7 +40,7 @@ Base = TypeVar("Base")
 
 
 class KindTable(Generic[Base]):
-    """The classes by which one package treats each kind of program.
+    """The classes by which one package treats each kind of program (`images`, `looks`, `stream`).
 
     `base` is for fixed shutters; the others are given by kind as "module:class" and imported on
     first use. A kind that this package does not treat differently is left out."""
@@ -52,7 +52,8 @@ class KindTable(Generic[Base]):
         self._combined = cache(self._combine)
 
     def of(self, program: HasKind) -> Base:
-        """Return the object that treats a program, or a container, of any combination of kinds."""
+        """Return the object that treats a program, or a container, of any combination of kinds.
+        Programs of the same combination share the object."""
         kinds = (kind for kind, belongs in _BELONGS.items() if belongs(program))
         return self._combined(*(self._classes[kind] for kind in kinds if kind in self._classes))
 

@@ -9,7 +9,8 @@ from typing import Any
 
 
 class LazyFunctions:
-    """Stands for the functions of a module, which is imported when one of them is first called."""
+    """Stands for the functions of a module, which is imported when one of them is first called.
+    Arguments are passed on by position only."""
 
     def __init__(self, module: str) -> None:
         """Stand for the functions of a module that is not imported yet."""

@@ -64,7 +64,8 @@ class Mnemonic(Record):
 
 
 def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
-    """Return the words of an assembly instruction.
+    """Return the words of an assembly instruction: mnemonic `name` with names of registers as
+    `operands`, destinations first.
 
     `own_words` are operations that only the target has. Raises KeyError for an unknown mnemonic and
     OperandError for invalid operands."""
@@ -101,7 +102,8 @@ def _count(mnemonic: Mnemonic) -> str:
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
     """Return the word of the operation `row` that writes `destinations` and reads `sources`.
 
-    Raises OperandError for invalid operands."""
+    Raises OperandError with the index of the first invalid operand, counted over destinations and
+    then sources."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES
@@ -249,7 +251,8 @@ class _Form:
         self.words = [(_WORDS[name], operands) for name, *operands in split]
 
     def write(self, arguments: Sequence[str]) -> Ops:
-        """Return the words of this form for these operands; raise OperandError for invalid ones."""
+        """Return the words of this form for these operands, as many as the form has; raise
+        OperandError for invalid ones."""
         for index, register in enumerate(arguments if self.head in _DISTINCT else ()):
             if register in arguments[:index]:
                 why = _DISTINCT[self.head]

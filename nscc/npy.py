@@ -29,8 +29,8 @@ class UnsuitableArray(InvalidArrays):
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
-    """Return version, shape, whether the order is Fortran's, and dtype of an .npy stream, and read
-    its header.
+    """Read the header of an .npy stream, and return version (major, minor), shape, whether the
+    order is Fortran's, and dtype.
 
     The length of a version 2 header is limited. Raises InvalidArrays beyond that, and numpy's
     errors for a damaged header."""
@@ -76,7 +76,7 @@ def npz_arrays(
     most_bytes: int = MOST_BYTES,
 ) -> tuple[dict[str, NDArray[Any]], list[str]]:
     """Return the arrays of an .npz file whose names satisfy `is_wanted`, by name, and the names of
-    all arrays.
+    all arrays in stored order.
 
     The arrays may take `most_bytes` together, which is checked before anything is unpacked. Raises
     InvalidArrays for an invalid, damaged or too large file, and for Python objects; OSError if the
@@ -102,8 +102,9 @@ def npz_arrays(
 
 
 def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Return the array of an .npy file, which may take `most_bytes`; raises as `npz_arrays`
-    does."""
+    """Return the array of an .npy file, given by its path or as an open file; it may take
+    `most_bytes`. Raises InvalidArrays for a damaged or too large file and for Python objects, and
+    OSError if it cannot be read."""
     if isinstance(file, Path):
         with open(file, "rb") as stream:
             return _array(stream, file.name, most_bytes)

@@ -269,7 +269,8 @@ def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ())
 
 @lru_cache(maxsize=1 << 12)
 def _op(name: str, destinations: tuple[str, ...], sources: tuple[str, ...]) -> Op:
-    """Return what `op` returns; memoized, because programs repeat words."""
+    """Return the word of the operation `name` with these operands. Results are memoized, because
+    programs repeat words. Raises ValueError for an unknown name or invalid operands."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")
@@ -277,8 +278,8 @@ def _op(name: str, destinations: tuple[str, ...], sources: tuple[str, ...]) -> O
 
 
 def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """Return a word of an operation, with its operands in a fixed order, so that equal words are
-    equal values.
+    """Return a word of the operation `row`, with its operands in a fixed order and each once, so
+    that equal words are equal values.
 
     Raises ValueError for invalid operands; callers check user input before."""
     name = row.name
@@ -318,5 +319,5 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
 
 def pair(kind: str, destination: str, sources: Iterable[str]) -> tuple[Op, Op]:
     """Return the two words that write the OR, NOR or REFRESH (`kind`) of `sources` to a register
-    that may be one of them."""
+    that may be one of them. The first of the two words must directly precede the second."""
     return op(f"{kind}.read", (), sources), op(f"{kind}.write", (destination,))

@@ -265,7 +265,8 @@ class ProgramKind:
         return opened
 
     def with_planes(self, container: Container) -> Container:
-        """Return a container with the bit planes that follow from its pixel codes, if any."""
+        """Return a container with the bit planes that follow from its pixel codes. Only chips
+        without logic have such planes; here the container is returned as it is."""
         return container
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
@@ -295,8 +296,8 @@ class ProgramKind:
         return dict(LazyFunctions("nscc.emit.report").report(compiled.layout, compiled.proof))
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows (label, text) of a summary after class and codes; fewer if it is unknown
-        whether the program fits."""
+        """Return the rows (label, text) of a summary that follow those on class and codes; fewer if
+        it is unknown whether the program fits."""
         return list(_SUMMARY.word_rows(compiled))
 
     def cost_text(self, compiled: Compiled) -> str:
@@ -317,7 +318,7 @@ class ProgramKind:
         return str(_SUMMARY.word_frame_text(compiled.lowered))
 
     def slot_text(self, compiled: Compiled, slot: int) -> str:
-        """Return the cost of a slot as the end of a sentence."""
+        """Return the cost of slot number `slot`, from 0, as the end of a sentence."""
         return str(_SUMMARY.word_slot_text(compiled.lowered, slot))
 
 
@@ -366,8 +367,8 @@ PASSES = ("parse", "program", "plan", "gates", "schedule", "words", "prove")
 
 
 def _passes(values: Mapping[str, Any]) -> Iterator[Pass]:
-    """Yield the passes for a program; `values` must have the result of "program" when the third is
-    requested."""
+    """Yield the passes for a program; `values` are the results so far by the pass's name, to which
+    the caller adds: "program" must be there when the third pass is requested."""
     yield from _READING
     yield from KINDS.of(values["program"]).passes
     yield from _WRITING
@@ -392,8 +393,9 @@ def run_passes(
 ) -> Compiled:
     """Return the compiled program of a text; files that it names are relative to the folder `base`.
 
-    `see` is called after each pass with the pass and its value. Raises Rejected with all errors, or
-    Unfit if the program only does not fit its target."""
+    `see` is called after each pass with the pass and its value. Raises ValueError for an unknown
+    optimisation level, Rejected with all errors, or Unfit if the program only does not fit its
+    target."""
     if options.level not in LEVELS:
         raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _pass, _value: None)
@@ -411,7 +413,7 @@ def run_passes(
 
 def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
     """Return a compiled program with the words of all lowerings (ways to compute the exposure), for
-    its report; `options` are those of its compilation."""
+    its report. Container and proof stay as they are; `options` are those of its compilation."""
     results = results_of_user() if options.cache else None
     job = Job(compiled.program.source, replace(options, price_all=True), Path(), results)
     value: Any = compiled.program

@@ -43,7 +43,7 @@ def sources(group: Group) -> dict[str, str]:
     """Return the modules that define the objects which other packages add to the group, by name of
     the object.
 
-    Raises Rejected as `added` does."""
+    Raises Rejected (NS0905) if an object cannot be imported, or two have one name."""
     return {name: module for name, (_, module) in _loaded(group).items()}
 
 
@@ -70,7 +70,7 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
 
 def unusable(group: Group, name: str, reason: str) -> Rejected:
     """Return the exception (NS0905) that an object of an installed package cannot be used, for
-    `reason`.
+    `reason`, which becomes a note.
 
     `name` and `group` are those of its entry point."""
     kind = group.removeprefix("nscc.").removesuffix("s")

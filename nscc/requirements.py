@@ -23,7 +23,7 @@ _REQUIREMENT = re.compile(
 @cache
 def extras() -> dict[str, str]:
     """Return for each distribution (package) the smallest extra of nscc that installs it, "" for
-    required ones.
+    required ones. Names are in normal form (PEP 503).
 
     The result is empty if nscc is not installed but runs from its sources."""
     from importlib import metadata
@@ -43,7 +43,7 @@ def extras() -> dict[str, str]:
 
 def distribution_of(module: str) -> str:
     """Return the name of the distribution (package) that provides a module, which is often the
-    module's own."""
+    module's own. A name with dots stands for its first part."""
     top = module.partition(".")[0]
     return next((name for known, name in _MODULES.items() if known.lower() == top.lower()), top)
 
@@ -71,7 +71,7 @@ def installed_version(distribution: str) -> str:
 
 def line_for(module: str) -> str:
     """Return the command that installs the package of a module, with the extra of nscc that it
-    belongs to."""
+    belongs to, or `all` if it belongs to none."""
     return install_line(extras().get(_normal(distribution_of(module)), "all"))
 
 

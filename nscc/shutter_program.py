@@ -342,7 +342,8 @@ def compile(
 def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     """Return the compiled program of a text; `folder` is that of the files that it names.
 
-    Raises Rejected for errors, and issues warnings, as `compile` does."""
+    Raises Rejected with all errors. Warnings become Python warnings, which name the line that
+    called the caller of this function."""
     compiled = compile_source(text, folder, options)
     assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)

@@ -36,12 +36,14 @@ class Source(Record):
         return starts
 
     def row_column(self, offset: int) -> tuple[int, int]:
-        """Return the row and the column of a character offset, both counted from 1."""
+        """Return the row and the column of a character offset, both counted from 1. Only LF ends a
+        line; an offset beyond the text is in its last row."""
         row = bisect_right(self._line_starts, offset)
         return row, offset - self._line_starts[row - 1] + 1
 
     def line(self, row: int) -> str:
-        """Return the text of row `row` (from 1), without its line break."""
+        """Return the text of row `row` (from 1), without its line break (LF, or CR and LF). The row
+        must exist."""
         start = self._line_starts[row - 1]
         end = self._line_starts[row] - 1 if row < len(self._line_starts) else len(self.text)
         return self.text[start:end].rstrip("\r")

@@ -39,7 +39,7 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
 
 def members(vector: int, count: int) -> NDArray[np.intp]:
     """Return the indices of the shutters, out of `count`, whose bit in a truth vector is 1,
-    ascending."""
+    ascending. The vector has no bits beyond `count`."""
     if vector & (vector - 1) == 0:  # at most one bit, a common case that is faster this way
         return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
     packed = np.frombuffer(vector.to_bytes((count + 7) // 8, "little"), dtype=np.uint8)
@@ -60,7 +60,8 @@ def vector(shutters: NDArray[np.intp]) -> int:
 
 
 def union(vectors: Iterable[int]) -> int:
-    """Return the OR of all truth vectors (integers with one bit for each shutter)."""
+    """Return the OR of all truth vectors (integers with one bit for each shutter); 0 without
+    any."""
     return reduce(or_, vectors, 0)
 
 
@@ -80,5 +81,5 @@ def set_bits(mask: int) -> tuple[int, ...]:
 
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
     """Return the truth vectors of the `width` lowest bits of numbers, int64 (shutters,), lowest bit
-    first."""
+    first. Bit k of a vector belongs to number k."""
     return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

@@ -103,8 +103,8 @@ def _check_container_name(out: Path) -> None:
 
 
 def _kinds(text: str) -> dict[str, bool]:
-    """Return the products that the value of `--emit` names, in its order, with True for those that
-    are printed (`KIND=-`) instead of written.
+    """Return the products that the value of `--emit` names, such as `asm,report=-`, in its order,
+    with True for those that are printed (`KIND=-`) instead of written.
 
     Raises Rejected (NS0505) for an unknown kind."""
     places_by_kind: dict[str, bool] = {}
@@ -143,6 +143,6 @@ def _printer(after: str | None) -> Observer | None:
 
 
 def _print(data: bytes) -> None:
-    """Write bytes to the terminal or pipe at once."""
+    """Write bytes to standard output at once, without conversion."""
     sys.stdout.buffer.write(data)
     sys.stdout.buffer.flush()

@@ -102,8 +102,9 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
-    """Apply all safe fixes to the program at `path`, in place. Check it again after each round,
-    because one error may hide another."""
+    """Apply all safe fixes to the program at `path`, in place. Check it again after each round, at
+    most `_MOST_ROUNDS`, because one error may hide another. Raises Rejected only if the file cannot
+    be read or written."""
     from nscc.diagnostics.message import with_safe_fixes
     from nscc.files import write_back
     from nscc.syntax.parse import read_source
@@ -134,9 +135,9 @@ State = tuple[int, ...] | None
 def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
     """Yield an empty list, then after each change the names of the changed files.
 
-    Changes while the caller works are not missed. `files` returns the paths to watch. It is called
-    again after each change, because the set of files may change. Files may be missing and appear
-    later."""
+    The iterator never ends; it waits while nothing changes. Changes while the caller works are not
+    missed. `files` returns the paths to watch. It is called again after each change, because the
+    set of files may change. Files may be missing and appear later."""
     known_states = _states(files())
     changed: list[str] = []
     while True:
@@ -157,8 +158,8 @@ def _states(files: Iterable[Path]) -> dict[Path, State]:
 
 
 def _state(path: Path) -> State:
-    """Return modification time, size and number of a file, one of which changes when it is written.
-    Return None if it is missing."""
+    """Return modification time (ns), size (bytes) and inode number of a file, one of which changes
+    when it is written. Return None if it is missing."""
     try:
         status = os.stat(path)
     except (OSError, ValueError):

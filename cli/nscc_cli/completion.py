@@ -54,7 +54,7 @@ class Name(click.types.StringParamType):
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
         """Return suggestions that begin with the text that the user has typed, `incomplete`. In a
-        list, only the last name is completed."""
+        list, only the last name is completed; the suggestion repeats the text before it."""
         head, comma, typed = incomplete.rpartition(",") if self.several else ("", "", incomplete)
         sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)
@@ -84,8 +84,8 @@ class RunPath(click.Path):
 
 
 def _runs(typed: str) -> Iterator[str]:
-    """Yield the run folders whose paths begin with the text that the user has typed. A folder that
-    cannot be read has none."""
+    """Yield the run folders whose paths begin with the text that the user has typed; only the
+    folder of the typed path is searched. A folder that cannot be read has none."""
     from nscc_training.run_files import CONFIG
 
     folder, begin = os.path.split(typed)

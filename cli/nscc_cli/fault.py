@@ -79,7 +79,8 @@ _NEEDED = re.compile(r"allocate (?:memory: you tried to allocate )?([\d.]+ (?:[K
 
 def _memory_text(error_text: str, on_gpu: bool) -> str:
     """Return a sentence on how much memory was needed and is free, with the numbers that
-    `error_text` and the system tell. `on_gpu` says which memory."""
+    `error_text` and the system tell. `on_gpu` means the memory of a GPU, whose free part is
+    unknown."""
     needed = _NEEDED.search(error_text)
     asked = f"one array needs {needed[1]}" if needed else "this needs more than is free"
     if on_gpu:

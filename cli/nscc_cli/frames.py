@@ -29,7 +29,7 @@ def scene_of(
     options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
     """Return the scene that the options of a command describe. Raise Rejected (NS0744, with the
-    message `missing`) without `--scene`."""
+    message `missing`) without `--scene`. Files are not read yet."""
     from nscc_runtime.scenes import Scene
 
     if not options["scene"]:
@@ -92,8 +92,8 @@ def run_capture_of(
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
-    """Return the names in the value of `--keep`, which commas separate. Raise Rejected (NS0739) for
-    an unknown name."""
+    """Return the names in the value of `--keep`, which commas separate; empty ones are ignored.
+    Raise Rejected (NS0739) for an unknown name."""
     from nscc_runtime.frame_file import KEEP
 
     names = tuple(name.strip() for name in text.split(",") if name.strip())
@@ -198,7 +198,8 @@ def _picture(
 def summary(
     container: Container, frame: Frame, files: Sequence[Path], *, alike: bool, colours: bool = False
 ) -> str:
-    """Return the text that describes each bucket of the first frame, and names each file.
+    """Return the text that describes each bucket of the first frame, and names each of `files`, the
+    files that were written.
 
     `alike` says that all frames are identical, `colours` that the frames are those of red, green
     and blue light."""

@@ -42,8 +42,8 @@ class LazyGroup(click.Group):
         """Return the name and the command that the first of `args` names, and the arguments after
         it.
 
-        Raises Rejected (NS0781) for an unknown command. Here Python's garbage collector is turned
-        on again."""
+        Raises Rejected (NS0781) for an unknown command, and NoSuchOption for an option before the
+        command. Here Python's garbage collector is turned on again."""
         name = args[0]
         if name.startswith("-"):
             raise click.NoSuchOption(name, ctx=ctx)

@@ -108,8 +108,8 @@ def import_network(model: Path, out: Path, frame_us: float, target: str) -> None
 def _place(
     _context: click.Context, _option: click.Parameter, value: str | None
 ) -> tuple[int, int] | None:
-    """Return the row and the column of an option's value, a text R,C; None without one. Raise
-    BadParameter for another text."""
+    """Return (row, column) of an option's value, a text R,C of two numbers from 0; None without
+    one. Raise BadParameter for another text."""
     if value is None:
         return None
     row, _, col = value.partition(",")

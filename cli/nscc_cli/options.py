@@ -85,7 +85,8 @@ def declared(
 
 def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
     """Return the values of a command's options that fields of the dataclass `settings` declare, by
-    the names of the fields. Options without a value are left out."""
+    the names of the fields. `options` are by the names of click's parameters. Options without a
+    value (None) are left out."""
     named = ((key.attribute, options.get(key.name)) for key in keys_by_name(settings).values())
     return {name: value for name, value in named if value is not None}
 
@@ -95,7 +96,7 @@ def settings_of(
 ) -> Settings:
     """Return the dataclass `settings` with the options of a command, and further `values`.
 
-    Raises BadParameter for an option that contradicts the others."""
+    Raises BadParameter for the first option that contradicts the others."""
     declaring: type = settings  # type: ignore[assignment]  # a dataclass
     made = settings(**values_given(declaring, options), **values)
     for key in keys_by_name(declaring).values():
@@ -157,7 +158,8 @@ def _option(key: Key, default: Any) -> Callable[..., Any]:
 
 
 def _default_text(key: Key) -> str:
-    """Return the default of the declared field `key` as text for its help; "" if it has none."""
+    """Return the default of the declared field `key` as text for its help; "" if it has none or
+    None."""
     if key.default_text is not None:
         return key.default_text
     return "" if key.default in (None, MISSING) else str(key.default)

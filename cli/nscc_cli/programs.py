@@ -46,8 +46,8 @@ def load_program(
     and the messages.
 
     If the command has the option `pixels`, all pixels of the container have codes. Raises Rejected
-    as `nscc.containers.load_container` does, and NS0743 (status 2) if build options are given for a
-    compiled program."""
+    if the program does not compile, a file cannot be read or codes are invalid, and NS0743 (status
+    2) if build options are given for a compiled program."""
     from nscc.containers import is_compiled, load_container, with_pixels
 
     chosen = compile_options(options)
@@ -81,7 +81,7 @@ def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str,
 
 def _is_mask(path: Path) -> bool:
     """Return whether the file `path` is a mask: .npy, .mat, or an .npz that contains `mask` alone.
-    Another .npz contains codes."""
+    Another .npz contains codes. A missing or damaged .npz is no mask."""
     if path.suffix.lower() != ".npz" or not path.is_file():
         return path.suffix.lower() in (".npy", ".mat")
     from zipfile import BadZipFile, ZipFile

@@ -131,8 +131,8 @@ def _uri(source: Source, document: Text) -> str:
 
 
 def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
-    """Return `fix` of `message` as a code action on the text `uri`; safe fixes are marked as
-    preferred."""
+    """Return `fix` of `message` as a code action on the text of `document`, whose address is `uri`;
+    safe fixes are marked as preferred."""
     positions = Positions(document.text)
     return types.CodeAction(
         fix.title,
@@ -163,7 +163,8 @@ def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
 
 
 def symbol(entry: OutlineEntry, positions: Positions) -> types.DocumentSymbol:
-    """Convert an entry of the outline, a statement, into the protocol's form."""
+    """Convert an entry of the outline, a statement, into the protocol's form; `positions` are those
+    of its text."""
     return types.DocumentSymbol(
         entry.name,
         _DECLARED[entry.kind],

@@ -147,7 +147,7 @@ def say_refused_cache(of: Session) -> None:
 
 def say_compiling(loop: Any, part_name: str) -> None:
     """Tell the user that a loop must first be compiled, which takes a while, unless it is compiled
-    already. `part_name` says what it computes."""
+    already. `part_name` names it in the message, such as "the emulator's loops"."""
     if not loop.is_compiled():
         say_done(loop.compiling(part_name))
 
@@ -273,7 +273,8 @@ def _to_session(context: click.Context, option: click.Parameter, value: Any) -> 
 
 def given_options(names: Iterable[str]) -> list[str]:
     """Return which of the options `names` are on the command line of the running command, as users
-    write them (`--slot-us`). Defaults do not count."""
+    write them (`--slot-us`). `names` are click's names of parameters (`slot_us`). Defaults do not
+    count."""
     context = click.get_current_context()
     written = {parameter.name: parameter.opts[-1] for parameter in context.command.params}
     on_command_line = click.core.ParameterSource.COMMANDLINE
@@ -282,7 +283,8 @@ def given_options(names: Iterable[str]) -> list[str]:
 
 def refuse_ignored(why: str, *names: str) -> None:
     """Raise UsageError if one of the options `names` is on the command line. They have no effect,
-    because of `why`, the end of a sentence."""
+    because of `why`, the end of a sentence such as "no program is named". `names` are click's names
+    of parameters (`slot_us`)."""
     for option in given_options(names):
         raise click.UsageError(f"{option} has no effect, because {why}: leave {option} out")
 
@@ -337,7 +339,8 @@ class Subcommands(CommonCommand, click.Group):
         return False
 
     def names_help(self, ctx: click.Context) -> tuple[str, ...]:
-        """Return help lines about everything that can stand after the group's name."""
+        """Return help lines about everything that can stand after the group's name: its
+        subcommands, then `others`."""
         return f"there is: {', '.join(self.list_commands(ctx))}", *self.others
 
 
@@ -411,7 +414,7 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
 
 def bar_line(label: str, item_count: int, total: int | None, elapsed_s: float) -> str:
     """Return a progress line after `item_count` of `total` items and `elapsed_s` seconds: a bar and
-    the remaining time, or a count if `total` is unknown."""
+    the remaining time, or a count if `total` is unknown (None or 0)."""
     if not total:
         return f"{label}: {item_count}, {elapsed_s:.0f} s"
     share = min(item_count / total, 1.0)

@@ -27,8 +27,8 @@ _TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
 def _checked_times(
     _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
 ) -> tuple[str, ...]:
-    """Return the times in `values` (such as 10us) without duplicates. Raise BadParameter for an
-    invalid or zero time."""
+    """Return the times in `values` (such as 10us) without duplicates, in their order. Raise
+    BadParameter for an invalid or zero time."""
     for value in values:
         if not _TIME.fullmatch(value):
             raise click.BadParameter(f"invalid time '{value}': write 10us, 1.5ms, 800ns or 2s")
@@ -132,8 +132,9 @@ def listing() -> str:
 
 
 def details(target: Target) -> str:
-    """Return the values of all keys of a target with their meaning, by section. Values that are not
-    published are marked."""
+    """Return the values of all keys of a target with their meaning, by section. Keys without a
+    section, such as the name, stand only in the first line. Values that are not published are
+    marked."""
     lines = [f"{target.name}: {target.description}" if target.description else target.name]
     rows = [(key, _value(target, key)) for key in schema_of(target.kind).keys if key.section]
     width = max(len(value) for _, value in rows)

@@ -42,7 +42,7 @@ class _Tradeoffs(Subcommands):
     others = ("or name a program (FILE.nsl, FILE.icw) or a run: RUN, hdr, clip",)
 
     def accepts(self, name: str) -> bool:
-        """Return whether `name` is that of a program, of an existing path or of a run that comes
+        """Return whether `name` is that of a program, of any existing path or of a run that comes
         with nscc."""
         from nscc_training.run_files import shipped_runs
 
@@ -178,7 +178,8 @@ def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
     """Return the light of each scene that `options` name (none: the built-in ones), with a short
-    name that is unique. Print `messages` of the program, and those of the scenes."""
+    name that is unique: the file's name without its ending, or all paths in full if two of these
+    are equal. Print `messages` of the program, and those of the scenes."""
     from nscc_runtime.scenes import scene_light
     from nscc_training.tradeoff.emulator import SCENES, NamedLight
 

@@ -70,8 +70,8 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
 
 
 def _plain(value: Any) -> Any:
-    """Return the value of an option in a form that can be compared: names of files are followed by
-    a digest of their content."""
+    """Return the value of an option in a form that can be compared: a text or path becomes [text,
+    digest of the file of that name]. Tuples become lists."""
     if isinstance(value, tuple):
         return [_plain(item) for item in value]
     if isinstance(value, str | Path):
@@ -86,7 +86,8 @@ def run_study(
     Without any point, no product is written.
 
     Measurements are kept beside the first product until all products are written. `options` and
-    `of` decide whether they are used again, as `kept_rows` says."""
+    `of` decide whether they are used again, together with the packages' versions and the processor.
+    """
     from nscc_runtime.pictures.sheet import png_of
     from nscc_training.experiments.stopwatch import processor_name
     from nscc_training.experiments.study import measure

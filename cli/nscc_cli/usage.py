@@ -23,8 +23,8 @@ _KINDS = {
 def usage_diagnostic(error: click.ClickException) -> Diagnostic:
     """Convert a usage error of click into a diagnostic.
 
-    NS0780 for a missing or extra argument, NS0782 for an unknown option, NS0783 for an invalid
-    option value, NS0784 for a file that click could not open."""
+    NS0780 for a missing or extra argument and every other error, NS0782 for an unknown option,
+    NS0783 for an invalid option value, NS0784 for a file that click could not open."""
     context = getattr(error, "ctx", None)
     name = context.command_path if context is not None else "nscc"
     helps: tuple[str, ...] = (f"`{name} --help` lists what it takes",)
@@ -56,8 +56,9 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
 
 
 def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]:
-    """Return a help that suggests `--scene` if the extra argument looks like a scene, or `-o` for
-    a program where none is read."""
+    """Return helps for `message`, if it is click's about an extra argument. They suggest `--scene`
+    for one that looks like a scene, `-o` for a program where none is read, else quotation marks.
+    There are none for other messages and commands without scenes."""
     extra = re.fullmatch(r"got unexpected extra argument \((.*)\)", message)
     if context is None or extra is None or "--scene" not in _options(context):
         return ()

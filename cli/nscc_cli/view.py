@@ -53,7 +53,8 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
 
 def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     """Return the PNG of a program's shutters and their arrangement on the array, after compiling it
-    with the `options` of the command. Print its messages."""
+    with the `options` of the command. Print its messages. Raises Rejected if the program does not
+    compile or cannot be read."""
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of

@@ -35,8 +35,8 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
     """Yield the contradictions between the keys of section [registers] of a target file.
 
     `registers` maps the keys without their section to their values; keys that are absent or have
-    errors of their own are left out. Each result is (key, message, help); the help is "" if there
-    is none."""
+    errors of their own are left out. At most `_MOST_TOLD` are yielded for each list of registers.
+    Each result is (key, message, help); the help is "" if there is none."""
     for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
         for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
             yield key, f"registers.{key} lists {message}", help_text
@@ -64,7 +64,8 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
     """Yield the contradictions between the keys of section [stream] of a target file, for chips
     with taps.
 
-    `stream` and the results have the form that `contradictions` describes."""
+    `stream` maps the keys without their section to their values, without absent and invalid ones.
+    Each result is (key, message, help); the help is "" if there is none."""
     taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
@@ -106,7 +107,7 @@ def builtin_names() -> tuple[str, ...]:
 
 @cache
 def builtin_target(name: str) -> Target:
-    """Return the built-in target `name`, which must exist.
+    """Return the built-in target `name`, which must exist (see `builtin_names`).
 
     Raises ValueError if its table has errors, which is a fault of nscc."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
@@ -146,8 +147,8 @@ def load_target(
     `name_or_path` is a file, relative to the folder `base`, if it ends in `.toml` or contains a
     slash. `source` and `span` are the program text and the place of the name in it, for messages;
     None if the name is an option. Raises Rejected: NS0230 for an unknown name, NS0231 (status 2)
-    for an unreadable file, NS0232 to NS0236 for all errors in a file (status 1 if a `source` names
-    it, else 2)."""
+    for an unreadable file, NS0905 for an invalid target of an installed package, NS0232 to NS0236
+    for all errors in a file (status 1 if a `source` names it, else 2)."""
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         data = read_target(name_or_path, base, source, span)
         return parse_target(data, name_or_path, status=1 if source else 2)
@@ -180,7 +181,8 @@ def target_dict(target: Target) -> dict[str, Any]:
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
-    """Return the target that the JSON values of `target_dict` describe.
+    """Return the target that JSON values {section: {key: value}} describe, as `target_dict` returns
+    them.
 
     Raises ValueError with the message of the first error if the values are invalid."""
     key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
@@ -211,7 +213,8 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """Return the bytes of the target file `name`, which is looked up in the folder `base`.
+    """Return the bytes of the target file `name`, a path that is absolute or relative to the folder
+    `base`.
 
     Raises Rejected (NS0231) if it cannot be read. The error marks `span` of `source`, where a
     program names the file; without them it has no place."""

@@ -239,7 +239,8 @@ class Target:
 
     @property
     def electrons_per_lsb(self) -> float:
-        """Electrons per step of the converter."""
+        """Electrons per step of the converter: its range in electrons, divided by the steps between
+        its codes."""
         return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
 
     def level_e(self, value: float, unit: str) -> float:
@@ -295,7 +296,7 @@ class Target:
 
     @property
     def top_code(self) -> int:
-        """The largest converter code."""
+        """The largest converter code, 2^`code_bits` - 1."""
         return (1 << self.code_bits) - 1
 
     @property

@@ -113,7 +113,7 @@ def _row(values: Any, who: str) -> Operation:
     """Return the operation that one `[[words]]` table defines.
 
     `who` names the table in messages until its own name is known. Raises ValueError with the reason
-    if the table is invalid."""
+    if the table is invalid: the first fault that is found."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
@@ -187,7 +187,7 @@ def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int
 
 def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
     """Return the numbers of the control lines `names` that a word sets besides those of its
-    operands, in ascending order.
+    operands, in ascending order and each once.
 
     Raises ValueError, which calls the word `who`, for unknown lines and for lines that select an
     operand."""
@@ -202,7 +202,7 @@ def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
 
 
 def _operand_lines(digital: bool) -> frozenset[int]:
-    """Return the numbers of the control lines that select the registers a word reads and writes.
+    """Return the numbers of all control lines that select a register that a word may read or write.
 
     `digital` chooses between digital and analog registers."""
     reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
@@ -225,8 +225,8 @@ def _may_have_same_bits(first: Operation, second: Operation) -> bool:
 
 
 def _ranges_overlap(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
-    """Return whether two ranges (fewest, most) of operand counts overlap; `most` None means no
-    limit."""
+    """Return whether two ranges (fewest, most) of operand counts overlap; both ends are included,
+    and `most` None means no limit."""
     return (second[1] is None or first[0] <= second[1]) and (
         first[1] is None or second[0] <= first[1]
     )

@@ -48,8 +48,8 @@ def require_type(call: str, name: str, value: object, kind: type, made_by: str) 
 def as_array(call: str, name: str, value: object, dtype: type | None = None) -> NDArray[Any]:
     """Return `value`, the argument `name` of the function `call`, as a numpy array.
 
-    `dtype` None keeps its own. Raises WrongArgument if numpy cannot convert it; the help names the
-    conversion for torch tensors."""
+    `dtype` None keeps its own; the shape is not checked. Raises WrongArgument if numpy cannot
+    convert it; the help names the conversion for torch tensors."""
     try:
         return np.asarray(value, dtype)
     except (RuntimeError, TypeError, ValueError) as error:
@@ -64,7 +64,7 @@ def as_array(call: str, name: str, value: object, dtype: type | None = None) -> 
 
 
 def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
-    """Issue the warnings among the diagnostics as Python warnings; ignore the rest.
+    """Issue the diagnostics of severity WARNING as Python warnings; ignore errors and notes.
 
     `stacklevel` chooses the line that Python shows: 3 is the caller of the function that calls
     `warn`."""

@@ -38,7 +38,8 @@ def page(code_or_name: str) -> str:
 
 
 def index() -> str:
-    """Return one line for each diagnostic code: the code, its name and the title of its page."""
+    """Return a text with one line for each diagnostic code, ascending: the code, its name and the
+    title of its page."""
     lines = []
     for code, name in names().items():
         with open(PAGES / f"{code}-{name}.md", encoding="utf-8") as file:

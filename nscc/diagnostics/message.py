@@ -17,8 +17,8 @@ MOST_ERRORS = 20
 
 
 def more_errors(count: int, source: Source) -> Diagnostic:
-    """Return the diagnostic (NS0190) that tells how many further errors of a text are not
-    printed."""
+    """Return the diagnostic (NS0190) that tells how many further errors of a text are not printed.
+    `count` is at least 1."""
     errors = "error" if count == 1 else "errors"
     return Diagnostic("NS0190", f"and {count} more {errors} in the text", source=source)
 
@@ -39,7 +39,8 @@ class Label(Record):
 
 
 class Fix(Record):
-    """A change that resolves a diagnostic: replace `span` by `replacement`.
+    """A change that resolves a diagnostic: replace `span` by `replacement`; "" removes it, and an
+    empty span only inserts. `title` says so in words.
 
     A fix is `sure` (safe) if it cannot change the meaning that the author intended."""
 

@@ -37,7 +37,7 @@ def names() -> dict[str, str]:
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Return diagnostics as text that ends in a line break.
+    """Return diagnostics as text that ends in a line break; "" without diagnostics.
 
     `human` quotes the source lines, `short` has one line for each diagnostic, and `json` one object
     per line. `color` adds escape sequences for terminals to `human`."""
@@ -147,9 +147,10 @@ def _labelled(
     """Return the source lines of the labels, with marks below them; neighbouring labels on one line
     share it.
 
-    `rows` are the line numbers of the labels. `margin` is the width of the column of line numbers.
-    `paint` returns a text (second argument) in the colour of an escape sequence (first argument).
-    """
+    `labels` begins with the diagnostic's own label, if it has one; its marks are ^, others are -.
+    `rows` are the line numbers of the labels, from 1. `margin` is the width of the column of line
+    numbers. `paint` returns a text (second argument) in the colour of an escape sequence (first
+    argument)."""
     bar = paint(_BLUE, " " * (margin + 1) + "|")
     lines = [bar]
     above = (0, "")  # the row and the text of the source line above, which labels may share
@@ -179,7 +180,8 @@ def _helps(diagnostic: Diagnostic) -> list[str]:
 
 
 def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, str]:
-    """Return the source line `row`, and a line with marks below the label's place and its text.
+    """Return the source line `row`, from 1, and a line with marks below the label's place and its
+    text.
 
     A line longer than `_WIDEST` is cut around the label. `mark` is the character of the marks. Only
     the first line of a label that spans several is marked."""
@@ -205,7 +207,8 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
 def _visible(text: str) -> str:
     """Replace tabs by blanks and unprintable characters by `?`, so that columns can be counted.
 
-    A tab becomes `_TAB` blanks, whatever its column."""
+    Bytes of file names that Python could not decode are decoded as UTF-8 first. A tab becomes
+    `_TAB` blanks, whatever its column."""
     if text.isascii() and text.isprintable():
         return text
     with suppress(UnicodeError):

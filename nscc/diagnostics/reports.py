@@ -17,7 +17,7 @@ _KINDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "
 
 
 def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
-    """Return GitHub workflow commands for the diagnostics, one per line."""
+    """Return GitHub workflow commands for the diagnostics, one per line; "" without diagnostics."""
     return "".join(map(_annotation, diagnostics))
 
 
@@ -45,7 +45,8 @@ def _annotation(diagnostic: Diagnostic) -> str:
 
 
 def sarif(diagnostics: Sequence[Diagnostic]) -> str:
-    """Return a SARIF log with one run, as JSON text; results are in the order of `diagnostics`."""
+    """Return a SARIF log with one run, as JSON text, also without diagnostics; results are in the
+    order of `diagnostics`."""
     codes = sorted({diagnostic.code for diagnostic in diagnostics})
     rules = [{"id": code, "name": names().get(code, code)} for code in codes]
     driver = {"name": "nscc", "version": __version__, "rules": rules}
@@ -60,7 +61,8 @@ def sarif(diagnostics: Sequence[Diagnostic]) -> str:
 def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
     """Return a diagnostic as a SARIF `result` object.
 
-    `codes` are the codes of the log's rules in their order, which give the rule's index."""
+    The place is left out if the diagnostic has no source. `codes` are the codes of the log's rules
+    in their order, which give the rule's index."""
     source = diagnostic.source
     result: dict[str, Any] = {
         "ruleId": diagnostic.code,

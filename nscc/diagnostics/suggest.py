@@ -13,7 +13,8 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate most similar to `name`, ignoring case; None if none is similar enough.
 
     A candidate that equals a word of `name` (between `-`, `_` or blanks) comes first. Of equally
-    similar candidates, the alphabetically first is returned. `name` itself is never returned."""
+    similar candidates, the alphabetically first is returned. `name` itself is never returned. A
+    name of more than `_LONGEST` characters has no similar one."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}
@@ -48,8 +49,8 @@ def meant(
 ) -> tuple[str, ...]:
     """Return the help "did you mean ..?" with the candidate most similar to `name`, in a tuple.
 
-    `written` is a format for the candidate. Without a similar candidate, the help is `otherwise`;
-    if that is "", the tuple is empty."""
+    `written` is a format for the candidate, with {} in its place. Without a similar candidate, the
+    help is `otherwise`; if that is "", the tuple is empty."""
     nearest = closest(name, candidates)
     help_text = did_you_mean(written.format(nearest)) if nearest else otherwise
     return (help_text,) if help_text else ()

@@ -48,7 +48,8 @@ _ONCE = ("nsl", "target", "frame", "reset")
 
 
 class Offer(Record):
-    """A completion: its text, its kind and a one-line description."""
+    """A completion: its text, its kind and a one-line description, which may be empty. A "digest"
+    is the SHA-256 of a file."""
 
     text: str
     kind: Literal["word", "name", "target", "file", "digest"]
@@ -59,7 +60,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     """Return the span that a completion replaces, and the completions at `offset` (characters).
 
     Completions are words of the grammar, visible names, targets, files and the digest of a named
-    file. In a comment there are none."""
+    file. Files are offered inside quotes only. In a comment there are none."""
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
@@ -183,7 +184,8 @@ def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
     """Yield the files that end in `ending`, and the folders, in the folder of the typed path.
 
     `typed` is the path before the cursor, relative to the document's folder. Hidden files are left
-    out. A folder that cannot be read yields nothing."""
+    out, and at most `_MOST_FILES` entries are looked at. A folder that cannot be read yields
+    nothing."""
     inside = typed[: typed.rfind("/") + 1]
     try:
         entries = sorted(os.scandir(document.folder / inside), key=lambda entry: entry.name)
@@ -249,7 +251,8 @@ def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
     """Yield the completions of a line of assembly text after the words `before`.
 
     The first word of a line is a directive or a mnemonic. Later words are a chip after `.target`, a
-    kernel (list of words) after `.slot`, and else registers."""
+    kernel (list of words) after `.slot`, and else registers. Other directives without operands of
+    these kinds have no completions."""
     if not before:
         yield from (Offer(name, "word", "a directive") for name in DIRECTIVES)
         known = mnemonics(listing.target.words)

@@ -77,7 +77,7 @@ class Document:
 
     @cached_property
     def declared(self) -> Declarations:
-        """The declarations of the valid statements; the errors are in `checked`."""
+        """The declarations of the valid statements, each name once; the errors are in `checked`."""
         return gather(self.parsed[0], self._unheard)
 
     @cached_property
@@ -113,7 +113,8 @@ class Document:
 
 
 def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]:
-    """Yield the fixes at `span`, each with its diagnostic.
+    """Yield the fixes at `span`, safe or not, each with its diagnostic, in the order of
+    diagnostics.
 
     A fix is at `span` if the text that it changes, or the place that its diagnostic marks, overlaps
     or touches it."""
@@ -128,7 +129,7 @@ def fixes_at(document: Document, span: Span) -> Iterator[tuple[Diagnostic, Fix]]
 
 def text_with_safe_fixes(document: Document) -> str | None:
     """Return the text after all safe fixes were applied once, as `nscc check --fix` does; None if
-    there are none."""
+    there are no safe fixes. Of overlapping fixes, the last in the text is applied."""
     better, count = with_safe_fixes(document.source, document.checked.diagnostics)
     return better.text if count else None
 
@@ -157,7 +158,7 @@ class OutlineEntry(Record):
 
 
 def outline(document: Document) -> list[OutlineEntry]:
-    """Return the named statements of `document`, its frame and its rule, in the order of the
+    """Return the named statements of `document`, its frame and its rules, in the order of the
     text."""
     entries = []
     for statement in document.parsed[0].statements:

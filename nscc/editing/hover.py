@@ -38,7 +38,8 @@ def hover(document: Document, offset: int) -> Hover | None:
     """Return the hover text at `offset` (characters); None if there is nothing to say.
 
     It contains the meaning and values of a name, the form of a statement, the cost of the frame or
-    a slot, and the pages of diagnostics. The span is that of the first of these."""
+    a slot, and the pages of diagnostics. These are joined by rules (`---`). The span is that of the
+    first of these."""
     texts: list[str] = []
     span: Span | None = None
     for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
@@ -158,7 +159,8 @@ def _picture(document: Document, name: str) -> str | None:
 
 
 def _grid(weights: Weights) -> str:
-    """Return the weights of a convolution kernel as a block of Markdown, one line for each row."""
+    """Return the weights of a convolution kernel as a block of Markdown, one line for each row, the
+    top row first. A divisor above 1 stands beside the middle row."""
     width = max(len(str(weight)) for row in weights.rows for weight in row)
     lines = [" ".join(f"{weight:>{width}}" for weight in row) for row in weights.rows]
     if weights.divisor > 1:  # beside the middle row
@@ -167,8 +169,8 @@ def _grid(weights: Weights) -> str:
 
 
 def _field(document: Document, name: str) -> str:
-    """Return the description of a field of the pixel code: its range and, if codes are given, the
-    values in use."""
+    """Return the description of the declared field `name` of the pixel code. It has the range and,
+    if the program gives codes, up to `_MOST_VALUES` values in use."""
     field = document.fields.get(name)
     if field is None:
         return "a field of the pixel code"
@@ -218,7 +220,8 @@ def _state(document: Document, name: str) -> str:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """Return the cost of the frame, or of the listed slot at `offset`.
+    """Return the hover text with the cost of the frame, or of the listed slot at `offset`
+    (characters).
 
     Return None if `offset` is not in a `frame` statement, or if nothing is known about it."""
     for statement in document.parsed[0].statements:
@@ -249,7 +252,8 @@ def _frame(document: Document, offset: int) -> Hover | None:
 
 
 def _word(document: Document, offset: int) -> Hover | None:
-    """Return the forms of the statement whose first word is at `offset`, else None.
+    """Return the hover text with the forms of the statement whose first word is at `offset`
+    (characters), else None.
 
     For `open`, the class of the program's shutters comes first if the program is valid."""
     for statement in document.parsed[0].statements:
@@ -269,7 +273,8 @@ def _word(document: Document, offset: int) -> Hover | None:
 
 
 class Hint(Record):
-    """A text shown after the character before `offset`."""
+    """A text that an editor shows before the character number `offset`, from 0; the program does
+    not contain it."""
 
     offset: int
     text: str
@@ -297,7 +302,7 @@ def hints(document: Document) -> Iterator[Hint]:
 
 def frame_cost(document: Document) -> str | None:
     """Return a sentence on the words or planes of a frame and the shortest slot that they allow;
-    None if unknown."""
+    None if the program has errors, or it is unknown whether it fits."""
     compiled = _compiled(document)
     if compiled is None:
         return None
@@ -306,8 +311,8 @@ def frame_cost(document: Document) -> str | None:
 
 
 def slot_cost(document: Document, slot: int) -> str | None:
-    """Return a sentence on the words or the plane before a slot, and their share of it; None if
-    unknown."""
+    """Return a sentence on the words or the plane before slot number `slot`, from 0, and their
+    share of it. Return None if the program has errors, or it is unknown whether it fits."""
     compiled = _compiled(document)
     if compiled is None:
         return None

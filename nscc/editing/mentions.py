@@ -45,7 +45,7 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
 
 
 def renameable(document: Document, offset: int) -> Mention:
-    """Return the declared name at `offset`, if it can be renamed.
+    """Return the declared name at `offset` (characters), if it can be renamed.
 
     Raises CannotRename if no declared name stands there, or if it is that of an array in a file."""
     mention = mention_at(document, offset)
@@ -88,7 +88,8 @@ class Mention(Record):
 
 
 def mentions(document: Document) -> list[Mention]:
-    """Return all names in a text, in order, except the names of targets and of arrays in files."""
+    """Return all names in a text, in order, except the names of targets and of arrays in files. A
+    name is listed once for each place."""
     tokens, kinds = document.tokens, document.tokens.kinds
     listed = []
     for index, kind in enumerate(kinds):
@@ -104,7 +105,8 @@ def mentions(document: Document) -> list[Mention]:
 
 
 def mention_at(document: Document, offset: int) -> Mention | None:
-    """Return the name that contains `offset` or ends there, or None."""
+    """Return the name that contains `offset` (characters) or ends there, the first in the text, or
+    None."""
     return next((m for m in mentions(document) if m.span.start <= offset <= m.span.end), None)
 
 
@@ -121,5 +123,6 @@ def alike(document: Document, mention: Mention) -> list[Mention]:
 
 
 def declaration(document: Document, mention: Mention) -> Mention | None:
-    """Return the mention that declares the name; None for predefined and unknown names."""
+    """Return the mention that declares the name; None for predefined and unknown names. Of several,
+    it is the first."""
     return next((candidate for candidate in alike(document, mention) if candidate.declares), None)

@@ -40,8 +40,9 @@ def judge_looking(
     """Report faults of a program whose pixels look at their light (statements `sense` and `state`).
 
     These are readouts that do not determine open times (NS0324), resets of some pixels only on a
-    chip that cannot (NS0415), and rules that never open (NS0350, a warning). `untold` is the result
-    of `nscc.program.open_time.with_open_times`."""
+    chip that cannot (NS0415), and rules that never open (NS0350, a warning). `untold` says which
+    bucket has an unknown open time; None if the readout determines all. `machine` is the program's
+    state machine."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -84,7 +85,8 @@ def judge_looked_names(
     """Note unused senses and states, and states that never change (NS0355).
 
     An unread sense counts as used if it is the only sense at a boundary where a state changes, or
-    that `looks` counts. `rules` are the rules of shutters."""
+    that `looks` counts. `rules` are the rules of shutters. `machine` has the values that states
+    really reach."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -148,7 +150,8 @@ def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
     """Return the shutters of pixels whose light never exceeds a level: bool (behaviours, buckets,
     N).
 
-    A behaviour is a set of codes whose pixels act alike for all answers."""
+    A behaviour is a set of codes whose pixels act alike for all answers. Row k belongs to behaviour
+    k."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
@@ -176,8 +179,10 @@ def largest_part(
     """Return what contributes most to the size of a state machine: codes, states, or levels at one
     boundary.
 
-    `codes` (codes, fields) are the compiled codes, with the names `fields`. The helps do not
-    include how to have fewer codes."""
+    Codes are returned if they are more than the states and than the combinations of answers. States
+    are returned if they are more than the answers; else the sense with most levels. `codes` (codes,
+    fields) are the compiled codes, with the names `fields`. The helps do not include how to have
+    fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
     boundary, levels_of_sense = _busiest(looking, values)
     levels = sum(levels_of_sense.values())
@@ -198,7 +203,8 @@ def most_looks(declared: Declarations, looking: Looking) -> Excess:
     """Return the sense that looks at the most boundaries, as the reason why open times are too
     many.
 
-    Each look can close a shutter, and so adds possible open times."""
+    There is at least one sense; the first of equals is returned. Each look can close a shutter, and
+    so adds possible open times."""
     sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["use fewer looks, or a state that keeps a shutter closed"]
@@ -206,7 +212,8 @@ def most_looks(declared: Declarations, looking: Looking) -> Excess:
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
-    """Return how to reduce the size of a state machine, as helps of an error.
+    """Return how to reduce the size of a state machine, as helps of an error; none if nothing can
+    be reduced.
 
     `most_senses` is the number of senses at the busiest boundary, `states` the number of combined
     values of states."""
@@ -243,7 +250,8 @@ def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str
     """Return the boundary with most comparisons (the first of equals), and its senses with their
     numbers of levels.
 
-    `values` is the number of values in use of each field, because a field can give the level."""
+    `values` is the number of values in use of each field, because a field can give the level.
+    Without senses, the result is 0 and no senses."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
     level_counts = Counter[int]()
     for sense in looking.senses:
@@ -262,11 +270,11 @@ def judge_rules(
 ) -> None:
     """Warn about rules that never open (NS0350) and, if there are fields, always open (NS0351).
 
-    Rules that never open are found among the compiled codes (`table`, described by `basis`),
-    because the frame would stay dark. Rules that always open are found among the codes in `survey`
-    (all codes if there are few), because the used codes may need long exposures. A bucket that is
-    always open beside coded buckets is an ordinary exposure of the same scene, and is not reported.
-    """
+    Rules and tables have the buckets in the same order. Rules that never open are found among the
+    compiled codes (`table`, described by `basis`), because the frame would stay dark. Rules that
+    always open are found among the codes in `survey` (all codes if there are few), because the used
+    codes may need long exposures. A bucket that is always open beside coded buckets is an ordinary
+    exposure of the same scene, and is not reported."""
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
         who = f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
@@ -290,8 +298,8 @@ def judge_names(
     """Warn about fields that no rule reads (NS0352); note unused `let` constants and codebooks
     (NS0355).
 
-    `rules` are all expressions on which shutters depend. A field may also give the level of a
-    sense."""
+    `fields` are in chunks: a long bit field has several. `rules` are all expressions on which
+    shutters depend. A field may also give the level of a sense."""
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
     for field in fields:
@@ -319,7 +327,8 @@ def judge_names(
 
 
 def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
-    """Warn about bumps of fixed length that the end of the frame cuts short (NS0354).
+    """Warn about bumps (intervals of open slots) of fixed length that the end of the frame cuts
+    short (NS0354).
 
     `shape` is the recognised class of the shutters in `table`."""
     if shape.name == "c" and shape.cut:

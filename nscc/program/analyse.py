@@ -30,10 +30,11 @@ def analyse(
 ) -> Program:
     """Return the checked program of a syntax tree.
 
-    Paths in it are relative to the folder `base`. `target` replaces the target statement. A file
-    without `pixels` is compiled for every legal code, whatever `codes` says; a file without fields
-    has a single code, which every pixel has. Raises Rejected with all errors, in the order of the
-    text (NS02xx, NS03xx; NS0450 if a limit of enumeration is exceeded)."""
+    Paths in it are relative to the folder `base`. `target` replaces the target statement; None
+    keeps it. `codes` is "fixed" to compile only the codes that pixels use, or "open" for all legal
+    codes. A file without `pixels` is compiled for every legal code, whatever `codes` says; a file
+    without fields has a single code, which every pixel has. Raises Rejected with all errors, in the
+    order of the text (NS02xx, NS03xx; NS0450 if a limit of enumeration is exceeded)."""
     problems = Problems(source)
     declared = gather(tree, problems)
     chosen = target or target_of(declared, base, problems)
@@ -93,7 +94,8 @@ def _make_frame(
 ) -> SlotGrid | None:
     """Return the frame; None if N has an error, or after reporting invalid slot lengths (NS0309).
 
-    `slots` is the meaning of N. At most eight lengths are reported."""
+    `slots` is the meaning of N. Slot lengths are from 1 ps to 10^6 s; at most eight invalid ones
+    are reported."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
     invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in invalid[:8]:
@@ -129,7 +131,8 @@ def target_of(declared: Declarations, base: Path, problems: Problems) -> Target 
     """Return the chip that a file names, by default scamp5; None after reporting why it cannot be
     loaded.
 
-    Files of targets are relative to the folder `base`."""
+    `declared.target` is a name or a path of a .toml file, which is relative to the folder `base`.
+    """
     from nscc.chips.load import DEFAULT_NAME, load_target
 
     match declared.target:
@@ -150,7 +153,7 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
     """Report the error (NS0510) that this chip has no logic, and raise Rejected.
 
     The place is the first statement that needs logic: a sense, a state, a reset or a readout of
-    states."""
+    states. The program has at least one of them."""
     looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
     statements = [*looking, *([declared.reset] if declared.reset else [])]
     spans = (

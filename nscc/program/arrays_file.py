@@ -34,8 +34,8 @@ class ArraysFile:
     def __init__(self, path: Path, shown: str) -> None:
         """Read the file and list its arrays; `shown` is its path as written in the program.
 
-        Raises Rejected (NS0313) for a file that is missing, too large, not an .npz file or lists
-        too many arrays."""
+        `path` is where the file lies. Raises Rejected (NS0313) for a file that is missing, too
+        large, not an .npz file or lists too many arrays."""
         self.shown = clipped(shown, 80)
         self._data = self._bytes(path)
         try:
@@ -56,7 +56,8 @@ class ArraysFile:
         return sha256(self._data).hexdigest()
 
     def require_sha256(self, stated_sha256: str) -> None:
-        """Check the file's digest against the one that the program states.
+        """Check the file's digest against the one that the program states: 64 hexadecimal digits,
+        upper or lower case.
 
         Raises Rejected (NS0315) if the stated digest is invalid or differs."""
         if len(stated_sha256) != 64 or not all(
@@ -79,7 +80,8 @@ class ArraysFile:
         """Return the array `key`, of at most `most` values, with its stored integer dtype.
 
         With `bools`, it may also be of bool. Raises Rejected: NS0313 for a damaged file, NS0314 for
-        a missing or unsuitable array."""
+        a missing array, one of another type or one with more than `most` values. Any shape is
+        allowed."""
         if key not in self.keys:
             listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
             message, notes = (

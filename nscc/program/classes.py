@@ -33,8 +33,8 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
     """Return the shutter class of a program.
 
     Several buckets must all have the same class; else the class is "general". `buckets` are their
-    names, and `basis` describes the codes in `table` for the reason, such as "in all codes that the
-    fields allow"."""
+    names, in the order of `rules.rules` and of the table's axis 1, and `basis` describes the codes
+    in `table` for the reason, such as "in all codes that the fields allow"."""
     recognised = [
         _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
         for k, rule in enumerate(rules.rules)
@@ -78,6 +78,7 @@ def _recognise_rule(
         return Recognised(
             "e", f"every slot reads its own bit of `{node.base.text}`: any pattern{with_require}"
         )
+    # Tables are far smaller than 2^32 rows; the bound avoids computing a huge power.
     if by_shape.name == "general" and rules.slots < 32 and len(shutters) == 2**rules.slots:
         return Recognised(
             "e", f"all 2^{rules.slots} patterns of {counted(rules.slots, 'slot')} occur"
@@ -87,7 +88,9 @@ def _recognise_rule(
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
     """Return whether the rule is `bits[I]` with an index I that depends on the slot only and is
-    different in every slot."""
+    different in every slot.
+
+    Return False if the index depends on a field, has no value in some slot, or repeats."""
     if isinstance(node.index, Name) and node.index.text == "n":
         return True
     fields = {field.name for field in rules.fields}
@@ -104,7 +107,8 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
-    """Return class a, b, c or d for the distinct `shutters` bool (K, N), else "general".
+    """Return class a, b, c or d for the distinct `shutters`, at least one, bool (shutters, N); else
+    "general".
 
     Shutters that never open are ignored, except if there are no others. `basis` says of which codes
     they are, for the reason."""

@@ -55,8 +55,10 @@ class Completion:
     """The second half of the analysis: from valid declarations to codes, shutters, class and
     warnings.
 
-    `planes` has the value of every field at every pixel if the file has `pixels`, else it is empty.
-    """
+    `frame` has the slots, and `rules` the valid fields, conditions and rules. `codes` is "fixed"
+    for the codes in use or "open" for all legal ones. `looking` is None if pixels do not look at
+    their light. `planes` has the value of every field at every pixel if the file has `pixels`, else
+    it is empty."""
 
     problems: Problems
     declared: Declarations
@@ -84,7 +86,8 @@ class Completion:
         """Return the checked program, with its decode table and its class.
 
         Raises Rejected for codes that violate `require` (NS0312), rules without a value for some
-        code, programs without a legal code (NS0317) and too many codes (NS0450)."""
+        code (the code of the fault, such as NS0302), programs without a legal code (NS0317) and too
+        many codes (NS0450)."""
         planes = [self.planes[field.name] for field in self.rules.fields] if self.planes else []
         in_use, at_pixel = codes_in_use(planes, (self.target.rows, self.target.cols))
         # The codes of pixels are checked before others, because their error names a pixel.
@@ -122,8 +125,8 @@ class Completion:
         return self._program(table, legal, at_pixel, recognised)
 
     def _ranges(self) -> dict[str, tuple[int, int]]:
-        """Return the ranges (low, high) of the slot n and of the fields that are numbers, by
-        name."""
+        """Return the ranges (low, high), both included, of the slot n and of the fields that are
+        numbers, by name. Bit fields are left out."""
         fields = [field for field in self.rules.fields if field.bits is None]
         numbers = {field.name: (field.low, field.high) for field in fields}
         return {"n": (0, len(self.frame.slot_us) - 1), **numbers}
@@ -321,7 +324,8 @@ class Completion:
         """Return the exception (NS0450) for a state machine that is too large, for the caller to
         raise.
 
-        Its place is the statement that multiplies the size most (`excess`)."""
+        Its place is the statement that multiplies the size most (`excess.place`); without one, the
+        field with the widest range."""
         self.problems.error(
             "NS0450",
             f"too many codes, states and answers: {problem.message}",
@@ -333,7 +337,10 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _fewer_codes(self, mode: Codes) -> list[str]:
-        """Return helps on compiling fewer codes, if `mode` and the program allow it."""
+        """Return helps on compiling fewer codes, if `mode` and the program allow it.
+
+        `mode` is "open" if all legal codes are compiled. The list is empty otherwise, and without
+        fields."""
         if mode != "open" or not self.rules.fields:
             return []
         if self.declared.has_pixels:
@@ -342,7 +349,9 @@ class Completion:
 
     def _limit_span(self) -> Span:
         """Return the place to change if there are too many codes: the field with the widest range,
-        else the frame."""
+        else the frame.
+
+        Of fields with equal ranges it is the first."""
         if not self.rules.fields:
             return self.frame.count_span
         return max(self.rules.fields, key=lambda f: f.high - f.low).span

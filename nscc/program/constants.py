@@ -37,8 +37,9 @@ _BOOK = "only rules may use the digits of a codebook"
 def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     """Return the names that `let`, ranges, counts and tiles may use: constants.
 
-    All other names of the program are included as "misplaced", with the explanation for an error.
-    """
+    `constants` has the meanings of N, rows, cols and `let` names. All other names of the program
+    are included as "misplaced", with the explanation for an error. Names whose declaration has an
+    error are "failed"."""
     scope = {
         "n": Meaning("misplaced", note=_SLOT),
         "x": Meaning("misplaced", note=_PLACE),
@@ -79,7 +80,9 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     """Return the names that rules may use: constants, fields, codebooks, the slot n, states and
-    senses."""
+    senses.
+
+    Other names (x and y) are "misplaced", with the explanation for an error."""
     scope = next_scope(declared, constants)
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
     return _without_refused(scope, declared)
@@ -87,7 +90,10 @@ def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
 
 def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     """Return the names that `next` and `reset when` may use: constants, fields, n, senses, states
-    and `looks`."""
+    and `looks`.
+
+    Other names, such as codebooks, are "misplaced", with the explanation for an error. If states
+    change with images, they are misplaced, too."""
     scope = require_scope(declared, constants)
     scope["n"] = VARIABLE
     if declared.version > 1:
@@ -100,7 +106,9 @@ def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
 
 
 def at_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """Return the names that the boundaries of a sense may use: constants and the boundary n."""
+    """Return the names that the boundaries of a sense may use: constants and the boundary n.
+
+    Other names are "misplaced", with the explanation for an error."""
     scope = constants_scope(declared, constants)
     scope["n"] = VARIABLE
     return _without_refused(scope, declared)
@@ -122,7 +130,9 @@ _MOST_CYCLES = 20
 def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
     """Return the value of an integer expression of constants; None after reporting an error.
 
-    `role` names the expression in the error, such as "the start of a range"."""
+    `scope` must contain no variables. Among the errors are wrong names and types, a division by
+    zero, and numbers beyond 2^62 - 1. `role` names the expression in the error, such as "the start
+    of a range"."""
     checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None
@@ -206,8 +216,8 @@ class _Resolver:
         return self.known
 
     def _set_slots(self, count: int, span: Span) -> None:
-        """Set N to `count`; report an error (NS0308) at `span` if it is not a valid number of
-        slots."""
+        """Set N to `count`; report an error (NS0308) at `span` if it is not in 1..MOST_SLOTS; then
+        N is "failed"."""
         if 1 <= count <= MOST_SLOTS:
             self._set_meaning("N", Meaning("constant", count))
             return
@@ -225,7 +235,8 @@ class _Resolver:
             self.scope[name] = meaning
 
     def _report(self, cycle: list[str]) -> None:
-        """Report (NS0203) that the names of `cycle` depend on each other in a cycle."""
+        """Report (NS0203) that the names of `cycle` depend on each other in a cycle. Each of
+        `cycle` needs the next, and the last needs the first."""
         shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
         chain = " -> ".join(shown)
         first, *following = cycle
@@ -243,7 +254,8 @@ class _Resolver:
 
 
 def _cycle(needs: dict[str, list[str]], waiting: dict[str, None]) -> list[str]:
-    """Return names that depend on each other in a cycle, found from the first `waiting` name.
+    """Return names that depend on each other in a cycle, found from the first `waiting` name, in
+    the order of dependence.
 
     `needs` has the names that each name needs. Every waiting name needs another one."""
     path: dict[str, None] = {}

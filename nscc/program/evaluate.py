@@ -43,7 +43,8 @@ class Fault(NamedTuple):
     helps: tuple[str, ...] = ()
 
     def report(self, problems: Problems, **members: Any) -> None:
-        """Add the error to `problems`, with further `members` of the diagnostic."""
+        """Add the error to `problems`. `members` are further fields of `Diagnostic`, such as
+        `notes`."""
         problems.error(self.code, self.message, self.span, self.text, helps=self.helps, **members)
 
 
@@ -61,7 +62,8 @@ class Value(NamedTuple):
 def either(a: Faults, b: Faults) -> Faults:
     """Return the faults of an operation on two operands with the faults `a` and `b`.
 
-    A fault of all places wins, that of the first operand before that of the second."""
+    None is no fault; two arrays of marks are joined. A fault of all places wins, that of the first
+    operand before that of the second."""
     if a is None or isinstance(b, Fault):  # `b`, unless `a` is a fault of all places, too
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):
@@ -71,7 +73,9 @@ def either(a: Faults, b: Faults) -> Faults:
 
 def faults_where(condition: Data, faults: Faults) -> Faults:
     """Return the faults that remain if an expression is evaluated only where `condition` is
-    true."""
+    true.
+
+    If it is an array, so are the faults: true at the places that remain."""
     if faults is None:
         return None
     if isinstance(condition, np.ndarray):
@@ -86,8 +90,9 @@ def guard(
 ) -> tuple[Data, Faults]:
     """Return `data`, and the faults `before` with those at the places `at_fault`.
 
-    There, data are replaced by `harmless`, which causes no further fault or overflow. `fault` makes
-    the error if all places are one."""
+    There, data are replaced by `harmless`, which causes no further fault or overflow. `at_fault` is
+    a bool, or a bool array of marks. `fault` makes the error; it is called only for a single bool,
+    because an array only marks places."""
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before
@@ -194,7 +199,8 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
     """Return the value of a checked expression.
 
     `bindings` contains the values of every variable that it reads, which broadcast with each other.
-    `books` has the digits of codebooks, bool (rows, N)."""
+    If it reads codebooks, `n` is among them. `books` has the digits of codebooks by name, bool
+    (rows, N). Places without a value are marked in the result's `faults`; nothing is raised."""
     stack: list[Value] = []
     for node in expr.nodes:
         count = len(operands(node))
@@ -210,7 +216,8 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
 class Gap(NamedTuple):
     """Places where an expression has no value.
 
-    `fault` and `place` (array indices) are those of the first, `number` counts them."""
+    `fault` and `place` (array indices) are those of the first place, row by row; `number` counts
+    the places."""
 
     fault: Fault
     place: tuple[int, ...]
@@ -227,7 +234,8 @@ def values_of(
     """Return the values of an expression as an array of `shape`, and where values are missing.
 
     `bindings` and `books` are those of `evaluate`. A value is missing if it has a fault and is
-    `needed`, bool of `shape` or True for all; None if no value is."""
+    `needed`, bool of `shape` or True for all. The second result is None if none is missing. Values
+    with a fault are arbitrary."""
     value = evaluate(expr, bindings, books)
     data = np.broadcast_to(np.asarray(value.data), shape)
     if value.faults is None:
@@ -313,7 +321,7 @@ def _value(
 
 
 def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
-    """Return `then` where the condition holds and `otherwise` elsewhere.
+    """Return `then` where the boolean `condition` holds and `otherwise` elsewhere.
 
     The faults are those of the condition and, at each place, of the chosen branch."""
     branches = either(
@@ -358,8 +366,8 @@ def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tupl
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
     """Return bit `index` of a bit field, as bool.
 
-    Long fields are stored in chunks of `CHUNK_BITS` bits, which `bindings` has under names of their
-    own."""
+    An index outside the field's bits is a fault (NS0303). Long fields are stored in chunks of
+    `CHUNK_BITS` bits, which `bindings` has under names of their own."""
     bits = bindings[bit_count(node.base.text)].data
     position, faults = _position(node, index, bits, f"{bits} bits")
     if bits <= CHUNK_BITS:
@@ -372,7 +380,8 @@ def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Va
 def _bit_of_chunks(chunks: list[Data], position: Data) -> Data:
     """Return the bit at `position` of a field that is stored in several numbers, lowest bits first.
 
-    `chunks` and `position` broadcast with each other."""
+    `position` is within the chunks: the caller has replaced invalid ones by 0. `chunks` and
+    `position` broadcast with each other."""
     if isinstance(position, int):
         return chunks[position // CHUNK_BITS] >> position % CHUNK_BITS & 1 != 0
     shape = np.broadcast_shapes(np.shape(chunks[0]), position.shape)
@@ -394,7 +403,8 @@ def bit_count(field: str) -> str:
 def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
     """Return the digit of row `index` of a codebook in a slot, as bool.
 
-    `book` is bool (rows, N). Rows and slots broadcast with each other."""
+    `book` is bool (rows, N). A row outside the codebook is a fault (NS0303); the slot is within
+    0..N - 1. Rows and slots broadcast with each other."""
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):

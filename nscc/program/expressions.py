@@ -97,7 +97,10 @@ def in_evaluation_order(expr: tree.Expr) -> tuple[tree.Expr, ...]:
 
 
 def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
-    """Yield every name in `expr`, including those of indexed books and bit fields."""
+    """Yield every name in `expr`, including those of indexed books and bit fields.
+
+    The order is that of evaluation; a name that occurs twice is yielded twice. Names of functions
+    are not included."""
     for node in in_evaluation_order(expr):
         if isinstance(node, tree.Name):
             yield node
@@ -132,7 +135,8 @@ class _Checker:
     error."""
 
     def __init__(self, scope: Scope, problems: Problems) -> None:
-        """Begin with the names that this kind of expression may use."""
+        """Begin with the names in `scope`, which this kind of expression may use; errors go to
+        `problems`."""
         self.scope = scope
         self.problems = problems
         self.sound = True
@@ -166,7 +170,8 @@ class _Checker:
         """Return the type of a node of the syntax tree from the types of its operands, and report
         errors in it.
 
-        Return None if the type is unknown after an error."""
+        `operand_types` are in the order of `operands`, None for unknown ones. Return None if the
+        type is unknown after an error."""
         match node:
             case tree.Int():
                 if node.value > LIMIT:
@@ -277,7 +282,9 @@ class _Checker:
             self._error("NS0209", message, base.span, label, helps=helps)
 
     def _compare(self, node: tree.Compare, operand_types: list[Type | None]) -> None:
-        """Check a chain of comparisons and report wrong operands.
+        """Check a chain of comparisons such as `a < b == c` and report wrong operands.
+        `operand_types` are those of all operands from left to right; an unknown type (None) is not
+        reported.
 
         `==` and `!=` compare two integers or two booleans; other comparisons need integers."""
         compared = [node.first, *node.later_operands]
@@ -340,7 +347,7 @@ class _Checker:
 
     def _unknown(self, node: tree.Name, category: str, known: Iterable[str]) -> None:
         """Report that the name `node` does not exist in this `category`, with similar `known` names
-        as suggestions."""
+        as suggestions. `category` has an article, such as "a function"."""
         self.sound = False
         constant = node.text.lower()
         # `True` of other languages: suggest `true`, which is no name.

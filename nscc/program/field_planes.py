@@ -33,8 +33,9 @@ class PlaneMaker:
     """Computes the values of all fields at all pixels (their planes), or reports why that is
     impossible.
 
-    `base` is the folder of the files that the program names. `target` is None if it could not be
-    loaded."""
+    `fields` has the fields by name, None for those with errors. `constants` has the meanings of N,
+    rows, cols and `let` names. `base` is the folder of the files that the program names. `target`
+    is None if it could not be loaded."""
 
     declared: Declarations
     fields: Mapping[str, Field | None]
@@ -47,9 +48,10 @@ class PlaneMaker:
         """Return the plane of every field by name: its values at all pixels, int64 (rows, cols).
 
         Fields with errors are left out. The result is empty without `pixels` statements or without
-        a target. Reports fields without pixels (NS0210), values outside their range (NS0311),
-        faults of expressions, tiles that are not rectangular (NS0316) and errors of files (NS0313,
-        NS0314, NS0315). A long bit field has a plane for each of its chunks."""
+        a target, and beyond `MOST_FIELDS` fields, which `gather` reports. Reports fields without
+        pixels (NS0210), values outside their range (NS0311), faults of expressions, tiles that are
+        not rectangular (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has
+        a plane for each of its chunks."""
         planes: dict[str, Plane] = {}
         if len(self.fields) > MOST_FIELDS:
             return planes
@@ -92,8 +94,8 @@ class PlaneMaker:
         return planes
 
     def bits(self, condition: Expr) -> NDArray[np.bool_] | None:
-        """Return a condition over x and y at every pixel, bool (rows, cols); None after reporting
-        an error."""
+        """Return a condition over x (column) and y (row) at every pixel, bool (rows, cols). Return
+        None after reporting an error, or without a target."""
         return self._values(condition, "boolean", "a plane of x and y")
 
     def _expression(self, statement: PixelsExpr) -> Plane | None:
@@ -104,8 +106,9 @@ class PlaneMaker:
     def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:
         """Return the value of an expression over x and y in every pixel, shape (rows, cols).
 
-        `kind` is its type and `role` its name in messages. Return None after reporting an error: a
-        wrong type, a fault at some pixel, or more than `WORK_LIMIT` operations."""
+        `kind` is its type and `role` its name in messages. Return None without a target, or after
+        reporting an error: a wrong type, a fault at some pixel, or more than `WORK_LIMIT`
+        operations."""
         scope = pixels_scope(self.declared, self.constants)
         checked = check(value, kind, scope, self.problems, role)
         if checked is None or self.target is None:
@@ -135,8 +138,9 @@ class PlaneMaker:
         """Return the values of a tile repeated over the array from its top left corner, int64
         (rows, cols).
 
-        Return None after reporting an error, such as rows of different lengths. A tile larger than
-        the array causes a warning."""
+        The top left corner is row 0, column 0. Return None without a target, or after reporting an
+        error, such as rows of different lengths (NS0316). A tile larger than the array causes a
+        warning (NS0357); its further values are not used."""
         lines = statement.rows
         widths = {len(row.values) for row in lines}
         if len(widths) != 1 or 0 in widths:
@@ -181,7 +185,8 @@ class PlaneMaker:
         """Read the values of the `missing` fields from the program's file, and add them to
         `planes`.
 
-        Errors are reported at the statement. A file that no field needs causes a warning."""
+        A field whose array has an error is left out. Errors are reported at the statement. A file
+        that no field needs causes a warning (NS0356) and is not read."""
         statement = self.declared.pixels_file
         assert statement is not None
         if not missing:
@@ -228,7 +233,8 @@ class PlaneMaker:
     ) -> None:
         """Add the plane of a field to `planes` if all its values are in range; else report NS0311.
 
-        `beyond` marks pixels whose values do not fit int64; None if all do."""
+        Chunks of a long bit field above the first become 0. `statement` gave the values, for the
+        place of the error. `beyond` marks pixels whose values do not fit int64; None if all do."""
         outside = (plane < field.low) | (plane > min(field.high, LIMIT))
         if beyond is not None:
             outside |= beyond
@@ -258,8 +264,8 @@ class PlaneMaker:
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
-    """Return the place of the text that gives pixel (x, y) its value: an expression, a value of a
-    tile, or a file."""
+    """Return the place of the text that gives the pixel in column `x`, row `y` its value: an
+    expression, a value of a tile, or a file."""
     match statement:
         case PixelsExpr():
             return statement.value.span
@@ -282,11 +288,13 @@ def stored_planes(
     chunk_count: int = 1,
     bits: int | None = None,
 ) -> list[Stored]:
-    """Return the planes of the field `name` from the array of that name in a file, as `planes_of`
-    does.
+    """Return the planes of the field `name` from the array of that name in a file, one for each of
+    its chunks (see `planes_of`).
 
-    `shape` is (rows, cols) of the pixel array. Raises Rejected (NS0313, NS0314) for a damaged file
-    or an unsuitable array."""
+    `shape` is (rows, cols) of the pixel array. The array contains integers of this shape, or single
+    bits (rows, cols, K). `bits` is the number of bits of the field; None allows every number that
+    takes `chunk_count` chunks. Raises Rejected (NS0313, NS0314) for a damaged file or an unsuitable
+    array."""
     most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
     # A small array that has too many values is read all the same, for an error that names its
     # shape.
@@ -306,8 +314,9 @@ def planes_of(
 
     The array contains integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
     first. `shape` is (rows, cols). A field has `chunk_count` chunks, and `bits` bits or, if None,
-    as many as the chunks hold. `origin` names the file in messages. Raises Rejected (NS0314) for
-    other arrays."""
+    as many as the chunks hold. `origin` names the file in messages. Each plane is returned with
+    marks, bool (rows, cols), of the values that int64 cannot hold. Integers set only the first
+    chunk, and the others become 0. Raises Rejected (NS0314) for other arrays."""
     if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
         chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
         return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
@@ -354,8 +363,8 @@ def _single_bits(
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Return integers of any dtype as int64, and a bool array that marks those that int64 cannot
-    hold."""
+    """Return integers of any dtype as int64, and a bool array of the same shape that marks those
+    that int64 cannot hold; these are arbitrary."""
     beyond = np.zeros(stored.shape, dtype=bool)
     # Only 64-bit unsigned integers exceed int64.
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
@@ -365,7 +374,8 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
 
 
 def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
-    """Return (y, x) of the first true element of an array, row by row."""
+    """Return (y, x), row and column, of the first true element of an array (rows, cols), row by
+    row. At least one element must be true."""
     y, x = np.unravel_index(int(places.argmax()), places.shape)
     return int(y), int(x)
 

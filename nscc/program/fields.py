@@ -94,9 +94,10 @@ def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
 def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
     """Return the digits of a codebook in an .npz file, bool (rows, N); None if N has an error.
 
-    The program names the array; else it has the name of the codebook, or is the only one of the
-    file. Raises Rejected for a missing file (NS0313), a changed one (NS0315), a wrong shape
-    (NS0314) or values other than 0 and 1 (NS0310)."""
+    The array is the one that the program names. If it names none, the array has the name of the
+    codebook, or it is the only one of the file. Raises Rejected for a missing file (NS0313), a
+    changed one (NS0315), a missing array or a wrong shape (NS0314) or values other than 0 and 1
+    (NS0310)."""
     file = ArraysFile(base / book.path.value, book.path.value)
     if book.sha256 is not None:
         file.require_sha256(book.sha256.value)
@@ -129,7 +130,8 @@ def make_fields(
 ) -> dict[str, Field | None]:
     """Return every declared field by name; None after an error in it or its codebook.
 
-    Bit fields of more than `CHUNK_BITS` bits are added to `declared.wide`. Reports an empty range
+    `books` has the digits of codebooks by name, bool (rows, N), as `make_books` returns them. Bit
+    fields of more than `CHUNK_BITS` bits are added to `declared.wide`. Reports an empty range
     (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row of` something other than a codebook
     (NS0209, NS0214)."""
     maker = _Maker(declared, scope, books, problems)
@@ -138,7 +140,8 @@ def make_fields(
 
 @dataclass(eq=False, repr=False)
 class _Maker:
-    """Makes fields from `code` statements; see `make_fields`."""
+    """Makes fields from `code` statements. `scope` has the names that ranges may use. `books` has
+    the digits of codebooks by name, bool (rows, N); None for an invalid codebook."""
 
     declared: Declarations
     scope: Scope
@@ -158,6 +161,7 @@ class _Maker:
                 if low > high:
                     message = f"the range {low}..{high} is empty"
                     why = "the first value is larger than the last"
+                    # `0..K - 1` with K = 0 is 0..-1: there, reversing the range would not help.
                     helps = (f"write `{high}..{low}`",) if low - high > 1 else ()
                     self.problems.error("NS0306", message, span, why, helps=helps)
                     return None

@@ -18,7 +18,8 @@ _OF_A_PLACE = frozenset({"x", "y"})
 
 
 def signed_level(expr: tree.Expr) -> tuple[int, tree.Expr]:
-    """Return the sign (1 or -1) before a level, and the expression without its minus signs."""
+    """Return the sign (1 or -1) before a level, and the expression without its minus signs. Two
+    minus signs cancel."""
     sign = 1
     while isinstance(expr, tree.Unary) and expr.op == "-":
         sign, expr = -sign, expr.operand
@@ -71,8 +72,8 @@ class HostValues:
     def _param(self, name: str, statement: tree.Param) -> HostParam | None:
         """Return the checked parameter `name`; None after reporting an error (NS0545).
 
-        Range and start must all be levels or all integers, and IN (the level sent to all pixels)
-        must reach all levels."""
+        `name` is the name that `statement` declares. Range and start must all be levels or all
+        integers, and IN (the level sent to all pixels) must reach all levels."""
         parts = (statement.low, statement.high, statement.start)
         are_levels = [isinstance(signed_level(part)[1], tree.Amount) for part in parts]
         text = ""  # what is wrong, for the message
@@ -124,14 +125,14 @@ class HostValues:
 
     def level_param(self, expr: tree.Expr) -> tuple[int, HostParam] | None:
         """Return the sign (1 or -1) and the parameter of a level such as `-t`; None for other
-        expressions."""
+        expressions, and for a parameter with an error."""
         sign, level = signed_level(expr)
         param = self.params.get(level.text) if isinstance(level, tree.Name) else None
         return None if param is None else (sign, param)
 
     def number(self, expr: tree.Expr, role: str) -> Times | None:
-        """Return a constant, or an integer parameter plus or minus a constant; None after reporting
-        an error.
+        """Return the value of `expr`: a constant, or an integer parameter plus or minus a constant;
+        None after reporting an error.
 
         `role` names the expression in messages. The result's `offset` may be negative; its `most`
         is the largest number that the parameter's range allows, at least 0."""
@@ -173,7 +174,8 @@ class HostValues:
         """Return the input plane of a condition over x and y; None for any other condition.
 
         `text` is its source text, which becomes the plane's name. The plane is added to `inputs`,
-        once for each text."""
+        once for each text. If the condition has an error, it is reported, and the plane's bits are
+        0."""
         known = {*_OF_A_PLACE, "rows", "cols", "N", "min", "max", *self.declared.lets}
         names = {name.text for name in names_in(expr)}
         kinds = (tree.Place, tree.Amount)

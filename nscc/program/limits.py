@@ -46,8 +46,9 @@ MOST_BITS = MOST_SLOTS
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
     """Return the number of operations to evaluate `expr` for all values of its variables.
 
-    `sizes` has the array axis (0 or 1) and the number of values of every variable. A node of the
-    syntax tree costs one operation for each combination of the variables below it."""
+    `sizes` has the array axis (0 or 1) and the number of values of every variable. Other names are
+    constants. A node of the syntax tree costs one operation for each combination of the variables
+    below it."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))
@@ -78,7 +79,9 @@ It does not decrease with the size."""
 
 
 def bits_needed(shutters: int) -> int:
-    """Return the fewest one-bit registers whose contents distinguish this number of shutters."""
+    """Return the fewest one-bit registers whose contents distinguish this number of shutters.
+
+    `shutters` is at least 1; a single shutter needs no register."""
     return max(0, (shutters - 1).bit_length())
 
 
@@ -95,14 +98,15 @@ def largest_with(count: Count, most: int, least: int, ceiling: int) -> int:
     """Return the largest size in `least`..`ceiling` with at most `most` shutters; `least` - 1 if
     there is none.
 
-    `count(size)` is the number of shutters."""
+    `count(size)` is the number of shutters, which must not decrease with the size. All sizes tried
+    are in this range."""
     return least - 1 + bisect_right(range(least, ceiling + 1), most, key=count)
 
 
 def impossible_from(count: Count, target: Target) -> int | None:
     """Return the smallest size whose shutters the registers of `target` cannot distinguish.
 
-    `count(size)` is the number of shutters. Return None if all sizes up to the longest frame are
-    possible."""
+    `count(size)` is the number of shutters of a class with this many slots; it must not decrease.
+    Return None if all sizes up to the longest frame are possible."""
     fits = largest_with(count, 1 << len(target.digital_registers), least=1, ceiling=MOST_SLOTS)
     return fits + 1 if fits < MOST_SLOTS else None

@@ -37,7 +37,8 @@ class CheckedSense(Record, eq=False):
 
 
 class CheckedNext(Record, eq=False):
-    """The next value of a state at a boundary with senses, and its condition (None: always)."""
+    """The next value of a state at a boundary with senses, and its condition (None: always). Where
+    the condition is false, the state keeps its value."""
 
     value: Checked
     condition: Checked | None
@@ -45,7 +46,7 @@ class CheckedNext(Record, eq=False):
 
 
 class Looking(Record, eq=False):
-    """The senses, states, resets and readouts of a program whose pixels look at their light.
+    """The senses, states and resets of a program whose pixels look at their light.
 
     `nexts` has the changes of states by name; `reset` is the condition of `reset when`, if there is
     one."""
@@ -107,7 +108,8 @@ def make_looking(
 class _Maker:
     """Checks the statements of senses, states and their changes one by one, and reports errors.
 
-    `slots` is N, or 0 if it has an error. `buckets` has the index of each bucket by name."""
+    `slots` is N, or 0 if it has an error. `target` is None if it could not be loaded. `buckets` has
+    the index of each bucket by name."""
 
     def __init__(
         self,
@@ -230,6 +232,7 @@ class _Maker:
                 return None
         known: dict[int, int | None] = {}
         for item in items:
+            # The same object for all looks is checked, and reported, only once.
             if id(item) not in known:
                 known[id(item)] = self._step(item, target)
         steps = [known[id(item)] for item in items]
@@ -284,7 +287,8 @@ class _Maker:
     def state(self, name: str, state: State) -> machine.State | None:
         """Return a checked state with its range and initial value; None after reporting an error.
 
-        A bit has the range 0..1."""
+        A bit has the range 0..1. Among the errors are an empty range (NS0306) and a start outside
+        it (NS0311)."""
         boolean = isinstance(state, tree.StateBit)
         low, high = 0, 1
         if isinstance(state, tree.StateRange):
@@ -346,7 +350,8 @@ class _Maker:
         return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
-        """Return whether a name is that of a state; report it if not (NS0209, NS0214)."""
+        """Return whether a name is that of a state; report it if not: NS0209 for a name of another
+        kind, NS0214 for an unknown name."""
         if name.text in self.declared.states:
             return True
         helps = ("`next` and `read` need a state: declare `state NAME : LO..HI = START`",)

@@ -38,9 +38,9 @@ A row has the index of the code, the states' values, and the answers."""
 class Stage(Record, eq=False):
     """All that can happen between two looks (boundaries at which pixels compare their light).
 
-    `nodes` are the states in which a pixel can be, `opens` bool (nodes, buckets, N) and `resets`
-    bool (nodes, N) what it does then. `steps` (nodes, outcomes) are the rows in the next stage for
-    each outcome of the look that ends this one; -1 in the last stage."""
+    `nodes` has a row for each state in which a pixel can be (see `Nodes`), `opens` bool (nodes,
+    buckets, N) and `resets` bool (nodes, N) what it does then. `steps` (nodes, outcomes) are the
+    rows in the next stage for each outcome of the look that ends this one; -1 in the last stage."""
 
     nodes: Nodes
     opens: NDArray[np.bool_]
@@ -72,7 +72,7 @@ class MachineBuilder:
         self.cells = 0
 
     def build(self) -> tuple[StateMachine, NDArray[np.int32]]:
-        """Return the machine, and the behaviour of every code, int32 (codes,).
+        """Return the machine, and the number of the behaviour of every code, int32 (codes,).
 
         A behaviour is a set of codes whose pixels act alike for all answers. Raises NoValue if an
         expression has no value in a reachable node (state of the machine) or a state leaves its
@@ -106,7 +106,8 @@ class MachineBuilder:
         return self._joined(stages, tuple(comparisons))
 
     def _limit(self, added: int) -> None:
-        """Add to the number of transitions; raise TooMuch beyond `MOST_TRANSITIONS`."""
+        """Add `added` to the number of transitions (steps from a node to another); raise TooMuch
+        beyond `MOST_TRANSITIONS`."""
         self.transitions += added
         if self.transitions > MOST_TRANSITIONS:
             message = (
@@ -119,7 +120,8 @@ class MachineBuilder:
         """Return the values of names for `nodes`: fields, states and latest answers as columns
         (nodes, 1).
 
-        `looks` is the number of looks so far, which is the value of that name."""
+        The latest answer of a sense that pixels do not remember is False. `looks` is the number of
+        looks so far, which is the value of the name `looks`."""
         bindings: dict[str, Value] = {LOOKS: Value(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
@@ -174,7 +176,8 @@ class MachineBuilder:
         begin: int,
         needed: NDArray[np.bool_] | bool = True,
     ) -> NDArray[np.int64]:
-        """Return the values of an expression, int64 of `shape` (nodes, slots from `begin` on).
+        """Return the values of an expression, int64 or (for a condition) bool of `shape`: a row for
+        each node, a column for each slot from `begin` on.
 
         `bindings` are the values of names. `needed` marks the values that matter. Raises NoValue if
         one of them does not exist."""
@@ -196,7 +199,8 @@ class MachineBuilder:
         """Return the comparisons of the look at `boundary`, and which of them each sense uses.
 
         The latter is an array (codes,) of indices by the sense's name: a level can depend on the
-        code. Senses that compare alike share a comparison."""
+        code. Senses that compare the same signal with the same level share a comparison. Raises
+        NoValue (NS0321) for a level that the chip cannot compare."""
         comparisons: list[Comparison] = []
         of_sense: dict[str, NDArray[np.int64]] = {}
         for sense in self.looking.senses:

@@ -139,8 +139,9 @@ class Declarations:
     ) -> None:
         """Report that a name is not of the required `kind` (NS0209, or NS0214 for an unknown name).
 
-        `known` are the names of this kind, of which the most similar is suggested. `note` ends the
-        message of NS0209. Names whose declaration has an error are not reported."""
+        `kind` is in words with an article, such as "a field". `known` are the names of this kind,
+        of which the most similar is suggested. `note` ends the message of NS0209. Names whose
+        declaration has an error are not reported."""
         text = name.text
         if text in self.refused:
             return
@@ -170,7 +171,7 @@ class _Gatherer:
     occur twice."""
 
     def __init__(self, declared: Declarations, problems: Problems) -> None:
-        """Begin to fill `declared`, which is empty."""
+        """Begin to fill `declared`, which is empty; errors are added to `problems`."""
         self.declared, self.problems = declared, problems
         self.first_place: dict[str, Span] = {}
         self.mixed = False
@@ -288,7 +289,8 @@ class _Gatherer:
         return False
 
     def _name(self, named: dict[str, Any], name: tree.Name, statement: tree.Statement) -> None:
-        """Store a statement under the name that it declares, unless the name is taken."""
+        """Store a statement in `named` under the name that it declares, unless the name is taken or
+        predefined; that is reported."""
         if self._is_new_name(name):
             named[name.text] = statement
 
@@ -312,8 +314,8 @@ class _Gatherer:
         return False
 
     def _is_unused(self, name: tree.Name, message: str, key: str) -> bool:
-        """Return whether `key` was not declared before; else report `message` (NS0201) at
-        `name`."""
+        """Return whether `key`, the name or its kind and name, was not declared before; else report
+        `message` (NS0201) at `name`."""
         first = self.first_place.setdefault(key, name.span)
         # `setdefault` returned this very span, so the key is new.
         if first is name.span:

@@ -34,9 +34,9 @@ def with_open_times(
 ) -> tuple[StateMachine, Untold | None]:
     """Return the machine with the open time of every pixel at the end of the frame, and None.
 
-    `open_us` and `open_slots` get it for the nodes of the last stage. If code and readout do not
-    determine it, return the machine unchanged and an Untold. Raises TooMuch for too many different
-    times."""
+    `slot_us` are the lengths of all slots in microseconds. `open_us` and `open_slots` get the time
+    for the nodes of the last stage. If code and readout do not determine it, return the machine
+    unchanged and an Untold. Raises TooMuch for too many different times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
@@ -51,7 +51,8 @@ def with_open_times(
 
 
 def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
-    """Return the possible open times of every node at the end of its stage.
+    """Return the possible open times of every node at the end of its stage, by the node's number.
+    Raises TooMuch beyond `MOST_HISTORIES` times of one node.
 
     A node is a state of the machine between two looks. Each time is (slots, microseconds) for all
     buckets."""
@@ -107,8 +108,9 @@ def _missing(
 ) -> tuple[str, ...]:
     """Return the fewest states whose readout, added to `read`, would determine all open times.
 
-    Sets of up to three states are tried, then all states; () if even these do not suffice. `last`
-    and `times` are those of `_differing`."""
+    Sets of up to three states are tried, then all states; () if even these do not suffice. `read`
+    are indices of states. `last` are the nodes at the end of the frame, and `times` their possible
+    open times. Of sets of equal size, the first in the order of states is returned."""
     unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
     choices = [added for count in (1, 2, 3) for added in combinations(unread, count)]
     for added in [*choices, tuple(unread)]:

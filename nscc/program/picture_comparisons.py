@@ -13,11 +13,13 @@ from nscc.syntax import tree
 from nscc.words import pictures as p
 from nscc.words.counts import CountRange, counts_of
 
+# The comparison with exchanged sides: `a > b` is `b < a`.
 _MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
 
 
 class WrongPicture(Exception):
-    """Raised for an invalid expression after reporting its error."""
+    """Raised for an invalid expression after reporting its error; whoever catches it reports
+    nothing."""
 
 
 class PictureComparer(ABC):
@@ -74,7 +76,7 @@ class PictureComparer(ABC):
         return p.Joined("and", first, second)
 
     def _compare(self, compare: tree.Compare) -> p.Condition:
-        """Return the condition of a chain of comparisons such as `a < image < b`.
+        """Return the condition, a plane, of a chain of comparisons such as `a < image < b`.
 
         Raises WrongPicture after reporting an error, such as NS0533 for == and !=."""
         operands = (compare.first, *compare.later_operands)
@@ -104,8 +106,8 @@ class PictureComparer(ABC):
     ) -> p.Condition:
         """Return the condition of one comparison: of an image with a level, or of two images.
 
-        Two images are compared by the sign of their difference. Raises WrongPicture after reporting
-        an error, such as NS0533 for two levels."""
+        `op` is >, <, >= or <=. Two images are compared by the sign of their difference. Raises
+        WrongPicture after reporting an error, such as NS0533 for two levels."""
         if self._is_level(first):
             if not self._is_level(second):
                 return self._one_comparison(_MIRRORED[op], second, first, span)
@@ -129,7 +131,8 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else self._not(test)
 
     def _above(self, value: p.Value, level: tree.Expr) -> p.Condition:
-        """Return the condition that an image is above a level, a number or a parameter of the host.
+        """Return the condition that an image is above a level with a unit, 0, or a parameter that
+        the host sets.
 
         Raises WrongPicture after reporting NS0533 for an invalid level, such as a parameter that is
         an integer."""
@@ -197,8 +200,9 @@ class PictureComparer(ABC):
         """Return the comparison of a count with an integer, as one with a level between two
         possible counts.
 
-        `counts` is the range of the count. Raises WrongPicture after reporting NS0533 if the answer
-        would be the same in every pixel, or if the level has a unit."""
+        `counts` is the range of the count, and `op` is >, <, >= or <=. Raises WrongPicture after
+        reporting NS0533 if the answer would be the same in every pixel, or if the level has a unit.
+        """
         if not self._is_number(level):
             raise self._report(
                 "NS0533",
@@ -269,7 +273,8 @@ class PictureComparer(ABC):
         return steps
 
     def _is_number(self, expr: tree.Expr) -> bool:
-        """Return whether an expression contains only integers and names of constants."""
+        """Return whether an expression contains only integers and names of constants (`let`, N,
+        rows, cols), joined by operators. Their values are not checked."""
         match expr:
             case tree.Int():
                 return True
@@ -299,8 +304,8 @@ class PictureComparer(ABC):
 def picture_sum(*terms: tuple[Fraction, p.Value]) -> p.Value:
     """Return the sum of factors times images, without nested sums, equal terms or zero terms.
 
-    A single term with the factor 1 is returned as it is. If all terms cancel, one stays, times 0:
-    it tells whether the sum is a count."""
+    There is at least one term. A single term with the factor 1 is returned as it is. If all terms
+    cancel, one stays, times 0: it tells whether the sum is a count."""
     flat: list[tuple[Fraction, p.Value]] = []
     for factor, value in terms:
         terms_of_value = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)

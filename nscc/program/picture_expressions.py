@@ -174,7 +174,8 @@ class Reader(LoopReader):
             )
 
     def _scaled(self, expr: tree.Binary, image: tree.Expr, factor: tree.Expr) -> p.Value:
-        """Return an image multiplied by an integer or divided by a power of two.
+        """Return the image of `expr`, which is `image * factor` or `image / factor`. The factor is
+        an integer, the divisor a power of two; in a product, either side may be the image.
 
         Raises WrongPicture after reporting an error: other factors, or two images."""
         if expr.op == "*" and self._is_number(image):
@@ -208,7 +209,8 @@ class Reader(LoopReader):
         """Return the image of a function call: a convolution kernel, `abs`, `max`, `min` or
         `agree`.
 
-        Raises WrongPicture after reporting an error, for example for a function of planes."""
+        Raises WrongPicture after reporting an error, for example for a function of planes or a
+        wrong number of arguments."""
         name, arguments = call.function.text, call.arguments
         is_pair = len(arguments) == 2 and not self._is_kernel(arguments[1])
         if name in ("min", "max") and is_pair and self.declared.version > 3:
@@ -324,7 +326,8 @@ class Reader(LoopReader):
     def _named_plane(self, name: tree.Name) -> p.Condition:
         """Return the node that reads the plane `name`.
 
-        Raises WrongPicture after reporting a name that is not a plane."""
+        Raises WrongPicture after reporting a name that is not a plane, or whose declaration failed.
+        """
         kind = self.kinds.get(name.text)
         if kind == "plane":
             return p.Bit(name.text)
@@ -382,7 +385,7 @@ class Reader(LoopReader):
 
         `category` is what was expected, as text for the message; `kind` ("image", "plane",
         "kernel", "function") chooses which names are suggested. Names whose declaration failed are
-        not reported again."""
+        not reported again; the exception is returned all the same."""
         text = name.text
         if text in ("x", "y") and self.declared.version > 3:
             return self._report(
@@ -444,14 +447,16 @@ def _smaller(first: p.Value, second: p.Value) -> p.Value:
 
 
 def is_power_of_two(number: int) -> bool:
-    """Return whether `number` is 1, 2, 4, ..: a pixel can divide only by these."""
+    """Return whether `number` is 1, 2, 4, ..: a pixel can divide only by these. 0 and negative
+    numbers are not."""
     return number > 0 and number & (number - 1) == 0
 
 
 def refuse_divisor(problems: Problems, divisor: int, span: Span) -> None:
     """Report a divisor that is not a power of two (NS0532).
 
-    The help is the power of two that changes the values least, and by how much."""
+    For a positive divisor, the help is the power of two that changes the values least, and by how
+    much."""
     helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
     fixes: tuple[Fix, ...] = ()
     if divisor > 0:

@@ -155,8 +155,8 @@ class LoopReader(PictureComparer):
         """Return an image or plane shifted along one axis, by a constant or by a parameter of the
         host.
 
-        `step` is the axis: (1, 0) or (0, 1). `name` names the loop that a far or variable shift
-        needs."""
+        `step` is the axis: (1, 0) for columns to the right, (0, 1) for rows down. `name` names the
+        loop that a far or variable shift needs."""
         if distance.param:
             # A parameter may be negative: one loop for each direction, of which one has no steps.
             for sign in (1, -1):
@@ -204,8 +204,9 @@ class LoopReader(PictureComparer):
         """Declare the loop of a far shift under `name`, unless it exists, and return its result.
 
         Each of the `times` steps shifts by `pixels` along `step`, beginning with `start`. `base`
-        tells whether it is an image or a plane. Raises WrongPicture inside `repeat`, where loops
-        are not supported."""
+        tells whether it is an image or a plane. A step is (1, 0) to the right or (0, 1) down; a
+        negative `pixels` reverses it. Raises WrongPicture inside `repeat`, where loops are not
+        supported."""
         if self._in_step:
             raise self._report(
                 "NS0539",
@@ -229,9 +230,9 @@ class LoopReader(PictureComparer):
         """Return the plane of those parts of a mask that are connected with a seed: `flood(SEED,
         MASK, KERNEL)`.
 
-        Also declare a plane that tells whether it still grows after the last step, which is
-        reported. Raises WrongPicture after reporting wrong arguments (NS0531) or a second flood
-        (NS0539)."""
+        SEED and MASK are planes. Without `at most K` there are rows + columns steps. Also declare a
+        plane that tells whether it still grows after the last step, which is reported. Raises
+        WrongPicture after reporting wrong arguments (NS0531) or a second flood (NS0539)."""
         name = self.now
         if len(call.arguments) != 3 or not isinstance(call.arguments[2], tree.Name):
             raise self._report(
@@ -285,7 +286,8 @@ class LoopReader(PictureComparer):
         return flooded
 
     def _around(self, kernel: str) -> str:
-        """Return the name of a convolution kernel without the weight of its centre.
+        """Return the name of a convolution kernel that equals `kernel`, but has the weight 0 at its
+        centre.
 
         If the centre has a weight, that is a new kernel, which is declared here."""
         weights, name = self.kernels[kernel], f"{kernel} around"
@@ -299,7 +301,7 @@ class LoopReader(PictureComparer):
 
 def _one_shift(base: p.Node, step: tuple[int, int], pixels: int) -> Any:
     """Return an image or plane shifted by `pixels` times `step` (columns, rows); itself for 0
-    pixels."""
+    pixels. A negative number shifts in the other direction."""
     if not pixels:
         return base
     make: Any = p.At if isinstance(base, p.Condition) else p.Shifted

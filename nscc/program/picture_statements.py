@@ -239,7 +239,8 @@ class PictureMaker:
     # --- kernels
 
     def _kernel(self, kernel: tree.Kernel | tree.KernelFromFile) -> Weights | None:
-        """Return the weights of a declared convolution kernel; None after reporting an error."""
+        """Return the weights of a declared convolution kernel; None after reporting an error. Among
+        these are NS0530 for the shape or the weights, and NS0532 for the divisor."""
         name = kernel.name.text
         if isinstance(kernel, tree.KernelFromFile):
             return self._from_file(kernel)
@@ -262,7 +263,8 @@ class PictureMaker:
 
     def _from_file(self, kernel: tree.KernelFromFile) -> Weights | None:
         """Return the weights of a convolution kernel from an .npz file; None after reporting an
-        error."""
+        error. The array has the name that the statement gives, or else the kernel's. It is divided
+        by 1."""
         try:
             file = ArraysFile(self.base / kernel.path.value, kernel.path.value)
             if kernel.sha256 is not None:
@@ -278,8 +280,8 @@ class PictureMaker:
         return self._weights(kernel.name.text, array.tolist(), divisor=1, span=kernel.path.span)
 
     def _weights(self, name: str, rows: Sequence[Any], divisor: int, span: Span) -> Weights | None:
-        """Return the convolution kernel `name` of these rows of integers; None after reporting that
-        it is invalid (NS0530)."""
+        """Return the convolution kernel `name` of these rows of integers, the top row first,
+        divided by `divisor`, a power of two; None after reporting that it is invalid (NS0530)."""
         fault, helps = _kernel_fault(rows)
         if not fault:
             return Weights(name, tuple(map(tuple, rows)), divisor)
@@ -410,7 +412,8 @@ class PictureMaker:
     def _report(self, report: tree.Report, reader: Reader) -> PlaneReport | None:
         """Return the checked `report` statement; None after reporting an error.
 
-        `reader` knows the names of images and planes. Only reports of events have a largest number.
+        `reader` knows the names of images and planes. Among the errors are invalid reports (NS0536)
+        and unknown names (NS0214). Only reports of events have a largest number; in others it is 0.
         """
         kind, plane = report.kind.text, report.plane.text
         if kind == "sum" and plane == "exposure" and len(self.buckets) == 1:
@@ -466,7 +469,7 @@ class PictureMaker:
         """Return the largest exposure of each bucket in electrons, by name.
 
         It is what PIX (the photodiode) and a register hold, or less if an `assume` statement says
-        so. Invalid assumptions are reported and ignored."""
+        so. Invalid assumptions and second ones for the same bucket are reported and ignored."""
         target = self.target
         full_e = min(target.full_well_e, target.register_max_e)
         limits = dict.fromkeys(self.buckets, full_e)
@@ -505,7 +508,8 @@ class PictureMaker:
 
 def _kernel_fault(rows: Sequence[Any]) -> tuple[str, tuple[str, ...]]:
     """Return what is wrong with a convolution kernel, as the end of a sentence, and the texts of
-    helps; "" and () if it is valid.
+    helps; "" and () if it is valid. Of several faults, the first is returned: lengths of rows,
+    sides, only zeros, too large weights.
 
     `rows` are lists of integer weights, the top row first. A kernel has a centre, so both sides are
     odd."""

@@ -49,7 +49,8 @@ def codes_in_use(
 
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
-    """Return the distinct values of an array, ascending, and the index of each element's value."""
+    """Return the distinct values of an array, int64 (values,) ascending, and the index of each
+    element's value, in the array's shape. The array is not empty."""
     lowest = int(plane.min())
     span = int(plane.max()) - lowest + 1
     if span > _DENSE:
@@ -81,8 +82,8 @@ def codes_from(
 
     There is one array for each field of `table`, under the field's name: integers (rows, cols), or
     single bits (see `nscc.program.field_planes.planes_of`). Messages call the file `shown`. `mode`
-    "open" means that `table` contains every legal code. `ranges` returns the ranges of the fields.
-    It is called only for an error.
+    "open" means that `table` contains every legal code, "fixed" that it has only the codes in use.
+    `ranges` returns the ranges of the fields. It is called only for an error.
 
     Raises Rejected: NS0313 and NS0314 for the file, NS0314 for missing, additional or unsuitable
     arrays, NS0311 for a value outside its field's range, NS0312 for a code that the program
@@ -130,7 +131,8 @@ def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]
     """Raise Rejected (NS0311) if a pixel's value of the field `name` is outside `values` (low,
     high).
 
-    `plane` has the values of all pixels, and `origin` says in messages where they come from."""
+    `plane` (rows, cols) has the values of all pixels, `high` is included, and `origin` says in
+    messages where they come from."""
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
@@ -154,9 +156,9 @@ def _unknown(
     """Return the error for pixels whose code the program forbids (NS0312) or was not compiled for
     (NS0319).
 
-    `missing`, bool (rows, cols), marks these pixels. `planes` are their field values, and `origin`
-    says where they come from. With `mode` "open" the table has all legal codes, so that others are
-    forbidden."""
+    `missing`, bool (rows, cols), marks these pixels. `planes` has the values (rows, cols) of each
+    field of the table, and `origin` says where they come from. With `mode` "open" the table has all
+    legal codes, so that others are forbidden."""
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))

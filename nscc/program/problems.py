@@ -34,7 +34,8 @@ class Problems:
         text: str = "",
         **members: Any,
     ) -> None:
-        """Add a diagnostic at `span`, beside whose marks `text` is printed.
+        """Add a diagnostic at `span`, beside whose marks `text` is printed. `code` is that of the
+        message, such as "NS0214".
 
         `members` are further fields of `Diagnostic`, such as `helps`."""
         label = Label(span, text)
@@ -47,8 +48,8 @@ class Problems:
     def unknown(self, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
         """Add the error (NS0214) for an unknown name, with the most similar of the names `known`.
 
-        `kind` says what was expected. Each name is reported once. Only the first
-        `_MOST_SUGGESTIONS` get a suggestion, because the search is slow."""
+        `kind` says what was expected, with an article, such as "a field". Each name is reported
+        once. Only the first `_MOST_SUGGESTIONS` get a suggestion, because the search is slow."""
         if name in self._unknown:
             return
         self._unknown.add(name)
@@ -71,7 +72,7 @@ class Problems:
     def adopt(self, rejected: Rejected, span: Span) -> None:
         """Add the diagnostics of an exception, such as one from reading a file.
 
-        Those without a source get the program's text and the place `span`."""
+        Those without a source (their text) get the program's text and the place `span`."""
         for diagnostic in rejected.diagnostics:
             if diagnostic.source is None:
                 diagnostic = replace(diagnostic, source=self.source, label=Label(span))
@@ -110,7 +111,8 @@ def _place(diagnostic: Diagnostic) -> tuple[int, int]:
 
 
 def clipped(text: object, most: int = 60) -> str:
-    """Return a value as text of at most `most` characters, shortened in the middle."""
+    """Return a value as text of at most `most` characters (at least 7), shortened in the middle by
+    ` ... `."""
     shown = printable(text)
     if len(shown) <= most:
         return shown
@@ -128,5 +130,6 @@ def printable(text: object) -> str:
 
 
 def counted(number: int, noun: str, plural: str | None = None) -> str:
-    """Return a number with its noun: `1 slot`, `2 slots`."""
+    """Return a number with its noun: `1 slot`, `2 slots`. Without `plural`, the plural is the noun
+    with an s."""
     return f"{number} {noun if number == 1 else plural or noun + 's'}"

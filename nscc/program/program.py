@@ -113,20 +113,22 @@ Plane = NDArray[np.int64]
 
 
 def chunk_name(field: str, chunk: int) -> str:
-    """Return the name of chunk number `chunk` of a field: `bits` for 0, then `bits.62`, `bits.124`
-    and so on."""
+    """Return the name of chunk number `chunk`, from 0, of a field: `bits` for 0, then `bits.62`,
+    `bits.124` and so on."""
     return field if chunk == 0 else f"{field}.{chunk * CHUNK_BITS}"
 
 
 def whole_name(column: str) -> str:
-    """Return the name of the field to which the chunk `column`, such as `bits.62`, belongs."""
+    """Return the name of the field to which the chunk `column`, such as `bits.62`, belongs.
+
+    A name without a dot is returned as it is."""
     return column.partition(".")[0]
 
 
 def chunks_of(field: Field) -> Iterator[Field]:
     """Yield the chunks of a field, each as a field of at most CHUNK_BITS bits.
 
-    A field that fits one integer yields itself."""
+    A field that fits one integer yields itself. The order is that of the bits, bit 0 first."""
     bits = field.bits or 0
     if bits <= CHUNK_BITS:
         yield field
@@ -144,7 +146,7 @@ def chunks_of(field: Field) -> Iterator[Field]:
 
 def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
     """Return single bits (rows, cols, K), bit 0 first, packed into one int64 array (rows, cols) for
-    each chunk."""
+    each chunk of at most CHUNK_BITS bits."""
     chunks = []
     for first in range(0, bits.shape[2], CHUNK_BITS):
         chunk_bits = bits[:, :, first : first + CHUNK_BITS].astype(np.int64)
@@ -154,7 +156,7 @@ def chunks_of_bits(bits: NDArray[np.integer]) -> list[Plane]:
 
 def grouped(names: Sequence[str]) -> dict[str, list[str]]:
     """Return the columns of a decode table by the name of their field; a long bit field has
-    several."""
+    several, in the order of `names`."""
     columns_of_field: dict[str, list[str]] = {}
     for name in names:
         columns_of_field.setdefault(whole_name(name), []).append(name)

@@ -59,10 +59,12 @@ class MissingValue:
 
 
 class NoValue(Exception):
-    """Raised for expressions without a value, with one entry for each."""
+    """Raised for expressions without a value, with one entry for each expression (not for each
+    code)."""
 
     def __init__(self, findings: Sequence[MissingValue]) -> None:
-        """Store the expressions that have no value; the exception's text are their faults."""
+        """Store one `MissingValue` for each expression without a value, at least one. The
+        exception's text are the messages of their faults."""
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 
@@ -72,7 +74,8 @@ class Rules:
     """The checked expressions that define codes and shutters.
 
     `requires` are the conditions on codes. `rules` has one boolean expression for each bucket.
-    `books` are the codebooks by name, and `slots` is N."""
+    `books` are the codebooks by name, and `slots` is N. `rules` are in the order of the buckets in
+    the program, and `fields` in that of the columns of codes."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -111,7 +114,8 @@ def legal_codes(rules: Rules) -> CodeArray:
     values.
 
     Raises TooMuch if limits on combinations or codes are exceeded; NoValue if a condition has no
-    value."""
+    value. Without fields there is one code, shape (1, 0); if `require` excludes all, shape (0,
+    fields)."""
     sizes = [field.high - field.low + 1 for field in rules.fields]
     total = rules.combinations
     if not rules.requires:
@@ -141,7 +145,8 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
     """Return the decode table of `codes` (codes, fields), which are sorted, distinct and legal.
 
     Shutters are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises
-    TooMuch beyond the limits, before evaluation; NoValue if a rule has no value."""
+    TooMuch beyond the limits, before evaluation; NoValue if rules have no value for some codes and
+    slots, with the first place of each such rule."""
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
@@ -199,7 +204,8 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
-    """Return one code (fields,) for messages, such as `start = 3, stop = 7`; at most six fields."""
+    """Return one code (fields,) for messages, such as `start = 3, stop = 7`. Fields after the sixth
+    are replaced by `...`; without fields it is empty."""
     assignments = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
     return ", ".join(assignments[:6]) + (", ..." if len(assignments) > 6 else "")
 
@@ -218,7 +224,10 @@ UNCOUNTED = 2**72
 
 def _limit_codes(rules: Rules, codes: int) -> None:
     """Raise TooMuch if this number of codes is more than nscc can prove, or takes too much
-    memory."""
+    memory.
+
+    The limits are `PROOF_LIMIT` for codes x buckets x slots and `TABLE_LIMIT` for codes x fields.
+    """
     buckets = len(rules.rules)
     needed = codes * buckets * rules.slots
     if needed > PROOF_LIMIT:
@@ -240,7 +249,9 @@ def _limit_codes(rules: Rules, codes: int) -> None:
 
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:
     """Raise TooMuch if evaluating the expressions for all codes and slots takes more than
-    `WORK_LIMIT` operations."""
+    `WORK_LIMIT` operations.
+
+    `codes` and `slots` are their numbers; 1 slot means that expressions do not depend on n."""
     sizes = {field.name: (0, codes) for field in rules.fields}
     sizes["n"] = (1, slots)
     needed = sum(work(expr, sizes) for expr in exprs)
@@ -252,7 +263,10 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
     """Return the distinct rows of packed bits, sorted bit by bit, and the index of every row among
-    them."""
+    them.
+
+    `packed` is (rows, bytes), as `numpy.packbits` returns it: the first bit is the highest of byte
+    0. The index is int32 (rows,)."""
     # Rows as opaque bytes compare from their first byte on.
     keys = np.ascontiguousarray(packed).view(f"V{packed.shape[1]}")[:, 0]
     _, first, inverse = np.unique(keys, return_index=True, return_inverse=True)

@@ -15,7 +15,8 @@ def judge_values(
     """Warn about variables that are compared by `==` or `!=` with a value that they never have
     (NS0358).
 
-    `ranges` are the least and greatest values of variables by name."""
+    `ranges` are the least and greatest values of variables by name; other variables are not judged.
+    Only a comparison of a name with a number or a constant is judged, not a chain."""
     for checked in expressions:
         for node in checked.nodes:
             if not isinstance(node, tree.Compare) or node.ops not in (("==",), ("!=",)):

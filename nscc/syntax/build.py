@@ -49,7 +49,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         super().__init__(visit_tokens=False)
 
     def build(self, statement: Tree[Token]) -> tree.Statement:
-        """Return the node of a statement."""
+        """Return the node of a statement, of which lark's tree is given."""
         node: tree.Statement = self.transform(statement).value
         return node
 
@@ -87,8 +87,8 @@ def _from_file(
     path: tree.Text,
     *options: tree.Name | tree.Text,
 ) -> Any:
-    """Make the statement `make` with a file and its options, `key` and `sha256`, which come in any
-    order."""
+    """Make the statement `make` with a file and its options in any order: a Name is the `key`, a
+    Text the `sha256`; each may be missing."""
     key = next((option for option in options if isinstance(option, tree.Name)), None)
     sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
     return make(span, name, path, key, sha256)
@@ -104,7 +104,8 @@ def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
 
 
 def _assume(span: Span, *children: Any) -> tree.Assume:
-    """Make an `assume` statement from its optional bucket, its comparison and its level."""
+    """Make an `assume` statement. `children` are an optional bucket (a Name), then the texts of the
+    comparison and of the level."""
     bucket = next((child for child in children if isinstance(child, tree.Name)), None)
     comparison, level = children[-2:]
     return tree.Assume(span, bucket, comparison, _amount(level, span))
@@ -113,7 +114,8 @@ def _assume(span: Span, *children: Any) -> tree.Assume:
 def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
     """Return `value in [a, b, ..]` as `value == a or value == b or ..`.
 
-    The chain is a balanced tree, because later passes recurse over it."""
+    There is at least one item. The chain is a balanced tree, because later passes recurse over it.
+    """
     tests: list[tree.Expr] = [tree.Compare(span, value, ("==",), (item,)) for item in items]
     while len(tests) > 1:
         pairs = [tests[i : i + 2] for i in range(0, len(tests), 2)]
@@ -141,7 +143,10 @@ def _state_image(span: Span, *children: Any) -> tree.StateImage:
 
 def _repeat(span: Span, *children: Any) -> tree.Repeat:
     """Make a repeated image or plane, with those that step together with it, from nodes and
-    tokens."""
+    tokens.
+
+    `children` are the word `image` or `plane`, the name, `=`, the start, `repeat`, the count and
+    the step. The other names of the statement, as `Repeated`, follow."""
     kind, name, _equals, start, _repeat_token, count, step, *others = children
     leader = tree.Repeated(span, str(kind), name, start, step)
     return tree.Repeat(span, count, (leader, *others))
@@ -149,7 +154,10 @@ def _repeat(span: Span, *children: Any) -> tree.Repeat:
 
 def _with(span: Span, *children: Any) -> tree.Repeated:
     """Make a name of a `repeat` statement that steps together with the first, from nodes and
-    tokens."""
+    tokens.
+
+    `children` are `with`, the word `image` or `plane`, the name, `=`, the start, `repeat` and the
+    step."""
     _with_token, kind, name, _equals, start, _repeat_token, step = children
     return tree.Repeated(span, str(kind), name, start, step)
 
@@ -245,7 +253,7 @@ def _whole_number(text: str, span: Span) -> int:
 
     Raises Rejected (NS0111) at `span` above 2^62 - 1, without converting many digits."""
     digits = text.lstrip("0")
-    # 2^62 has 19 digits.
+    # 2^62 has 19 digits; any number of more digits counts as the smallest that is too large.
     value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
     if value > tree.MOST_INTEGER:
         help_text = (
@@ -257,7 +265,7 @@ def _whole_number(text: str, span: Span) -> int:
 
 
 def _microseconds(text: str, span: Span) -> Fraction:
-    """Return a time such as `125us` in microseconds, exactly.
+    """Return a time such as `125us` in microseconds, exactly. `text` ends in ns, us, ms or s.
 
     Raises Rejected at `span`: NS0112 if it is zero, NS0111 for too many digits."""
     number = text.rstrip("nums")  # the letters of ns, us, ms and s

@@ -58,7 +58,8 @@ class _Token(Record):
 
 @dataclass
 class _Line:
-    """A line of output: its text, and a comment after it; an empty line separates groups."""
+    """A line of output: its text, and a comment after it. With both empty it separates groups; with
+    only a comment it is a line of its own."""
 
     text: str = ""
     comment: str = ""
@@ -89,7 +90,8 @@ def _bare(value: object) -> object:
 
 
 def _comments(source: Source) -> list[str]:
-    """Return the comments of the text `source`, in order."""
+    """Return the comments of the text `source`, in order, each from its # on, without blanks at its
+    end."""
     tokens = lex(source)
     spans = [tokens.span(k) for k in range(len(tokens.kinds))]
     gaps = zip(
@@ -124,8 +126,8 @@ class _Writer:
         return "".join(f"{line}\n" for line in _with_comments(self.lines))
 
     def _between(self, begin: int, end: int) -> None:
-        """Append the comments and empty lines of the text from `begin` to `end`, between two
-        statements."""
+        """Append the comments and empty lines between two statements: of the text from character
+        `begin` to character `end` - 1."""
         gap = self.source.text[begin:end]
         at = 0
         for comment in _COMMENT.finditer(gap):
@@ -141,14 +143,14 @@ class _Writer:
         self._separate(_line_ends(gap[at:]))
 
     def _separate(self, line_ends: int) -> None:
-        """Append one empty line if the text had any (`line_ends` above 1), but never two in a
-        row."""
+        """Append one empty line if the text had any (`line_ends` above 1), but never two in a row,
+        and none at the start."""
         if line_ends > 1 and self.lines and self.lines[-1] != _Line():
             self.lines.append(_Line())
 
 
 def _line_ends(blank: str) -> int:
-    """Return the number of line ends in blank text."""
+    """Return the number of line ends (LF, CR or both) in a text without tokens."""
     return len(re.findall(r"\r\n|\r|\n", blank))
 
 
@@ -191,7 +193,8 @@ def _close(statement: str, before: str, kind: str, place: int) -> bool:
 
 
 def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
-    """Yield the lines as text, with comments after statements aligned in each group of lines."""
+    """Yield the lines as text without line ends. Comments after statements are aligned in each
+    group of lines between empty lines."""
     for empty, group in groupby(lines, key=_Line().__eq__):
         run = list(group)
         if empty:
@@ -293,8 +296,8 @@ class _Rows:
         return [*lines, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
 
     def tile(self) -> list[_Line] | None:
-        """Return the lines of a tile, one for each row, with aligned values; None if they do not
-        fit."""
+        """Return the lines of a tile, one for each row, with aligned values; None if a line would
+        exceed WIDTH, or if comments stand above the first row or below the last."""
         if self.above[0] or self.above[-1] or self.after[0]:
             return None
         values = [[_joined(value) for value in _split_at_commas(row[1:-1])] for row in self.rows]
@@ -314,7 +317,9 @@ class _Rows:
 
 
 def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
-    """Return the groups of tokens between the commas that are outside of all brackets."""
+    """Return the groups of tokens between the commas that are outside of all brackets.
+
+    A group is empty where nothing stands before, after or between commas."""
     groups: list[list[_Token]] = [[]]
     for token, depth in zip(tokens, _depths(tokens), strict=True):
         if token.kind == "," and depth == 0:
@@ -325,15 +330,16 @@ def _split_at_commas(tokens: Sequence[_Token]) -> list[list[_Token]]:
 
 
 def _depths(tokens: Sequence[_Token]) -> list[int]:
-    """Return for each token the number of brackets that are open after it."""
+    """Return for each token the number of brackets opened by these tokens that are open after
+    it."""
     return [*accumulate((t.kind in _OPENING) - (t.kind in (")", "]")) for t in tokens)]
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
     """Return a statement, or a part of one, in lines of at most WIDTH columns if possible.
 
-    The first line begins with `indent`, the others with more. Lines are broken at the outermost
-    brackets and loosest operators first."""
+    A part that cannot be broken stays longer. The first line begins with `indent`, the others with
+    more. Lines are broken at the outermost brackets and loosest operators first."""
     single_line = indent + _joined(tokens)
     if len(single_line) <= WIDTH:
         return [single_line]
@@ -355,8 +361,8 @@ def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
 
 
 def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_Token]]:
-    """Join consecutive pieces as long as they fit into one line, which is indented by
-    `indent_length` blanks."""
+    """Join consecutive pieces as long as they fit into one line, of WIDTH columns, which is
+    indented by `indent_length` blanks."""
     merged: list[list[_Token]] = []
     for piece in pieces:
         if merged and indent_length + len(_joined([*merged[-1], *piece])) <= WIDTH:
@@ -382,7 +388,7 @@ def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[
 
 
 def _joined(tokens: Sequence[_Token]) -> str:
-    """Return tokens as one line of text, with blanks where the style has them."""
+    """Return tokens, at least one, as one line of text, with blanks where the style has them."""
     first, *later_tokens = tokens
     return first.text + "".join(
         f"{'' if token.close else ' '}{token.text}" for token in later_tokens

@@ -27,22 +27,23 @@ class Tokens(Record):
 
     @property
     def version(self) -> int:
-        """The language version at the start of the text, 1 if there is none."""
+        """The language version at the start of the text, 1 if there is none or an unknown one."""
         states_version = self.kinds[:2] == ["nsl", "INTEGER"]
         number = self.text(1).lstrip("0") if states_version else ""
         return int(number) if number in ("2", "3", "4") else 1
 
     def text(self, index: int) -> str:
-        """Return the text of a token in the source."""
+        """Return the text of token number `index`, from 0, in the source."""
         span = self.span(index)
         return self.source.text[span.start : span.end]
 
     def span(self, index: int) -> Span:
-        """Return the place of a token."""
+        """Return the place of token number `index`, from 0."""
         return span_of(self.lark_tokens[index])
 
     def read_as(self, index: int, word: str) -> None:
-        """Replace token number `index` by the keyword `word`, which was probably meant."""
+        """Replace token number `index` by the keyword `word`, which was probably meant. The source
+        text stays as it is."""
         terminal = next(name for name, spelt in spellings().items() if spelt == word)
         self.lark_tokens[index] = self.lark_tokens[index].update(type=terminal)
         self.kinds[index] = word
@@ -59,8 +60,9 @@ def lex(source: Source) -> Tokens:
     """Return all tokens of a text, in order; every character but blanks and comments belongs to
     one.
 
-    The kinds of some tokens depend on the statement and the version of the language: names of
-    targets, levels of senses, and words that are names in older versions."""
+    Invalid text gives tokens of the kinds MALFORMED, UNCLOSED and STRAY; nothing is raised. The
+    kinds of some tokens depend on the statement and the version of the language: names of targets,
+    levels of senses, and words that are names in older versions."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
     level = re.compile(parser().get_terminal("LEVEL").pattern.value)
@@ -142,7 +144,8 @@ def _of_picture(
 
 
 def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
-    """Return whether `5%` in a `next` is a level: compared, or at the end of brackets.
+    """Return whether `amount`, such as `5%`, in a `next` is a level: compared, or at the end of
+    brackets.
 
     From version 4 on, it is also a level if an image adds it. Otherwise it is a number and the sign
     of a remainder."""

@@ -70,8 +70,8 @@ _ELSEWHERE = {
 
 
 def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
-    """Return the error for the statement of tokens `first` to `last` - 1, in which the parser
-    stopped at `stuck`.
+    """Return the error for the statement of tokens number `first` to `last` - 1, in which the
+    parser stopped at `stuck`.
 
     It is NS0114 for a missing quotation mark, NS0108 for a stray character, NS0109 for an unknown
     statement, NS0113 for a keyword as a name, and else NS0107."""
@@ -147,8 +147,8 @@ def misspelt_statement(
 def unknown_statement(tokens: Tokens, token: int, others: Iterable[str] = ()) -> Diagnostic:
     """Return the error (NS0109) for an unknown word at the start of a statement.
 
-    `token` is its number; the words `others` could also stand there. The help says which version
-    has the word, what replaces it, or the most similar word."""
+    `token` is its number; the words `others` could also stand there and are suggested, too. The
+    help says which version has the word, what replaces it, or the most similar word."""
     word = tokens.text(token)
     words = statement_words(tokens.version)
     span = tokens.span(token)
@@ -223,13 +223,14 @@ def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
 
 
 def _forms(statement: str) -> tuple[str, ...]:
-    """Return how a statement, given by its first word, is written, as notes of an error."""
+    """Return how a statement, given by its first word (a key of `FORMS`), is written, as notes of
+    an error."""
     return tuple(f"written as: {form}" for form in FORMS[statement])
 
 
 def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
-    """Return the numbers of the tokens that open a bracket after `first` and are not closed where
-    parsing stopped."""
+    """Return the numbers of the tokens that open a bracket in the statement from token `first` on,
+    and are not closed before parsing stopped. The innermost is the last."""
     opened: list[int] = []
     for index in range(first, stuck.token):
         if tokens.kinds[index] in ("[", "(", "PLACE"):
@@ -241,7 +242,7 @@ def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
 
 def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
     """Yield hints about the token at which parsing stopped, in the statement of tokens `first` to
-    `last` - 1."""
+    `last` - 1. There are none if the statement ended too early."""
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
@@ -275,7 +276,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
     """Yield changes that correct the token at which parsing stopped, in the statement of tokens
-    `first` to `last` - 1."""
+    `first` to `last` - 1. There are none if the statement ended too early."""
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
@@ -386,7 +387,7 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
 
 def _choice(tokens: Tokens, at: int, last: int) -> str:
     """Return the hint for a choice written as `if C then A else B`: how it is written, in the words
-    of the program.
+    of the program if it has `then` and `else`. At most 200 characters are returned.
 
     `at` is the number of the token `if`, and `last` the end of the statement."""
     texts = [tokens.text(k) for k in range(at, last)]
@@ -443,8 +444,8 @@ def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
     """Yield a hint on how to multiply or divide by the decimal number at token `at`, such as `A * 3
     / 2`.
 
-    `first` is the first token of the statement. Yield nothing unless it is a factor or divisor,
-    with a small fraction."""
+    `first` is the first token of the statement. Yield nothing unless it is a factor or divisor
+    other than 0, and a fraction of integers up to `_MOST_PARTS`."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
     fraction = Fraction(number)
@@ -466,8 +467,9 @@ def _quotient(tokens: Tokens, first: int, at: int) -> Iterator[str]:
 
 
 def _time(number: str, unit: str) -> str | None:
-    """Return a time in the language's form, such as "5us", from a number and a common unit; None
-    for other units."""
+    """Return a time in the language's form, such as "5us", from the texts of a number and a common
+    unit, such as "5" and "usec". Return None for other units, and if they are no number with a
+    unit."""
     match = _NUMBER_AND_UNIT.fullmatch(number + unit)
     meant = _UNITS.get(match[2].lower()) if match else None
     return f"{match[1]}{meant}" if match and meant else None

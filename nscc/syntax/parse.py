@@ -57,7 +57,8 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     text.
 
     If a statement has an error, the part before the error is kept if it is a valid statement. After
-    MOST_ERRORS errors, NS0190 counts the others. Never raises for invalid text."""
+    MOST_ERRORS errors, NS0190 counts the others. If the text is too large or of another language or
+    version, that is the only error. Never raises for invalid text."""
     span = Span(0, len(source.text))
     if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
         return tree.File(span, ()), (too_large(source.name),)
@@ -100,7 +101,8 @@ def declared_at(source: Source, name: str) -> Span:
     """Return the place of the statement that declares an image, a plane or an input plane, or
     changes a state.
 
-    Return that of the first statement if there is none."""
+    Of several, it is the first in the text. Without one, return the place of the first statement;
+    the text has at least one."""
     statements = parse(source)[0].statements
     kinds = tree.Image | tree.Plane | tree.Next | tree.Input
     for statement in statements:
@@ -128,7 +130,7 @@ class _Errors:
         return len(self._first) >= MOST_ERRORS
 
     def add(self, make: Callable[[], Diagnostic]) -> None:
-        """Add the diagnostic that `make` returns; beyond the limit it is only counted, and `make`
+        """Add the diagnostic that `make` returns; beyond MOST_ERRORS it is only counted, and `make`
         not called."""
         if self.are_many:
             self._more += 1
@@ -209,7 +211,8 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
     """Return the error (NS0104) that a text does not begin with its language version, such as `nsl
     1`.
 
-    `starts` are the numbers of the tokens that begin statements."""
+    It also has the case of an empty file. `starts` are the numbers of the tokens that begin
+    statements."""
     source = tokens.source
     if not tokens.kinds:
         message = "this file is empty; a shutter program begins with `nsl 1`"
@@ -259,7 +262,7 @@ def read_source(path: Path) -> Source:
     """Return the text of a program file, without a byte order mark.
 
     At most one byte more than MOST_BYTES is read. Raises Rejected: NS0101 (status 2) if the file
-    cannot be read, otherwise as `source_of` does."""
+    cannot be read, and status 1: NS0103 if it exceeds 256 KiB, NS0102 if it is not UTF-8."""
     name = path.as_posix()
     try:
         with open(path, "rb") as file:
@@ -275,7 +278,8 @@ def source_of(path: Path, data: bytes) -> Source:
     """Return the text in the bytes of a program file, without a byte order mark.
 
     `path` names the file in messages. Raises Rejected (status 1): NS0103 if it exceeds 256 KiB,
-    NS0102 if it is not UTF-8. The diagnostic has the file's name but no text."""
+    NS0102 if it is not UTF-8 or contains a zero byte. The diagnostic has the file's name but no
+    text."""
     name = path.as_posix()
     if len(data) > MOST_BYTES:
         raise (

@@ -54,7 +54,8 @@ class Binary(Node):
 
 
 class Compare(Node):
-    """A chain `first op0 rest0 op1 rest1 ...`; ops are < <= > >= == !=."""
+    """A chain `first ops[0] later_operands[0] ops[1] ...`, such as `a < b == c`; each of `ops` is <
+    <= > >= == or !=."""
 
     first: Expr
     ops: tuple[str, ...]
@@ -129,7 +130,7 @@ class BookRow(Node):
 
 
 class TileRow(Node):
-    """One row of a tile of codes."""
+    """One row of a tile of codes, or of the weights of a kernel, from left to right."""
 
     values: tuple[Expr, ...]
 

@@ -59,7 +59,8 @@ def grammar_path() -> Path:
 def parser() -> lark.Lark:
     """Return the parser of one statement, whose lexer accepts any text.
 
-    Its tables are read from the user's cache, or made and stored there."""
+    Its tables are read from the user's cache, or made and stored there. Damaged tables are made
+    anew; without a cache folder nothing is stored."""
     grammar = grammar_path().read_text(encoding="utf-8")
     folder = cache_folder()
     if folder is None:
@@ -117,7 +118,8 @@ _ADDED = {
 
 
 def names_in(version: int) -> frozenset[str]:
-    """Return the keywords of later versions, which are ordinary names in a file of this version."""
+    """Return the keywords of later versions, which are ordinary names in a file of this version (1
+    to 4)."""
     return frozenset().union(*(words for added, words in _ADDED.items() if added > version))
 
 
@@ -217,8 +219,9 @@ _PIECES = {
 def expected_words(terminals: Set[str]) -> str:
     """Return what could come next, in plain words: "`slots`", "a number or a name".
 
-    `terminals` are the kinds of token that the grammar allows. Operators are left out if something
-    else can come next; a comma is left out if a list may end."""
+    `terminals` are the kinds of token that the grammar allows, at least one; END means that the
+    statement may end. Operators are left out if something else can come next; a comma is left out
+    if a list may end."""
     remaining = set(terminals) - {"PLACE"}
     choices: list[str] = []
     if {"INTEGER", "NAME", "-"} <= remaining:

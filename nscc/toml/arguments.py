@@ -17,7 +17,8 @@ def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, A
     """Return those arguments of a Python call that fields of `settings` declare, checked and
     converted.
 
-    `values` are the arguments by name; `call` is the function's name in messages. Raises
+    `values` are the arguments by name; those without a field are left out. `settings` is a
+    dataclass with fields made by `key`; `call` is the function's name in messages. Raises
     WrongArgument (NS0789) for the first invalid argument."""
     keys = declared(settings)
     return {

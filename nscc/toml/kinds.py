@@ -92,7 +92,7 @@ class Number(Kind):
     @property
     def range(self) -> str:
         """The range as text, such as "above 0 to 1000"; bounds that no value can exceed are left
-        out."""
+        out, so that it may be empty."""
         lower = "above" if self.low_excluded else "from"
         upper = "below" if self.high_excluded else "to"
         limits = []
@@ -125,8 +125,8 @@ class Number(Kind):
         return None if self._word and value == self._word else self.argument(value)
 
     def argument(self, value: Any) -> float | None:
-        """Return a number within the bounds, as float unless it must be whole; None is allowed if
-        it has a word.
+        """Return a number within the bounds, as float unless it must be whole; None is allowed if a
+        file has a word for it ("any" or "auto").
 
         Raises ValueError for any other value, also True and False."""
         if self._word and value is None:
@@ -226,7 +226,7 @@ class Several(Kind, Record):
         return self.text or f"a list{count}, each {self.element.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        """Return the list of a file as a tuple.
+        """Return the list or tuple `value` as a tuple, each element read by `element`.
 
         Raises ValueError for an invalid element, another number of elements, or if it is not a
         list."""
@@ -254,7 +254,9 @@ class Distinct(Kind, Record):
         return f"a list, each {self.element.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        """Return the values of a list in their order, each once; raise ValueError for others."""
+        """Return the values of a list, each once, in the order of the choices, or ascending if
+        there are none. Raises ValueError for an invalid value, and for an empty list unless it is
+        allowed."""
         if not isinstance(value, list | tuple) or not (value or self.may_be_empty):
             raise ValueError
         values = {self.element.read(item) for item in value}
@@ -325,7 +327,7 @@ class Instance(Kind, Record):
 
     def read(self, value: Any) -> Any:
         """Return a value of one of the types; a path object becomes text. Raises ValueError for any
-        other value."""
+        other value, also for True and False."""
         if not _is_one(value, self.types) or isinstance(value, bool):
             raise ValueError
         return os.fspath(value) if isinstance(value, os.PathLike) else value
@@ -333,7 +335,7 @@ class Instance(Kind, Record):
 
 def _is_one(value: Any, types: tuple[type | str, ...]) -> bool:
     """Return whether a value has one of these types, of which those written "MODULE:CLASS" are
-    imported."""
+    imported. An import that fails raises its own error."""
     for kind in types:
         if isinstance(kind, str):
             module, _, name = kind.partition(":")
@@ -385,7 +387,8 @@ class TextOrNumbers(Kind, Record):
     def read(self, value: Any) -> Any:
         """Return a text as it is, and numbers as text with commas and up to 17 digits.
 
-        Raises ValueError for another number of them, and if one of them is not a finite number."""
+        Raises ValueError for another number of them, and if one of them is not a finite number.
+        Numbers may be a tuple, a list or a single number."""
         if isinstance(value, str):
             return value
         values = value if isinstance(value, tuple | list) else [value]
@@ -395,7 +398,7 @@ class TextOrNumbers(Kind, Record):
 
 
 def _plain(value: Any) -> Any:
-    """Return a number of numpy as one of Python."""
+    """Return a number of numpy as one of Python; any other value as it is."""
     return value.item() if hasattr(value, "item") and not getattr(value, "shape", ()) else value
 
 

@@ -94,7 +94,8 @@ class FileCodes:
 def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
     """Declare a dataclass field as a key of a file or an option.
 
-    `about` are further attributes of `Key`, such as `section` and `required`."""
+    `meaning` is half a sentence for help texts; without `default` the field is required. `about`
+    are further attributes of `Key`, such as `section` and `required`."""
     return field(default=default, metadata={"kind": kind, "meaning": meaning, **about})
 
 
@@ -120,7 +121,8 @@ def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
 
 @cache
 def declared(settings: type) -> Mapping[str, Key]:
-    """Return the keys that the fields of a dataclass declare, by the names of the fields."""
+    """Return the keys that the fields of a dataclass declare, by the names of the fields. Fields
+    that are not made by `key` are left out."""
     return {key.attribute: key for key in keys_of(settings)}
 
 
@@ -178,6 +180,7 @@ class Schema(Generic[Row]):
     ) -> tuple[KeyValues, list[Diagnostic]]:
         """Return the valid values of a parsed file by path, and the errors of the invalid ones.
 
+        `values` is {section: {key: value}}; keys without a section stand beside the sections.
         `source` is the file's text, for places in messages. Missing keys are errors if `required`;
         with `complete`, all missing keys are, except `later` keys and lists that are empty by
         default."""
@@ -203,8 +206,8 @@ class Schema(Generic[Row]):
     def changed(self, changes: Sequence[str]) -> tuple[KeyValues, list[Diagnostic]]:
         """Return the values of changes KEY=VALUE by path, and the errors of invalid changes.
 
-        The last change of a key counts. VALUE is written as in a file, but a text needs no quotes.
-        """
+        KEY is SECTION.NAME, or NAME if the key has no section. The last change of a key counts.
+        VALUE is written as in a file, but a text needs no quotes."""
         key_values: KeyValues = {}
         problems: list[Diagnostic] = []
         for change in changes:
@@ -226,8 +229,8 @@ class Schema(Generic[Row]):
         """Return values, keyed by path, as {section: {key: value}} in the order of a file, for TOML
         or JSON.
 
-        Keys without a section stand at the top. All keys are present, except lists that are empty
-        by default and `later` keys at their default."""
+        `values` must have every key. Keys without a section stand at the top. All keys are present,
+        except lists that are empty by default and `later` keys at their default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
@@ -241,7 +244,8 @@ class Schema(Generic[Row]):
     ) -> Diagnostic | None:
         """Add a valid value to `key_values`; return the error of an invalid value, else None.
 
-        A value is valid if the table `section` has the key `name` and its kind allows the value."""
+        `source` is the text of the file, for the place of the error; None without one. A value is
+        valid if the table `section` has the key `name` and its kind allows the value."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
             known = self.sections.get(section, ())
@@ -318,8 +322,8 @@ _REMARK_COLUMN = 42
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
     """Return the bytes of a user's file, at most one more than `LARGEST_FILE`.
 
-    Messages call the file `name`, by default its path. Raises Rejected (status 2) if it cannot be
-    read."""
+    `schema` gives the codes and the words of the error. Messages call the file `name`, by default
+    its path. Raises Rejected (status 2) if it cannot be read."""
     reads(path)
     try:
         with open(path, "rb") as file:
@@ -379,10 +383,11 @@ def file_text(
     *,
     beside: bool = False,
 ) -> str:
-    """Return a complete file with the given values, which are keyed by path.
+    """Return the text of a complete file with the given values, which are keyed by path.
 
-    `head` are comment lines at the start. `remark` returns the comment of a key, which is written
-    above its line, or with `beside` at its end if the line is short."""
+    `values` must have every key of the schema. `head` are comment lines at the start. `remark`
+    returns the comment of a key, which is written above its line, or with `beside` at its end if
+    the line is short."""
     lines = [f"# {line}" for line in head]
     for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]

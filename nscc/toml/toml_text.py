@@ -20,7 +20,8 @@ class NotToml(Exception):
 
 
 def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
-    """Return the text and the values of a TOML file.
+    """Return the text and the values of a TOML file, of which `data` are the bytes. A byte order
+    mark is dropped, and line ends become LF.
 
     Raises NotToml if it is too large, has an overlong line, is not UTF-8, or is not TOML."""
     try:
@@ -44,8 +45,9 @@ def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
 def span_of(text: str, section: str, name: str) -> Span:
     """Return the place of the key `name` of the table `section` in a TOML text.
 
-    With the section "", `name` may also be a table. If the key is missing, the place is its table's
-    header, or else the first line."""
+    With the section "", `name` may also be a table. Names of keys and tables are without quotes. Of
+    equal keys, the first counts. If the key is missing, the place is its table's header, or else
+    the first line."""
     # `current` is the table of a line, `offset` the start of the line.
     current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
     for line in text.split("\n"):
@@ -65,7 +67,8 @@ def span_of(text: str, section: str, name: str) -> Span:
 
 
 def shown(value: Any) -> str:
-    """Describe any value in a message: short, on one line, and as TOML writes it."""
+    """Describe any value in a message: at most 60 characters, on one line. Texts, numbers and
+    booleans are as TOML writes them; lists only have their length."""
     if isinstance(value, Mapping):
         return "a table"
     if isinstance(value, list | tuple):
@@ -89,7 +92,8 @@ def spelled_value(text: str) -> Any:
 
 
 def written(value: Any) -> str:
-    """Return the TOML spelling of `value`: a text, number, boolean, or list of these."""
+    """Return the TOML spelling of `value`: a text, number, boolean, or list or tuple of these.
+    Other values are not checked."""
     if isinstance(value, str):
         return '"' + "".join(map(_character, value)) + '"'
     if isinstance(value, bool):
