@@ -67,8 +67,9 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
 def _read(path: Path, key: str | None) -> NDArray[Any]:
     """Return the array in a file, or the pictures of an image file as a stack.
 
-    `key` names one of several arrays; None takes the usual one. A clip in a .mat file is turned to
-    (frames, rows, cols). Raises Rejected (NS0801) for files that cannot be read."""
+    `key` names one of several arrays; None takes the first of `KEYS`, or the only array. A clip in
+    a .mat file is turned to (frames, rows, cols). Raises Rejected (NS0801) for files that cannot be
+    read."""
     suffix = path.suffix.lower()
     try:
         if not path.is_file():
@@ -94,8 +95,8 @@ def _stored(
     """Return the names of the arrays in a .mat, .npy or .npz file, the name that `choose` selects
     from them, and its array.
 
-    Name and array are None if `choose` returns None. A .npy file has no names, so `choose` is not
-    called. An array above `most_bytes` raises InvalidArrays."""
+    Name and array are None if `choose` returns None. A .npy file has no names: the list is empty,
+    the name None, and `choose` is not called. An array above `most_bytes` raises InvalidArrays."""
     suffix = path.suffix.lower()
     if suffix == ".npy":
         return [], None, npy_array(path, most_bytes)
@@ -133,8 +134,9 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     """Return the picture in an image file as (rows, cols), or several as (pictures, rows, cols).
 
-    `suffix` is its ending in lower case. Linear colours become luminance. Raises Rejected (NS0801)
-    for other colour pictures, for unknown endings, and for too many pictures."""
+    `suffix` is its ending in lower case. Linear colours become luminance. A colour picture whose
+    three channels are equal counts as grey. Raises Rejected (NS0801) for other colour pictures, for
+    unknown endings, and for more than `_MOST_BYTES`."""
     from nscc_runtime.scenes.colour import grey
     from nscc_runtime.scenes.picture_files import PICTURES, open_pages
 
@@ -258,8 +260,8 @@ def read_mask(path: Path) -> Floats:
 
 
 def ambiguous_axes(path: Path, shape: tuple[int, ...]) -> Rejected:
-    """Return the error (NS0845) that the mask in file `path` can be read in two ways; `shape` is
-    its three axes."""
+    """Return the error (NS0845), for the caller to raise, that the mask in file `path` can be read
+    in two ways: slots first or slots last. `shape` is the sizes of its three axes."""
     first, middle, last = shape
     return rejected(
         "NS0845",
@@ -280,7 +282,7 @@ def is_square_tile(shape: tuple[int, ...]) -> bool:
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:
     """Return the error (NS0845) that the file `path` has no usable mask and measurement, because of
-    `reason`."""
+    `reason`. `note`, if not empty, is a fact printed below it."""
     return rejected(
         "NS0845",
         f"'{path}' cannot be used: {reason}",

@@ -81,6 +81,6 @@ class ShutterSpec:
 
 def over_array(tile: NDArray[Any], rows: int, cols: int) -> NDArray[Any]:
     """Return a tile (.., r, c), repeated from the top left corner over an array, and cut to (..,
-    rows, cols)."""
+    rows, cols). A tile larger than the array is only cut."""
     repeats = (-(-rows // tile.shape[-2]), -(-cols // tile.shape[-1]))
     return np.tile(tile, (1,) * (tile.ndim - 2) + repeats)[..., :rows, :cols]

@@ -14,7 +14,9 @@ from nscc_training.settings import SCHEMA, RunSettings
 
 
 def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
-    """Read the settings in a file, with `changes`, each SECTION.KEY=VALUE.
+    """Read the settings in a TOML file, with `changes`, each a text SECTION.KEY=VALUE; a change
+    replaces the file's value, and of two changes of a key the last counts. Missing keys have their
+    defaults.
 
     Raises Rejected (status 2) with all errors at once: NS0813 for a file that cannot be read or is
     not TOML, NS0814 for unknown keys, NS0815 for invalid values."""
@@ -23,8 +25,9 @@ def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
 
 
 def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
-    """Return the settings in a dictionary of sections (`{"train": {"steps": 100}}`), changed and
-    checked as `load_config` does."""
+    """Return the settings in a dictionary of sections (`{"train": {"steps": 100}}`), with `changes`
+    as texts SECTION.KEY=VALUE; missing keys have their defaults. Raises Rejected (status 2) with
+    all errors at once: NS0814 for unknown keys, NS0815 for invalid values."""
     return _settings(*SCHEMA.read(values), changes)
 
 

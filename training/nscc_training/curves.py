@@ -33,12 +33,14 @@ and glare."""
 
 
 def mu_law(x: Array, mu: float = MU) -> Array:
-    """Return log(1 + mu x) / log(1 + mu), for x relative to the data range: 0 at 0, and 1 at 1."""
+    """Return log(1 + mu x) / log(1 + mu), for x relative to the data range: 0 at 0, and 1 at 1.
+    `mu` is above 0; negative x continue as a straight line."""
     return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
 
 
 def log_curve(x: Array, floor: float) -> Array:
-    """Return log(1 + x / floor).
+    """Return log(1 + x / floor), and x / floor for negative x. `floor` is above 0, in the unit of
+    x.
 
     Differences on this curve are relative errors far above `floor`, and absolute errors far below.
     """
@@ -48,20 +50,22 @@ def log_curve(x: Array, floor: float) -> Array:
 
 
 def log_curve_inverse(y: Array, floor: float) -> Array:
-    """Return the inverse of `log_curve`."""
+    """Return the x for which log(1 + x / floor) is y; for negative y, floor times y."""
     xp, wide = _library(y), _wide(y)
     return _as(y, floor * xp.where(wide >= 0, xp.expm1(xp.clip(wide, 0.0, None)), wide))
 
 
 def srgb(x: Array) -> Array:
-    """Return the sRGB encoding (IEC 61966-2-1) of linear light, a straight line below 0.0031308."""
+    """Return the sRGB encoding (IEC 61966-2-1) of linear light, a straight line below 0.0031308.
+    White is 1; brighter light is not clipped."""
     xp, wide = _library(x), _wide(x)
     power = 1.055 * xp.clip(wide, 0.0031308, None) ** (1 / 2.4) - 0.055
     return _as(x, xp.where(wide > 0.0031308, power, 12.92 * wide))
 
 
 def srgb_inverse(y: Array) -> Array:
-    """Return the linear light of an sRGB encoding."""
+    """Return the linear light, with white at 1, of sRGB values y on 0..1; others continue the
+    curve."""
     xp, wide = _library(y), _wide(y)
     power = ((xp.clip(wide, 0.04045, None) + 0.055) / 1.055) ** 2.4
     return _as(y, xp.where(wide > 0.04045, power, wide / 12.92))
@@ -102,8 +106,8 @@ def _pu21_slope(luminance: float) -> float:
 
 
 def _library(x: Any) -> Any:
-    """Return the module whose functions apply to `x`: torch for its tensors, numpy for
-    everything else."""
+    """Return the module whose functions apply to `x`, without importing torch needlessly: torch for
+    its tensors, numpy for everything else."""
     if type(x).__module__.partition(".")[0] == "torch":
         import torch
 

@@ -133,7 +133,9 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return _times(self._overlap(y), y)
 
     def A_dagger(self, y: Tensor, *_solver: Any, **options: Any) -> Tensor:  # noqa: N802
-        """Return the least-squares light for y with the smallest norm, in closed form."""
+        """Return the light of the shape of x with the smallest norm that fits y (batch, buckets,
+        rows, cols) best by least squares, in closed form. Pixels that never open get 0. Arguments
+        for an iterative solver are ignored."""
         return self.A_adjoint(_times(_inverse(self._overlap(y)), y))
 
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
@@ -248,7 +250,8 @@ def _shares(shutters: object, slots: int) -> Tensor:
 
 
 def _times(matrix: Tensor, y: Tensor) -> Tensor:
-    """Multiply each pixel's matrix (rows, cols, buckets, buckets) by its buckets."""
+    """Return the product of each pixel's `matrix` (rows, cols, buckets, buckets) and its values in
+    `y` (batch, buckets, rows, cols), in the shape of `y`."""
     return torch.einsum("hwij,bjhw->bihw", matrix, y)
 
 

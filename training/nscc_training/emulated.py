@@ -66,7 +66,8 @@ class EmulatedSensor:
 
     def smeared(self, light: Tensor) -> Tensor:
         """Return light (.., rows, cols) after crosstalk: each pixel exchanges the fraction
-        `crosstalk` with each of its four neighbours. At the border no light is lost."""
+        `crosstalk` with each of its four neighbours. At the border no light is lost, and the sum of
+        all pixels stays."""
         down = light[..., 1:, :] - light[..., :-1, :]
         right = light[..., :, 1:] - light[..., :, :-1]
         pad = torch.nn.functional.pad
@@ -80,7 +81,7 @@ class EmulatedSensor:
         self, exposure_e: Tensor, model: SensorModel, generator: torch.Generator | None
     ) -> tuple[Tensor, Tensor]:
         """Return the codes above the ADC's offset of an exposure, float32 (batch, rows, cols), and
-        the mask of saturated pixels.
+        the mask of saturated pixels, bool of the same shape.
 
         `exposure_e` (float64, of this shape) are the electrons of the open slots. The table is
         entered at the constant light that gave a pixel this exposure, also if other slots are open
@@ -91,6 +92,8 @@ class EmulatedSensor:
         steady = exposure_e / open_share.clamp(min=1e-9)
         known = self.light_e.to(exposure_e)
         after = torch.searchsorted(known, steady.detach().contiguous(), right=True)
+        # Beyond the last level, the codes stay at those of the last level (`fraction` is at most
+        # 1).
         after = after.clamp(1, len(known) - 1)
         fraction = (steady - known[after - 1]) / (known[after] - known[after - 1])
         codes = self._between(self.code, after, fraction.clamp(max=1))
@@ -126,8 +129,8 @@ class EmulatedSensor:
         """Return the values (batch, rows, cols) of a `table` (K, r, c) between its levels `after` -
         1 and `after`: the first plus `fraction` of the difference.
 
-        `after` and `fraction` are (batch, rows, cols); the tile of the table repeats over the
-        pixels."""
+        `after` is the index of the upper level, at least 1, and `fraction` is 0 to 1; both are
+        (batch, rows, cols); the tile of the table repeats over the pixels."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
@@ -168,7 +171,7 @@ class MeasuredTables:
 
     def set(self, tensors: dict[str, Tensor]) -> None:
         """Use the table that `tensors` of a checkpoint hold; with empty `tensors`, change nothing.
-        Raise KeyError if some are missing."""
+        The names are those of `tensors()`. Raise KeyError if some are missing."""
         if tensors:
             table = EmulatedSensor(
                 tensors["light_e"],
@@ -190,7 +193,7 @@ def emulated_sensor(
 
     `effects`, and the errors for a wrong one, are as for the option `--effects`. The measurement
     takes seconds, or half a minute if each pixel has its own shutter. Fewer `chips` are faster, but
-    sample less of the variation between chips."""
+    sample less of the variation between chips. At least one pixel of the tile opens."""
     chosen = selected(effects)
     assert container.pixel_codes is not None
     slot_s = np.asarray(container.slot_us)

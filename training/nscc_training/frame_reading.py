@@ -35,8 +35,8 @@ class FrameRead:
     `frame` contains converter codes (colours, rows, cols), for two buckets (colours, 2, rows,
     cols), with one colour or red, green, blue. `saturated` marks saturated codes. `shutter` (N,
     rows, cols) are the first bucket's shutters, `slot_us` (N,) the slot lengths, None if not
-    stored. `opened` (colours, rows, cols) is the number of open slots of pixels that looked, else
-    None."""
+    stored. `opened`, in the shape of `frame`, is the number of open slots of pixels that looked,
+    else None. `meta` is the metadata of the file."""
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
@@ -47,17 +47,18 @@ class FrameRead:
 
     @property
     def buckets(self) -> int:
-        """Number of frames per exposure."""
+        """Number of buckets, and thus of frames per exposure and colour: 1 or 2."""
         return 1 if self.frame.ndim == 3 else self.frame.shape[1]
 
 
 def read_frame(path: Path) -> FrameRead:
     """Read a frame file with one exposure, or with one for each colour.
 
-    Raises Rejected (NS0819) for files that cannot be read, and for frames with repeats or more than
-    two buckets."""
+    Raises Rejected (NS0819) for files that cannot be read, for frames with repeats or more than two
+    buckets, and for shutters of another size than the frame."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
+    # Repeats and colours are both a first axis; the metadata tells them apart.
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
     if frame.ndim != 3 + in_colours or frame.shape[-3] not in (1, 2):
         raise no_frame(path, f"its frame is {frame.shape}, not one exposure in a bucket or two")
@@ -93,7 +94,8 @@ def by_colour(values: Array, in_colours: bool) -> Array:
 
 def frame_arrays(path: Path) -> FrameRead:
     """Return the content of a frame file in the shapes that it has there, which may include
-    repeats; shutters are unpacked to (.., N).
+    repeats; shutters are unpacked to (buckets, rows, cols, N). Without `saturated` in the file, no
+    pixel counts as saturated.
 
     Raises Rejected (NS0819) for a file that cannot be read, damaged shutters or invalid slot
     lengths."""
@@ -105,7 +107,7 @@ def frame_arrays(path: Path) -> FrameRead:
     codes, slot_us = arrays["frame"], arrays.get(_SLOTS)
     if slot_us is not None and not are_lengths(slot_us):
         raise no_frame(path, f"`{_SLOTS}` are not valid slot lengths")
-    # Without `saturated`, the codes decide.
+    # Without `saturated` in the file, no pixel counts as saturated.
     saturated = arrays.get("saturated", np.zeros(codes.shape, np.bool_))
     stored_shutters = None
     if "shutter" in arrays:
@@ -126,8 +128,8 @@ def are_lengths(slot_us: Array) -> bool:
 
 
 def number_of(meta: Mapping[str, Any], name: str) -> float:
-    """Return the number `name` in the metadata of a frame. Raise ValueError if it is missing, not a
-    number or not finite."""
+    """Return the number `name` in the metadata `meta` of a frame. Raise ValueError if it is
+    missing, not a number (a bool is none) or not finite."""
     value = meta.get(name)
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if value is not None and is_number and abs(value) <= sys.float_info.max:
@@ -140,8 +142,8 @@ def no_frame(
     reason: str,
     help_text: str = "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",
 ) -> Exception:
-    """Return the error (NS0819) for a file that cannot be reconstructed, with the `reason` and what
-    to do (`help_text`)."""
+    """Return the error (NS0819), for the caller to raise, that the file `path` cannot be
+    reconstructed, with the `reason` and what to do (`help_text`)."""
     message = f"'{path}' is not a frame that can be reconstructed"
     return rejected("NS0819", message, notes=(reason,), helps=(help_text,))
 
@@ -172,7 +174,8 @@ class Dark:
 
         `size` (rows, cols) is the size of the array. Raises Rejected (NS0819) if the dark frame has
         another program or contains light; with `force` these are warnings. A dark frame of another
-        size cannot be subtracted and is not checked here."""
+        size cannot be subtracted: for it the result is empty, and the caller refuses it. An unknown
+        light is a warning (NS0844) only if too many pixels are saturated."""
         if self.offset.shape[-2:] != tuple(size):
             return ()
         severity = Severity.WARNING if force else Severity.ERROR
@@ -198,7 +201,7 @@ class Dark:
 
     def _doubts(self, frame: Mapping[str, Any]) -> Iterator[str]:
         """Yield the reasons why this dark frame does not fit a frame with the metadata `frame`:
-        another program, or light."""
+        another program (if both files name theirs by a digest), or light."""
         own_digest, frame_digest = (meta.get("program_sha256") for meta in (self.meta, frame))
         if own_digest is not None and frame_digest is not None and own_digest != frame_digest:
             yield "it was exposed with another program"
@@ -237,8 +240,8 @@ def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.
     """Return the offset of each pixel (rows, cols) minus the mean over the pixels at the same place
     of all tiles.
 
-    What remains belongs to single pixels; the mean belongs to their code. `tile` is the size (rows,
-    cols) of a tile."""
+    What remains belongs to single pixels; the mean belongs to their code. `offset` is (rows, cols),
+    and `tile` the size (rows, cols) of a tile, which repeats from the top left corner."""
     pattern = np.empty_like(offset)
     for row, col in np.ndindex(tile):
         place = offset[row :: tile[0], col :: tile[1]]
@@ -272,6 +275,6 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
-    """Return the mean code above the ADC's offset of repeated exposures (repeats, buckets, rows,
-    cols): (rows, cols), or (2, rows, cols) for two buckets."""
+    """Return the mean code above the ADC's offset, `adc_offset`, of repeated exposures `codes`
+    (repeats, buckets, rows, cols): (rows, cols), or (2, rows, cols) for two buckets."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

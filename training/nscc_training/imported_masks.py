@@ -34,8 +34,9 @@ class ImportedMask:
     """A program that opens the shutters of a mask.
 
     `text` is the program, `codes` the content of its code file (empty if not needed), `kind` its
-    class, and `tile` its size (rows, cols). `words_per_slot` counts instruction words. `axes` says
-    how the axes of the mask were read. `reasons` explain why the other classes were not chosen."""
+    class of shutters ("a" to "e" or "codebook"), and `tile` the size (rows, cols) of its tile.
+    `words_per_slot` counts instruction words. `axes` says how the axes of the mask were read.
+    `reasons` explain why the other classes were not chosen."""
 
     text: str
     codes: bytes
@@ -97,6 +98,7 @@ def import_mask(
         assert container is not None
         assert container.pixel_codes is not None
         lanes = container.table.shutter_of_code[container.pixel_codes]
+        # Each pair of the program's and the mask's shutter of a pixel is compared once.
         places = over_array(tile, *lanes.shape)
         pairs = np.unique(np.stack([lanes.reshape(-1), places.reshape(-1)]), axis=1)
         if not np.array_equal(container.table.shutters[pairs[0], 0], shutters[pairs[1]]):
@@ -213,7 +215,8 @@ def _slots_axis(
 
 
 def _slots_first(mask: Floats, axis: Axis) -> Bits:
-    """Return the mask as booleans (slots, rows, cols), true where open."""
+    """Return a mask of three axes as booleans (slots, rows, cols), true where it is above 0. `axis`
+    says which of its axes are the slots: "first", or "last" as in (rows, cols, slots)."""
     return (np.moveaxis(mask, 2, 0) if axis == "last" else mask) > 0
 
 
@@ -246,8 +249,8 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
 
 
 def _period(places: NDArray[np.int64], is_whole: bool) -> int:
-    """Return the smallest period of `places` along their first axis: after it, all rows repeat.
-    Without a period it is the number of rows.
+    """Return the smallest period of `places` (rows, cols), numbers of shutters, along their first
+    axis: after so many rows, all rows repeat. Without a period it is the number of rows.
 
     A tile is repeated as a whole, so its period must divide the number of rows. If the mask covers
     the array (`is_whole`), the last period may be incomplete."""
@@ -259,7 +262,9 @@ def _period(places: NDArray[np.int64], is_whole: bool) -> int:
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """Yield each class of shutters that has all `shutters` (K, slots), with the codes of the tile.
+    """Yield each class of shutters that has all `shutters` (K, slots), with the codes of the tile,
+    int64 by field (`book` (K, slots) of a codebook). The order is that of the classes; several may
+    fit.
 
     `tile` (rows, cols) holds the index of each pixel's shutter. For every other class, a sentence
     is appended to `reasons`."""

@@ -26,8 +26,9 @@ from nscc_training.problems import listed, one_line
 class ImportedNetwork:
     """An imported cell (a small recurrent network in each pixel) as a program.
 
-    `text` is the program, `kernels` the bytes of its kernel file, `words` its instruction words per
-    frame, and `level` the level of its comparisons in full wells, as the chip can set it."""
+    `text` is the program, `kernels` the bytes of its kernel file, `cell` the cell itself, `words`
+    its instruction words per frame, and `level` the level of its comparisons in full wells, as the
+    chip can set it."""
 
     text: str
     kernels: bytes
@@ -99,7 +100,8 @@ def cell_of_onnx(path: Path, data: bytes) -> PixelCell:
 
     The graph computes one frame: its inputs are the bits (1, 1, rows, cols) and the states (1,
     states, rows, cols) as +1 and -1, and its results are the outputs and the new states. The graph
-    must give the same bits as the cell for random frames.
+    must give the same bits as the cell for random frames, because the names of its layers alone do
+    not show how they are connected.
 
     Parameters
     ----------
@@ -154,14 +156,15 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
     arrays = {tensor.name: tensor for tensor in graph.initializer}
 
     def constant(node: Any, number: int) -> Tensor:
-        """Return input `number` of a layer as a tensor. Raise Rejected (NS0851) if the graph
-        computes it."""
+        """Return input `number` (0 is the first) of a layer as a tensor. Raise Rejected (NS0851) if
+        the layer lacks it, or the graph computes it."""
         name = node.input[number] if number < len(node.input) else ""
         if name not in arrays:
             raise refused(path, f"input {number} of layer `{node.name}` is not a constant")
         return torch.from_numpy(np.array(numpy_helper.to_array(arrays[name])))
 
     conv, pools = the("Conv"), [node for node in graph.node if node.op_type == "MaxPool"]
+    # The subtraction after the convolution holds the thresholds; others make -1 and +1 of bits.
     after = [n for n in graph.node if n.op_type == "Sub" and n.input[0] == conv.output[0]]
     if len(after) != 1 or len(graph.input) != 2:
         raise refused(path, "it does not have two inputs, and one threshold after its layer Conv")
@@ -221,8 +224,9 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     """Return the cell that a state dict describes: `weight` and `threshold`, and the settings of
     `_SETTINGS` if they differ from their defaults.
 
-    Raises Rejected (NS0851) for the file `path` if names, shapes or values are not those of a cell.
-    """
+    `weight` is (gates, 1 + states, kernel, kernel) and `threshold` (gates,), where the gates are
+    those of the states and then of the outputs. Raises Rejected (NS0851) for the file `path` if
+    names, shapes or values are not those of a cell, or all weights of a gate are 0."""
     known = {"weight", "threshold", *_SETTINGS}
     if state and all(name.startswith("module.") for name in state):
         raise refused(
@@ -311,7 +315,7 @@ _CLASS = re.compile(r"(?:GLOBAL|global) ([\w.]+)")
 
 def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
     """Return why a file with the content `data` is not a state dict, and a note on what to do.
-    `error` is what torch raised."""
+    `error` is what its reader raised."""
     named = _CLASS.search(str(error))
     if data.startswith(b"version https://git-lfs"):
         return "it is a pointer of Git LFS, not the file itself", "`git lfs pull` fetches the file"
@@ -327,7 +331,8 @@ def _why_no_state(data: bytes, error: Exception) -> tuple[str, str]:
 
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:
-    """Return the error (NS0851) that the file `path` is not a cell, because of `reason`."""
+    """Return the error (NS0851) that the file `path` is not a cell, because of `reason`. `note`, if
+    not empty, is a suggestion printed below it."""
     return rejected(
         "NS0851",
         f"'{path}' cannot be imported: {reason}",

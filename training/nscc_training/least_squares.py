@@ -22,8 +22,9 @@ def solve(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> LeastSquar
     """Minimise |matrix x - right| for a matrix (m, n) and a right side (m,) or (m, k).
 
     Uses the singular value decomposition, because normal equations would square the condition
-    number. Singular values below max(m, n) ulps of the largest count as 0. Raises ValueError for
-    values that are not finite."""
+    number. Singular values below max(m, n) ulps of the largest count as 0. Of several solutions, as
+    below full rank, the one with the smallest norm is returned, (n,) or (n, k). Raises ValueError
+    for values that are not finite."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise ValueError("least squares of values that are not finite")
     limit = np.finfo(np.float64).eps * max(matrix.shape)

@@ -35,8 +35,9 @@ def with_weight(weight: float, iterations: int) -> Decoder:
 def best_weight(
     measured: Measured[NDArray[Any]], iterations: int
 ) -> tuple[float, NDArray[np.float64]]:
-    """Return the weight of total variation with which GAP-TV predicts left-out pixels best, and the
-    errors of its predictions, as `prediction_errors` returns them.
+    """Return the weight of total variation, one of `_WEIGHTS`, with which GAP-TV predicts left-out
+    pixels best (least mean square error; of equal ones the smallest weight), and the errors
+    (values,) of its predictions, in units of white.
 
     `measured` must be divided by white. Each prediction runs `iterations` iterations."""
     errors = [prediction_errors(measured, with_weight(w, iterations)) for w in _WEIGHTS]

@@ -12,11 +12,12 @@ from nscc_runtime.light import Light
 
 
 def light_on_array(light_e: NDArray[Any], slots: int, target: Target) -> Light:
-    """Return electrons over a frame (rows, cols), or per slot (N, rows, cols), as light on the
-    array of `target`.
+    """Return `light_e`, electrons over a frame (rows, cols) or per slot (N, rows, cols), as light
+    on the array of `target`.
 
-    The light of a frame is spread evenly over `slots` slots. A scene smaller than the array is
-    extended by its edge pixels; of a larger scene the upper left part is taken."""
+    The light of a frame is spread evenly over `slots` slots; light per slot keeps its own N slots.
+    A scene smaller than the array is extended by its edge pixels; of a larger scene the upper left
+    part is taken."""
     visible = light_e[..., : target.rows, : target.cols].astype(np.float32)
     missing = (target.rows - visible.shape[-2], target.cols - visible.shape[-1])
     margins = [(0, 0)] * (visible.ndim - 2) + [(0, count) for count in missing]

@@ -25,11 +25,13 @@ def looked(
     """Return the codes of the frame and the open fraction of each pixel, both (batch, rows, cols).
 
     `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) contains
-    whole boundaries, then levels in steps of IN of `step_e` electrons; it repeats over the pixels.
-    `slots` is the number of slots of the frame. Noise is drawn from `generator`, the same amount
-    for all fields, so that two captures with equal generators differ only by the fields. Without a
-    generator there is no noise. If fields have gradients, the exposure of a pixel is the drawn one,
-    with the gradient of its probability."""
+    first the boundaries of the looks (whole numbers of slots, increasing), then their levels in
+    steps of IN of `step_e` electrons; it repeats over the pixels. `slots` is the number of slots of
+    the frame. Charge saturates at the full well of `sensor`. A pixel that no look closes stays open
+    for the whole frame. Noise is drawn from `generator`, the same amount for all fields, so that
+    two captures with equal generators differ only by the fields. Without a generator there is no
+    noise. If fields have gradients, the exposure of a pixel is the drawn one, with the gradient of
+    its probability."""
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()
@@ -65,7 +67,7 @@ def _first(above: Tensor) -> Tensor:
 
     `above` (batch, looks, rows, cols) says whether each look is above its level, or with what
     probability. The weight is 1, or the probability, for the first look above; for the last
-    exposure, that no look is above."""
+    exposure, the whole frame, that no look is above. The weights of a pixel add up to 1."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

@@ -24,21 +24,24 @@ NITS = 1000.0
 
 
 def l1(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Return the mean absolute error of linear light, which bright pixels dominate."""
+    """Return the mean absolute error of linear light over all values, a scalar; bright pixels
+    dominate it."""
     return (prediction - truth).abs().mean()
 
 
 def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
     """Return minus a tenth of the PSNR in dB: log10 of the mean squared error of linear light.
 
-    Errors are averaged over the batch, so patches of one exposure ([data] together) belong in one
-    batch."""
+    The error is raised by `LEAST_ERROR`, so that equal arrays give -7 and finite gradients. Errors
+    are averaged over the batch, so patches of one exposure ([data] together) belong in one batch.
+    """
     return torch.log10((prediction - truth).square().mean() + LEAST_ERROR)
 
 
 def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
     """Return the mean absolute error in PU21 units, a perceptually uniform scale, relative to the
-    value of `NITS` cd/m2. Light of 1 has that luminance."""
+    value of `NITS` cd/m2. Light of 1 has that luminance; brighter light is compared on the curve's
+    straight continuation."""
     most = pu21(torch.tensor(NITS, dtype=torch.float64)).item()
     return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
 

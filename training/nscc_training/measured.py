@@ -40,8 +40,8 @@ class Measured(Generic[Array]):
 
     @classmethod
     def exact(cls, value: Array, mask: Array) -> Measured[Array]:
-        """Return the measurement of one bucket without noise and saturation. `value` is (batch,
-        rows, cols), `mask` (batch or 1, N, rows, cols)."""
+        """Return the measurement of one bucket without noise and saturation, for white of about 1.
+        `value` is (batch, rows, cols), `mask` (batch or 1, N, rows, cols)."""
         value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
         return cls(value, mask[:, None], nothing, nothing != 0)
 
@@ -51,8 +51,9 @@ class Measured(Generic[Array]):
     ) -> Measured[NDArray[Any]]:
         """Return the measurement of a frame in electrons, as a batch of one.
 
-        `frames` (B, rows, cols) are codes above the ADC's offset, `masks` (B, N, rows, cols).
-        `sensor` gives the noise, and the code that counts as saturated."""
+        `frames` (B, rows, cols) are codes above the ADC's offset, `masks` (B, N, rows, cols) the
+        open fractions of the N slots. `sensor` gives the noise, and the code that counts as
+        saturated."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         # Rounding to whole codes adds the variance 1 / 12.
@@ -77,7 +78,8 @@ class Measured(Generic[Array]):
         return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
     def crop(self, rows: slice, cols: slice) -> Measured[Array]:
-        """Return the measurement of a rectangle of pixels."""
+        """Return the measurement of the rectangle of pixels in these rows and columns, all frames
+        and slots."""
         arrays = (self.value, self.mask, self.variance, self.saturated)
         return Measured(*(array[..., rows, cols] for array in arrays))
 
@@ -87,15 +89,16 @@ class Measured(Generic[Array]):
         return frames
 
     def missing(self, predicted: Array, target: Array) -> Array:
-        """Return target minus predicted frames, which a clip lacks. Where a pixel is saturated, a
-        negative value becomes 0: its light may be larger than measured."""
+        """Return `target` minus `predicted` frames, both (batch, B, rows, cols): what a clip lacks.
+        Where a pixel is saturated, a negative value becomes 0: its light may be larger than
+        measured."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
 
     def trust(self, sigma: Array) -> Array:
         """Return the fraction of a frame's difference that is due to the clip's error, not to the
-        frame's noise: (batch, B, rows, cols).
+        frame's noise: (batch, B, rows, cols), 0 to 1, and 0 for a pixel that never opens.
 
         `sigma` (batch,) is the standard deviation of the clip's error."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
@@ -107,8 +110,8 @@ class Measured(Generic[Array]):
         (batch, B, rows, cols) in its frames.
 
         `sigma` (batch,) is the standard deviation of the clip's error, the same in all pixels and
-        slots. Without noise, and with frames that share no light, this is the projection onto all
-        clips that match the frames."""
+        slots; it is above 0. Without noise, and with frames that share no light, this is the
+        projection onto all clips that match the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
             shares = gap / (self.energy + noise).clip(min=1e-6)

@@ -30,7 +30,8 @@ _METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
     """Raise Rejected unless metrics can compare both arrays: NS0802 for different or too small
-    shapes, NS0804 for values above `LARGEST`."""
+    shapes, NS0804 for magnitudes above `LARGEST`. Both are (rows, cols) or (T, rows, cols), with at
+    least one value."""
     if truth.shape != result.shape:
         raise rejected(
             "NS0802",
@@ -63,7 +64,8 @@ def measures(
 
     `truth` and `result` are (rows, cols), or clips (T, rows, cols), which also have `sd_db` and a
     list of metrics for each frame (`frames`). `data_range` is the value that counts as white, and
-    `nits` its luminance in cd/m2 for PU21. Infinite dB are "inf"."""
+    `nits` its luminance in cd/m2 for PU21. Infinite dB are "inf"; `temporal_error` is None unless
+    there are two frames or more."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
     values: dict[str, Any] = {
@@ -95,23 +97,26 @@ def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -
 
 
 def stamp(path: Path) -> dict[str, str]:
-    """Return what identifies a file in a result: its name without the folder (`file`) and its
-    SHA-256 digest (`sha256`)."""
+    """Return what identifies the file `path` in a result: its name without the folder (`file`) and
+    its SHA-256 digest (`sha256`)."""
     return {"file": path.name, "sha256": file_sha256(path)}
 
 
 def decibels(value: float) -> float | str:
-    """Return a number of dB as a JSON value, "inf" if infinite."""
+    """Return a number of dB as a JSON value: itself if finite, else "inf" (JSON has no
+    infinity)."""
     return "inf" if math.isinf(value) else value
 
 
 def number(value: float | str) -> float:
-    """Return the dB of a JSON value from `decibels`."""
+    """Return the dB of a JSON value: infinity for "inf", as `decibels` writes it, else the
+    number."""
     return float(np.inf) if value == "inf" else float(value)
 
 
 def score_text(metric: str, value: float | str) -> str:
-    """Return the value of a run's metric with its unit."""
+    """Return the value of a run's `metric` ("psnr_db", "ssim" or "correct") with its unit; "inf" is
+    infinite."""
     return _METRIC_TEXTS[metric].format(number(value))
 
 
@@ -160,7 +165,8 @@ def measure_files(
 
 
 def measures_text(values: Mapping[str, Any]) -> str:
-    """Return the metrics `values` of `measure_files` as text, one per line."""
+    """Return the metrics `values` of `measure_files` as text: a line with data range and shape,
+    then one for each metric. The temporal error of a single picture is left out."""
     rows = [
         ("PSNR", "psnr_db", " dB"),
         ("PSNR of the mean error", "psnr_of_mean_mse_db", " dB"),

@@ -24,8 +24,8 @@ Array = NDArray[Any]
 def mean_square_error(truth: Array, result: Array) -> float:
     """Return the mean of the squared differences of two arrays, computed in float64.
 
-    Like all metrics here, raises WrongArgument for arrays of different shapes, for empty arrays,
-    and for values that are not finite."""
+    Any shape is allowed, integers included. Raises WrongArgument for arrays of different shapes,
+    empty arrays, and values that are not finite real numbers."""
     truth, result = _pair(truth, result)
     difference = truth.astype(np.float64) - result.astype(np.float64)
     return float(np.mean(np.square(difference)))
@@ -35,7 +35,8 @@ def psnr_of_mse(mse: float, data_range: float) -> float:
     """Return the PSNR in dB of a mean square error: 10 log10(data_range^2 / mse); +inf if the error
     is 0.
 
-    Raises WrongArgument for an error below 0 or not finite, or an invalid data range."""
+    `data_range` is the peak value, in the unit of the signal. Raises WrongArgument for an error
+    below 0 or not finite, or a data range that is not a finite number above 0."""
     _check_range(data_range)
     if not 0 <= mse < math.inf:
         raise wrong_argument(f"a mean square error is a finite number from 0 on, not {mse}")
@@ -60,7 +61,8 @@ def psnr(truth: Array, result: Array, data_range: float) -> float:
     Raises
     ------
     WrongArgument
-        For different shapes, empty arrays or values that are not finite.
+        For different shapes, empty arrays, values that are not finite, or a data range that is
+        not a finite number above 0.
     """
     return psnr_of_mse(mean_square_error(truth, result), data_range)
 
@@ -75,7 +77,7 @@ def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> f
     data_range : float
         The peak value.
     mu : float
-        Parameter of the curve.
+        Parameter of the curve, above 0: a larger one weights dark light more.
 
     Returns
     -------
@@ -85,7 +87,8 @@ def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> f
     Raises
     ------
     WrongArgument
-        For different shapes, empty arrays or values that are not finite.
+        For different shapes, empty arrays, values that are not finite, or a data range or `mu` that
+        is not a finite number above 0.
     """
     _check_range(data_range)
     if not (_is_number(mu) and 0 < mu < math.inf):
@@ -114,7 +117,8 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
     Raises
     ------
     WrongArgument
-        For different shapes, empty arrays or values that are not finite.
+        For different shapes, empty arrays, values that are not finite, an invalid data range, or
+        `nits` outside the range of PU21, above 0.005 up to 10,000.
     """
     _check_range(data_range)
     if not (_is_number(nits) and PU21_LOW < nits <= PU21_HIGH):
@@ -130,7 +134,8 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
 
 
 def finite_mean(scores_db: Iterable[float]) -> float:
-    """Return the mean of the finite scores, without +inf, the score of identical pictures.
+    """Return the mean in dB of the finite ones of `scores_db`. Scores of +inf, those of identical
+    pictures, are left out.
 
     If all scores are +inf, so is the mean. Raises WrongArgument for an empty sequence, NaN or -inf.
     """
@@ -145,9 +150,9 @@ def finite_mean(scores_db: Iterable[float]) -> float:
 class FrameScores:
     """Summary of the scores of frames in dB.
 
-    `mean` and `sd` leave out identical frames (infinite dB), which `infinite` counts; if all frames
-    are identical, the mean is +inf. `of_mean_mse` is the PSNR of the mean square error over all
-    frames."""
+    `mean` and `sd`, the sample standard deviation (0 for fewer than two finite scores), leave out
+    identical frames (infinite dB), which `infinite` counts; if all frames are identical, the mean
+    is +inf. `of_mean_mse` is the PSNR of the mean square error over all frames."""
 
     mean: float
     sd: float
@@ -157,7 +162,10 @@ class FrameScores:
 
 def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
     """Return the summary of the PSNR of frames that have the mean square errors `mses`;
-    `data_range` is the peak value."""
+    `data_range` is the peak value.
+
+    Raises WrongArgument if there are no frames, for an error that is negative or not finite, and
+    for a data range that is not a finite number above 0."""
     errors = [float(mse) for mse in mses]
     scores = [psnr_of_mse(mse, data_range) for mse in errors]
     finite = [score for score in scores if math.isfinite(score)]
@@ -170,7 +178,8 @@ def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
 
 
 def ssim(truth: Array, result: Array, data_range: float) -> float:
-    """Compute the mean structural similarity (Wang et al. 2004).
+    """Compute the mean structural similarity (Wang et al. 2004); for a clip, the mean over its
+    pictures.
 
     Only whole windows of 11 x 11 pixels count.
 
@@ -189,7 +198,8 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
     Raises
     ------
     WrongArgument
-        For different shapes, empty arrays or values that are not finite.
+        For different shapes, other axes, fewer than 11 rows or columns, empty arrays, values that
+        are not finite, or a data range that is not a finite number above 0.
     """
     truth, result = _pair(truth, result)
     if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
@@ -205,13 +215,14 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
 
 def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
     """Return the SSIM of `truth` and `result` (rows, cols) in every whole window of 11 x 11 pixels,
-    (rows - 10, cols - 10), float64. `data_range` is the peak value. The pictures are not checked.
-    """
+    (rows - 10, cols - 10), float64. `data_range` is the peak value. The caller ensures equal
+    shapes, at least 11 rows and columns, and finite values."""
     x, y = truth.astype(np.float64), result.astype(np.float64)
     # Subtract a common offset: variances do not depend on it, but their rounding errors do.
     common = 0.5 * (float(x.mean()) + float(y.mean()))
     x, y = x - common, y - common
     mean_x, mean_y = _blur(x), _blur(y)
+    # A variance is at least 0; rounding could make it negative.
     var_x = np.maximum(_blur(x * x) - mean_x * mean_x, 0.0)
     var_y = np.maximum(_blur(y * y) - mean_y * mean_y, 0.0)
     # No covariance is larger in magnitude; rounding could make it so.
@@ -225,8 +236,8 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
 
 
 def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return the Gaussian-weighted mean of every whole window of 11 x 11 pixels, (rows - 10, cols -
-    10)."""
+    """Return the Gaussian-weighted mean of every whole window of 11 x 11 pixels of `picture` (rows,
+    cols): (rows - 10, cols - 10). The caller ensures that both sides have at least 11 pixels."""
     offsets = np.arange(WINDOW) - WINDOW // 2
     weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
     weights /= weights.sum()
@@ -255,7 +266,8 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
     Raises
     ------
     WrongArgument
-        For different shapes, empty arrays or values that are not finite.
+        For different shapes, other axes, a single frame, empty arrays, values that are not finite,
+        or a data range that is not a finite number above 0.
     """
     truth, result = _pair(truth, result)
     if truth.ndim != 3 or len(truth) < 2:
@@ -290,7 +302,8 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
 
 
 def _is_number(value: object) -> bool:
-    """Return whether a value is a number."""
+    """Return whether a value is a real number of Python or numpy. A bool and NaN are numbers, an
+    array is none."""
     return isinstance(value, int | float | np.integer | np.floating)
 
 

@@ -27,7 +27,8 @@ class LinearDecoder:
 
     def direction(self, bits: NDArray[np.bool_]) -> str:
         """Return the name of the direction with the largest score, from a film's output bits
-        (frames, outputs, rows, cols)."""
+        (frames, outputs, rows, cols); of equal scores, the first in `DIRECTIONS`. A film has at
+        least one frame."""
         return DIRECTIONS[int((self.weight @ bits.mean((0, 2, 3)) + self.bias).argmax())]
 
 

@@ -10,20 +10,21 @@ from nscc.npy import InvalidArrays
 
 
 def listed(names: Sequence[str], most: int = 12) -> str:
-    """Return at most `most` names as text, each cut to 40 characters: `a, b, c and 4 more`, or
-    `nothing`."""
+    """Return at most `most` names as text, each cut to 40 characters: `a, b, c and 4 more`. Without
+    names the text is `nothing`."""
     shown = ", ".join(name[:40] for name in names[:most]) or "nothing"
     return shown + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
 def one_line(error: object, most: int = 200) -> str:
-    """Return the text of an exception in one line of at most `most` characters."""
+    """Return the text of `error`, usually an exception, in one line: white space becomes single
+    spaces, and the text is cut after `most` characters. It may be empty."""
     return " ".join(str(error).split())[:most]
 
 
 def why_no_arrays(error: InvalidArrays | OSError) -> str:
     """Return why a file could not be read as an .npz of named arrays: the part of the message after
-    its name."""
+    the file's name. `error` is what its reader raised."""
     if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
         return "the file does not exist" if missing else (error.strerror or str(error)).lower()

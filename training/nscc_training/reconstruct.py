@@ -63,9 +63,9 @@ def reconstruct(
     `trust_code` allows a run that names Python code of its own.
 
     Raises Rejected: the errors of `load_run`; NS0821 for a run that names classes; NS0819 for a
-    file that is not a frame, for a frame of another program or sensor (with `force` a warning,
-    unless its size differs), and for a dark frame of another program or with light (with `force` a
-    warning)."""
+    file that is not a frame, or has another number of pixels or buckets than the run's program,
+    with or without `force`; for a frame of another program or sensor, and for a dark frame of
+    another program or with light (with `force` these three are warnings)."""
     folder = load_run(run, trust_code=trust_code)
     if folder.setup.classes:
         raise rejected(
@@ -82,8 +82,10 @@ def classify(
 ) -> tuple[dict[str, float], tuple[Diagnostic, ...]]:
     """Return the likelihoods of a frame's classes by name, most likely first, and warnings.
 
-    Arguments and errors are as for `reconstruct`, but NS0821 is raised for a run without classes.
-    """
+    `run`, `frame`, `dark`, `force` and `trust_code` mean the same as for `reconstruct`: the run,
+    the frame file, a dark frame to subtract, whether mismatches are only warnings, and whether code
+    of the run may be executed. Raises Rejected: NS0821 for a run without classes, else the errors
+    of `reconstruct` (`load_run`'s, and NS0819)."""
     folder = load_run(run, trust_code=trust_code)
     if not folder.setup.classes:
         raise rejected(
@@ -102,8 +104,9 @@ def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str
     """Return the likelihoods of classes by name, most likely first, with a sum of 1: the softmax of
     `scores`.
 
-    `scores` (classes,) or (classes, colours) are logarithms of likelihoods up to a constant; the
-    mean over colours is used."""
+    `scores` (classes,) or (classes, colours), in the order of `classes`, are logarithms of
+    likelihoods up to a constant; the mean over colours is used. They must be finite. Of equal
+    likelihoods, the class that is earlier in `classes` comes first."""
     scores = scores if scores.ndim == 1 else scores.mean(axis=-1)
     shares = np.exp(scores - scores.max(), dtype=np.float64)
     shares /= shares.sum()
@@ -111,8 +114,13 @@ def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str
 
 
 def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
-    """Decode the frame file `frame` with a run, and measure the time. The arguments and errors are
-    those of `reconstruct`, without the check for classes."""
+    """Decode the frame file `frame` with the run in `folder`, and measure the time, without that of
+    reading the frame.
+
+    `dark` is a dark frame file to subtract, or None; `force` makes mismatches warnings. Raises
+    Rejected (NS0819) for files that are not frames, and for mismatches as `reconstructed` does.
+    Whether the run names classes is not checked."""
+    # The clock starts after the frame is read: the tuple is evaluated from left to right.
     read, begin = read_frame(frame), working_s()
     dark_frames = None if dark is None else read_dark(dark, folder.setup.buckets)
     light, messages = reconstructed(folder, read, str(frame), dark_frames, force=force)
@@ -123,10 +131,14 @@ def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> 
 def reconstructed(
     folder: RunFolder, read: FrameRead, name: str, dark: Dark | None, *, force: bool
 ) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:
-    """Return the decoder's output for a frame, colours on the last axis, and warnings.
+    """Return the decoder's output for a frame, and warnings. The output is (rows, cols) for a
+    still, (N, rows, cols) for a clip, or (classes,); a frame in colours adds a last axis of
+    colours.
 
     Messages call the frame `name`. `dark` is the dark frame to subtract, or None. Raises Rejected
-    (NS0819) as `reconstruct` does."""
+    (NS0819) for another program or sensor than the run's (with `force` a warning), and always for
+    another number of pixels or buckets, a dark frame of another size, or a run of pixels that look
+    whose frame lacks their open times."""
     size = (folder.setup.target.rows, folder.setup.target.cols)
     dark_doubts = () if dark is None else dark.checked(read.meta, size, force=force)
     offset = None if dark is None else dark.offset
@@ -143,6 +155,8 @@ def reconstructed(
         raise no_frame(name, f"{have}, but the run's program has {folder.setup.buckets}")
     if offset is not None and offset.shape[-2:] != size:
         raise no_frame(name, f"the dark frame has {offset.shape} pixels, not {size}")
+    # A decoder that was trained with effects has learned the mean of each place of its tile, so
+    # only the deviations from that mean are subtracted.
     if offset is not None and folder.setup.settings.sensor.effects:
         offset = of_pixels(offset, folder.setup.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
@@ -163,7 +177,8 @@ def reconstructed(
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Yield the reasons why the frame was exposed with other shutters than the run's.
 
-    Its shutters are compared if it contains them, else the digest of its program."""
+    Its shutters are compared if it contains them, else the digest of its program in its metadata; a
+    frame with neither counts as one of another program. Yields at most one reason."""
     if read.shutter is not None:
         hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
@@ -174,8 +189,9 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
-    """Return whether `digest` is that of the run's program, compiled at any level. The usual level
-    2 is tried first."""
+    """Return whether `digest`, any value of a frame's metadata, is the SHA-256 of the run's
+    program, compiled at any level; False if it is missing or the program does not compile. The
+    usual level 2 is tried first, to save compilations."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)
@@ -186,8 +202,12 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Yield the reason why the frame comes from another sensor than the run was trained for;
-    nothing if the sensors are the same."""
+    """Yield one reason if the frame comes from another sensor than the run was trained for, else
+    nothing.
+
+    The digests of the sensors are compared. A frame of an older version, whose metadata lists a
+    part of the run's values, passes. The reason names the first of electrons per LSB and ADC offset
+    that differs or is missing, else it is general."""
     model, own_sensor = folder.setup.model, folder.setup.sensor
     # Defaults change between versions: a frame may be as old as the run.
     if read.meta.get("sensor_sha256") in (sensor_sha256(own_sensor), _trained_sensor(folder)):
@@ -209,8 +229,8 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _trained_sensor(folder: RunFolder) -> str:
-    """Return the digest of the sensor that the run was trained for, from its `capture.toml`; empty
-    if that cannot be read."""
+    """Return the SHA-256 of the sensor that the run was trained for, as its `capture.toml` names
+    it. Return an empty text if the file is missing, damaged, or does not name it."""
     try:
         capture = tomllib.loads((folder.path / CAPTURE_FILE).read_text("utf-8"))
     except (OSError, ValueError):
@@ -219,8 +239,11 @@ def _trained_sensor(folder: RunFolder) -> str:
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
-    """Yield a warning (NS0842) if the frame `name` was simulated with effects that the decoder was
-    not trained with."""
+    """Yield one warning (NS0842) if the frame `name` was simulated with effects that the decoder
+    was not trained with; it lists them.
+
+    The effects are those that the plan in the frame's metadata marks as "kept". A frame without a
+    plan, as from a chip, gets no warning."""
     learned = folder.setup.settings.sensor.effects
     known = {effect.name for effect in selected(learned).effects} if learned else set(_OF_MODEL)
     plan = read.meta.get("plan") or {}

@@ -81,8 +81,8 @@ class Reconstruction:
 
 
 def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
-    """Yield a warning (NS0844) if more than `_OVEREXPOSED` of the pixels of the frame `name` are
-    saturated."""
+    """Yield a warning (NS0844) if more than `_OVEREXPOSED` of the values of `saturated`, of any
+    shape, are true. The message calls the frame `name`. Nothing is yielded for an empty array."""
     share = float(saturated.mean()) if saturated.size else 0.0
     if share > _OVEREXPOSED:
         yield Diagnostic(
@@ -105,8 +105,8 @@ beside always choosing the better method."""
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
-    """Return `method` if it is given. Otherwise return the network, or if torch is not installed,
-    merging for stills and GAP-TV for clips."""
+    """Return `method` if it is given, also if torch is missing. Otherwise return the network, or if
+    torch is not installed, merging for stills and GAP-TV for clips."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"
@@ -128,7 +128,7 @@ def gap_tv_clip(
 
 def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]], float]:
     """Return the measurement divided by white, and white: the 99.5 % quantile of the mean light of
-    pixels that open; 1 if none does."""
+    pixels that open, at least 1e-6; 1 if none does."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = float(np.quantile(light, _WHITE).clip(min=1e-6)) if light.size else 1.0
@@ -161,7 +161,9 @@ def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
 
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     """Return the light (rows, cols) over the frame of a batch of one still, in the unit of the
-    measurement: each pixel is the mean of its neighbourhood, weighted by precision."""
+    measurement: each pixel is the mean of its neighbourhood, weighted by precision. Saturated
+    values have weight 0, but their pixel has at least the light that saturates it. The masks have
+    one slot."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)
@@ -191,7 +193,8 @@ def reconstruct_any(
     dark frame file of the program, with many repeats. Without `kind` the result is an image if all
     shutters open at the start of the frame (class b), else a clip. `method` "merge" is for images,
     "gap-tv" for clips. None takes the network if torch is installed, but for clips GAP-TV if that
-    predicts left-out pixels better. Each colour is decoded separately. Raises Rejected as
+    predicts left-out pixels of the first colour better; without torch it takes "merge" or "gap-tv".
+    `progress` receives the network's stages. Each colour is decoded separately. Raises Rejected as
     `read_coded_frames` does."""
     kind = kind or _KINDS.get(method or "network")
     doubts: list[Diagnostic] = []
@@ -220,8 +223,8 @@ def reconstruct_any(
 def _light(
     coded: CodedFrame, still: bool, method: Method, progress: Progress
 ) -> NDArray[np.float32]:
-    """Return the reconstruction of one colour: electrons over the frame (rows, cols), or per slot
-    (N, rows, cols).
+    """Return the reconstruction of one colour, a still or a clip, by `method`: electrons over the
+    frame (rows, cols), or per slot (N, rows, cols).
 
     Decoders return light per slot of mean length; here it is multiplied by the length of each slot.
     """
@@ -240,8 +243,8 @@ def _light(
 def _clip(
     measured: Measured[NDArray[Any]], method: Method, progress: Progress
 ) -> NDArray[np.float32]:
-    """Return the clip (N, rows, cols) of a batch of one, by the network or by GAP-TV, in the unit
-    of the measurement per slot."""
+    """Return the clip (N, rows, cols) of a batch of one, by the network if `method` is "network",
+    else by GAP-TV, in the unit of the measurement per slot."""
     if method != "network":
         return gap_tv_clip(measured)
     from nscc_training.any_code.decode import decoded_clip
@@ -264,8 +267,8 @@ class NoiseModel:
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """Return the noise that a text `SD` or `SD,GAIN` describes. Raise Rejected (NS0846) for
-        another text."""
+        """Return the noise that a text `SD` or `SD,GAIN` describes: two numbers from 0 to `MOST`,
+        as in "2.5,0.1". A missing gain is 0. Raise Rejected (NS0846) for another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
@@ -305,7 +308,7 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
     """Return whether a file is a measurement of another camera instead of a frame file of nscc.
 
     It is one if a file of the `mask` is given, if it is .mat or .npy, or if it is an .npz with
-    `meas` or `mask` but without `meta`."""
+    `meas` or `mask` but without `meta`. A file that cannot be read is none."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True

@@ -120,7 +120,8 @@ class SensorModel:
         Parameters
         ----------
         protocol : Protocol
-            One that defines `full_well_e` and `adc_bits`.
+            One that defines `full_well_e`, `adc_bits`, `read_noise_lsb` and `shot_noise`;
+            others raise KeyError.
 
         Returns
         -------
@@ -180,7 +181,7 @@ class SensorModel:
         Parameters
         ----------
         codes : Tensor
-            Codes above the offset.
+            Codes above the offset, of any shape.
 
         Returns
         -------
@@ -233,7 +234,10 @@ def differentiable_capture(
     Raises
     ------
     ValueError
-        For arrays of other shapes, and for light that is complex, negative or not finite.
+        For arrays of other shapes or numbers of slots, and for light that is complex, negative
+        or not finite.
+    WrongArgument
+        For arguments of other types; it is a ValueError, too.
     """
     call = "differentiable_capture"
     require_type(call, "light", light, Tensor, "torch.from_numpy(array)")
@@ -278,7 +282,8 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
     cols).
 
     `light` is in electrons: (rows, cols) of a still over the frame, or (N, rows, cols) of each
-    slot. `tile` ([buckets,] N, r, c) are the shutters, and `seed` is that of the noise."""
+    slot. `tile` ([buckets,] N, r, c) are the shutters, which repeat over the scene, and `seed` is
+    that of the noise. Raises ValueError as `differentiable_capture` does."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     frame = differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
@@ -286,8 +291,9 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
-    """Raise ValueError for shapes that torch would broadcast to an unintended capture. The message
-    says the expected shape."""
+    """Raise ValueError for shapes that torch would broadcast to an unintended capture: of the
+    shutters, of the light, or of `slot_share` (None: equal shares), which only stills may have. The
+    message says the expected shape."""
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
@@ -308,7 +314,8 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
-    """Return a tile (.., r, c), repeated from the top left corner and cut to (.., rows, cols)."""
+    """Return a tile (.., r, c), repeated from the top left corner and cut to (.., rows, cols).
+    Gradients pass; a tile of this size is returned itself."""
     if tile.shape[-2:] == (rows, cols):
         return tile
     down, across = -(-rows // tile.shape[-2]), -(-cols // tile.shape[-1])
@@ -316,8 +323,9 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """Return the shutters of all buckets. For two buckets that is (2, N, rows, cols): the second
-    one is open where the first is closed."""
+    """Return the shutters of all buckets from those of the first, (N, rows, cols). One bucket has
+    the same shape; for two it is (2, N, rows, cols), the second bucket open where the first is
+    closed."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
@@ -371,10 +379,10 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
     """Return a frame in which saturated pixels are raised to the smallest value that a full pixel
     can have.
 
-    `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` is bool, `shutters`
-    ([buckets,] N, r, c) is a repeating tile. The photodiode also fills while a shutter is not yet
-    open. If constant light fills it just when the shutter closes for the last time, the frame
-    contains only the open fraction of a full well."""
+    `frame` (.., rows, cols) is in full wells, from `SensorModel.relative`; `saturated` is bool of
+    its shape; `shutters` ([buckets,] N, r, c) is a repeating tile. The photodiode also fills while
+    a shutter is not yet open. If constant light fills it just when the shutter closes for the last
+    time, the frame contains only the open fraction of a full well."""
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
     least = opened.sum(dim=-3) / (opened * slots).amax(dim=-3).clamp(min=1)
@@ -398,6 +406,11 @@ def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
         (batch, N, rows, cols), in light per slot.
     valid : Tensor
         (rows, cols), False for pixels that never open; these are 0 and have no gradient.
+
+    Raises
+    ------
+    WrongArgument
+        For arguments that are not tensors of three axes.
     """
     for name, value in (("exposure", exposure), ("shutters", shutters)):
         require_type("lifted", name, value, Tensor, "torch.from_numpy(array)")

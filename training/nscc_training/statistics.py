@@ -16,7 +16,8 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
     """Return the statistics of scores by name: `mean`, `sd` (standard deviation), `ci95` (95 %
     interval of the mean), and `infinite`, the number of infinite scores, which are left out.
 
-    `groups` names the scene of each value. The interval is a bootstrap over scenes, because crops
+    `groups`, as long as `values`, names the scene of each value. `sd` is the sample standard
+    deviation, 0 for a single finite value. The interval is a bootstrap over scenes, because crops
     of one scene are not independent; `seed` is that of its samples. It is None for a single scene;
     all three are None without finite values. Raises ValueError for NaN."""
     if any(np.isnan(value) for value in values):
@@ -38,7 +39,9 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
 def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[float, float]:
     """Return the limits of the 95 % interval of the mean of values, from a bootstrap over groups.
 
-    `groups` names the group of each value; values of one group are drawn together."""
+    `groups`, as long as `values`, names the group of each value; values of one group are drawn
+    together. `RESAMPLES` samples are drawn with `seed`. Values must be finite; with a single group
+    both limits are the mean."""
     names, of_value = np.unique(np.asarray(groups, np.str_), return_inverse=True)
     sums = np.bincount(of_value, weights=np.asarray(values, np.float64), minlength=len(names))
     counts = np.bincount(of_value, minlength=len(names)).astype(np.float64)
@@ -55,8 +58,9 @@ def paired(
 
     Scores are by the name of the item, and `scene_of` names its scene. `items` and `scenes` are
     counts, `only_first` and `only_second` count items without a partner, and `gain_db` is the mean
-    gain. `sd`, `ci95` and `infinite` are those of `summary`; a gain is infinite if a score is.
-    Raises ValueError for NaN."""
+    gain. `sd`, `ci95` and `infinite` are those of `summary` for the gains; a gain counts as
+    infinite if either score is. Without common items `gain_db`, `sd` and `ci95` are None. Raises
+    ValueError for NaN."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

@@ -129,8 +129,8 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
 
 
 def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
-    """Return a picture reduced to at most `most` pixels by means over areas; a smaller one is
-    returned as it is."""
+    """Return a picture (rows, cols, [3]) reduced to at most `most` pixels by means over areas, in
+    uint8 or uint16 as stored, else float32; a smaller one is returned as it is."""
     import cv2
 
     rows, cols = picture.shape[:2]
@@ -161,10 +161,12 @@ def frame_view(
     """Draw each bucket of a frame file: codes, electrons and saturated pixels, or if it has them,
     images, planes and events.
 
-    `arrays` and `meta` are the content of the file, and `tone` names the tone curve of electrons.
-    Of repeated frames the first is drawn, of colours all."""
+    `arrays` and `meta` are the content of the file, and `tone` names the tone curve of electrons,
+    None takes a linear one. `title` is written above. Of repeated frames the first is drawn, of
+    colours all."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
+    # Only frames of programs that compute images, planes or events have an array `margin`.
     if "margin" in arrays:
         told = {key: values for key, values in arrays.items() if key not in (*_FRAME_KEYS, "meta")}
         pictured = Frame(frame, exposure, np.isfinite(exposure), marks, told=told)
@@ -232,7 +234,8 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
     """Draw the training and validation scores of the run in the folder `path` over its steps, and
     its scores under changed conditions.
 
-    `result` is the content of its `result.json`, or empty."""
+    `result` is the content of its `result.json`, or empty: then only the curves of `metrics.csv`
+    are drawn. Cells that are no finite numbers are left out."""
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes, metric = _changes(result), _metric(result)
@@ -261,7 +264,8 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
     """Draw the scores of a run under changed conditions (`robustness`), or the mean scores of an
     evaluation by file or class (`items`), the worst first.
 
-    `values` is the content of a result file."""
+    At most `_MOST_SCENES` bars are drawn. `values` is the content of a result file, and `title` is
+    written above."""
     changes, metric = _changes(values), _metric(values)
     if changes:
         figure, (axes,) = panels(1, size=_PANEL, columns=1)
@@ -328,7 +332,8 @@ def sensor_sheet(path: Path) -> Figure:
 
 
 def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None:
-    """Draw horizontal bars of `values` by name, the first at the top. `metric` labels the axis."""
+    """Draw horizontal bars of `values` by name, the first at the top. `metric` is "psnr_db" or
+    "correct" and labels the axis."""
     positions = range(len(values))
     axes.barh(positions, list(values.values()), color=theme().bar, height=0.6)
     axes.set_yticks(positions, list(values))
@@ -345,8 +350,8 @@ def _metric(values: dict[str, Any]) -> str:
 
 
 def _changes(result: dict[str, Any]) -> dict[str, float]:
-    """Return the scores of a run by the name of the changed condition; empty if `result` has
-    none."""
+    """Return the scores of a run, in its metric, by the name of the changed condition; empty if
+    `result` has none. Infinite scores are left out, and of equal names the last counts."""
     rows = result.get("robustness") or ()
     scores = {str(row["change"]): _number(row[_metric(result)]) for row in rows}
     return {name: value for name, value in scores.items() if value is not None}

@@ -33,7 +33,8 @@ _BRIGHT = 0.995
 def shipped(kind: str) -> ClipDenoiser:
     """Return the denoiser whose weights come with nscc, for evaluation only: it holds no gradients.
 
-    `kind` is "clip" or "still". The result is cached, so all callers share one network."""
+    `kind` is "clip" or "still"; another one has no weights, which raises RuntimeError. The result
+    is cached, so all callers share one network."""
     from safetensors.torch import load_file
 
     with as_file(files(__package__) / WEIGHTS) as path:
@@ -51,8 +52,8 @@ def shipped(kind: str) -> ClipDenoiser:
 def write_shipped(clip: Path, still: Path, out: Path) -> None:
     """Write the denoisers of two training runs into one safetensors file, in half precision.
 
-    `clip` and `still` are the folders of the runs, `out` is the file that `shipped` reads as part
-    of the package. Other weights of their decoders are left out."""
+    `clip` and `still` are the folders of the runs, whose decoders must be "any"; `out` is the file
+    that `shipped` reads as part of the package. Other weights of their decoders are left out."""
     from safetensors.torch import load_file, save_file
 
     state = {
@@ -72,8 +73,8 @@ def decoded_clip(
 
     A stage is a correction towards the frames and a denoiser. If one of several readouts was always
     open, `joined` adds static content from all readouts. The denoiser expects white to be 1, so the
-    measurement is first divided by an estimate of white. `progress` receives the stages and may
-    show a bar."""
+    measurement is first divided by an estimate of white. The result is at least 0. `progress`
+    receives the stages and may show a bar."""
     unit = white(measured)
     measured = measured.over(unit)
     number = always_open(measured)
@@ -86,8 +87,8 @@ def decoded_clip(
 
 
 def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Progress) -> Tensor:
-    """Return the mean of the clips after stages `first` to `count` (1 is the first stage),
-    corrected once towards the frames.
+    """Return the mean (batch, N, rows, cols) of the clips after stages `first` to `count` (1 is the
+    first stage; `first` is at most `count`), corrected once towards the frames.
 
     The measurement must be divided by white. `progress` receives the stages."""
     clip, target = gap_tv_of(measured)
@@ -111,7 +112,8 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
 @torch.no_grad()
 def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
     """Reconstruct the light over the whole frame (batch, rows, cols), in the frames' unit, by
-    `count` stages.
+    `count` stages (at least one). The masks of `measured` have one slot, the open fraction of the
+    frame.
 
     A stage is a correction towards the frames and a denoiser."""
     # Scale so that nearly the largest value is 1, as the stages require.
@@ -127,8 +129,8 @@ def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
     """Denoise a still (batch, 1, rows, cols) in tiles, by the network for stills that comes with
     nscc.
 
-    `planes` are the network's other inputs for the whole still, `level` (batch,) is the assumed
-    standard deviation of the error."""
+    `planes` (batch, 3, 1, rows, cols) are the network's other inputs for the whole still; `level`
+    (batch,) is the assumed standard deviation of the error."""
     return denoised_in_tiles(
         shipped("still"), light, lambda rows, cols: planes[..., rows, cols], level
     )
@@ -180,12 +182,12 @@ def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
     """Return the clip (batch, N, rows, cols) with static light where the readouts agree, and `clip`
     elsewhere.
 
-    `number` is the index of the readout that is always open. Without motion all readouts measure
-    the same light, and their mean has less noise than an ordinary frame. This needs no training,
-    because the noise of every readout is known. The static light is the mean of all readouts,
-    weighted by precision. It is moved towards the mean of `clip` if their difference is within the
-    noise. Its error is therefore close to the noise of the readouts at most, and it is smooth if
-    `clip` is right."""
+    `number` is the index, among the readouts of `measured`, of one that is always open; motion is
+    judged by the other readouts. Without motion all readouts measure the same light, and their mean
+    has less noise than an ordinary frame. This needs no training, because the noise of every
+    readout is known. The static light is the mean of all readouts, weighted by precision. It is
+    moved towards the mean of `clip` if their difference is within the noise. Its error is therefore
+    close to the noise of the readouts at most, and it is smooth if `clip` is right."""
     opened = measured.mask.sum(dim=2)
     light = measured.value / opened.clamp(min=1e-9)
     variance = measured.variance / opened.clamp(min=1e-9).square()

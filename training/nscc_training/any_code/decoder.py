@@ -47,7 +47,7 @@ class AnyCode(nn.Module):
         scales, are those of the shipped network, else random ones.
 
         `task` says whether to decode stills or clips. `size` ("paper" or "small") chooses the
-        number of stages for clips. The two noise parameters are learned, too."""
+        number of stages for clips, 8 or 4. The two noise parameters are learned, too."""
         super().__init__()
         self.still = task.kind == "still"
         self.stages = STILL_STAGES if self.still else _STAGES[size]
@@ -85,6 +85,7 @@ class AnyCode(nn.Module):
             start = started_still(measured)
             *_, light = still_stages(measured, self.denoiser, start, self.stages)
             return light
+        # The start of a clip has no gradient: GAP-TV would need the memory of all its iterations.
         with torch.no_grad():
             unit = white(measured)
             clip, target = gap_tv_of(measured.over(unit))

@@ -59,8 +59,8 @@ class CodedFrame:
 
     @property
     def is_still(self) -> bool:
-        """Return whether every shutter is open from the start until some slot (class b), or never
-        opens.
+        """Return whether every shutter, in every bucket, is open from the start until some slot
+        (class b), or never opens.
 
         Such frames are decoded as stills: they contain no information about motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
@@ -80,7 +80,8 @@ class CodedFrame:
 
     def clip(self) -> Measured[NDArray[Any]]:
         """Return the measurement for a clip decoder, with masks of N slots. Light is in electrons
-        per slot of mean length."""
+        per slot of mean length; a mask is above 1 for a slot that is longer. Raises ValueError for
+        too many slots times pixels."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
         return self._measured(weights)
 
@@ -114,8 +115,9 @@ def read_coded_frames(
     Repeated frames are averaged. `program` is the container or text that exposed the frame; it is
     needed if the file contains no shutters, and checked if it does. `dark` is a frame file of the
     same program without light: each pixel's dark value replaces the mean offset of the words.
-    `warn` receives warnings about `dark`. Raises Rejected: NS0819 for an invalid file or missing
-    shutters, and the errors of loading `program`."""
+    `warn` receives warnings about `dark`. Raises Rejected: NS0819 for an invalid file, missing
+    shutters, or a program or dark frame that does not belong to the frame, and the errors of
+    loading `program`."""
     try:
         arrays, meta = read_frame_arrays(
             path, lambda name: name == "saturated" or name.startswith("decode_")
@@ -169,16 +171,17 @@ def _dark_of(
     """Return the dark value (B, rows, cols) of each pixel, in codes above the ADC's offset, from
     the dark frame in the file `path`.
 
-    `arrays` and `meta` are those of the frame to be corrected. A large picture may be exposed in
-    parts, by several arrays of pixels: then the dark frame may have the size of one array. `warn`
-    receives doubts about the dark frame. Raises Rejected (NS0819) for another size or program, or a
-    dark frame that contains light."""
+    `arrays` (with the decode table) and `meta` are those of the frame to be corrected. A large
+    picture may be exposed in parts, by several arrays of pixels: then the dark frame may have the
+    size of one array. `warn` receives doubts about the dark frame. Raises Rejected (NS0819) for
+    another size or program, or a dark frame that contains light."""
     dark_frame = read_dark(path, arrays["decode_shutter"].shape[-2])
     frame_pixels, dark = arrays["frame"].shape[-2:], dark_frame.offset.shape[-2:]
     # A picture that was exposed in parts may end within the last part.
     laid = meta.get("laid")
     needed = [-(-most // side) for most, side in zip(frame_pixels, dark, strict=True)]
     fits = isinstance(laid, dict) and needed == laid.get("arrays")
+    # The dark frame may also be repeated a whole number of times.
     if not fits and any(
         most < side or most % side for most, side in zip(frame_pixels, dark, strict=True)
     ):
@@ -222,11 +225,12 @@ def coded_frame(
     """Convert the arrays and `meta` of a frame file, which holds one frame or repeated frames
     (averaged).
 
-    `arrays` contains `frame`, perhaps `saturated`, and the decode table (`decode_shutter`,
-    `decode_row`, `decode_slot_us`, `decode_gain`, `decode_bias_e`, `decode_variance_e2`). `dark`
-    (B, rows, cols) is each pixel's code in the dark above the ADC's offset; None subtracts the bias
-    of the table instead. Raises KeyError, ValueError, IndexError or TypeError for arrays that are
-    missing or do not match."""
+    `arrays` contains `frame` ([repeats,] B, rows, cols), perhaps `saturated` of the same shape
+    (else the largest code marks it), and the decode table (`decode_shutter`, `decode_row`,
+    `decode_slot_us`, `decode_gain`, `decode_bias_e`, `decode_variance_e2`). `dark` (B, rows, cols)
+    is each pixel's code in the dark above the ADC's offset; None subtracts the bias of the table
+    instead. Raises KeyError, ValueError, IndexError or TypeError for arrays that are missing or do
+    not match."""
     codes = arrays["frame"]
     codes = codes[None] if codes.ndim == 3 else codes
     saturated = arrays.get("saturated", arrays["frame"] == _TOP)
@@ -309,6 +313,7 @@ def _is_exposed_by(
         )
         return same_slots and np.array_equal(opened, table_shutters)
     digest = meta.get("program_sha256")
+    # A compiled program has one level, and any number reads it; of texts the usual level is first.
     levels = (2,) if is_compiled(program) else (2, 1, 0, 3)
     containers = (load_container(program, Options(level=level))[0] for level in levels)
     return digest is None or any(

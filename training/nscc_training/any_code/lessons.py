@@ -69,7 +69,8 @@ class LessonSet(Dataset[Lesson]):
         self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
     ) -> None:
         """Prepare lessons whose light is drawn from `pictures`: for clips those that `moving`
-        shifts, for stills linear arrays (rows, cols)."""
+        shifts, for stills linear arrays (rows, cols). Both sides are at least two patches long.
+        `settings` gives kind, seed, and sizes."""
         self.pictures, self.settings = pictures, settings
 
     def __getitem__(self, step: int) -> Lesson:
@@ -112,7 +113,7 @@ class LessonSet(Dataset[Lesson]):
 
 def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
     """Return `clip` (batch, T, rows, cols) plus Gaussian noise, and the noise's standard deviation
-    (batch,), which is drawn uniformly for each clip."""
+    (batch,), which is drawn uniformly for each clip within `_NOISE`. The result is not clipped."""
     low, high = _NOISE
     sigma = low + (high - low) * uniform(clip, generator, clip.shape[:1])
     drawn = torch.randn(clip.shape, generator=generator, device=generator.device).to(clip)
@@ -152,8 +153,9 @@ def measured_lesson(
 
 
 def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
-    """Return a random still (size, size) in full wells, cut from one of the `pictures`, and the
-    open fraction of the frame of each pixel (size, size).
+    """Return a random still (size, size) in full wells, cut from one of the `pictures` (rows,
+    cols), and the open fraction of the frame of each pixel (size, size). Both sides of every
+    picture are at least twice `size`.
 
     Part of the light would saturate a pixel that is always open; only pixels with a short exposure
     measure it."""

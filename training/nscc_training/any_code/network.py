@@ -27,7 +27,7 @@ class ClipDenoiser(nn.Module):
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
         """Build a network of three scales; `widths` are the numbers of channels from fine to
-        coarse. It begins as the identity, because its last weights are 0."""
+        coarse, three numbers. It begins as the identity, because its last weights are 0."""
         super().__init__()
         self.widths = widths
         fine, middle, coarse = widths
@@ -105,7 +105,8 @@ class FrameExchangeBlock(nn.Module):
 
     def forward(self, x: Tensor, frames: int) -> Tensor:
         """Return `x` (batch * frames, channels, rows, cols) plus two convolutions of it. Before the
-        first, the frames of a clip exchange channels (`exchanged`)."""
+        first, the frames of a clip exchange channels (`exchanged`). `frames` is the number of
+        frames of each clip of the batch."""
         inner = functional.relu(self.one(exchanged(x, frames)), inplace=True)
         output: Tensor = x + self.two(inner)
         return output
@@ -114,8 +115,9 @@ class FrameExchangeBlock(nn.Module):
 def exchanged(x: Tensor, frames: int) -> Tensor:
     """Return `x` (batch * T, channels, rows, cols) with half of its channels moved between frames.
 
-    A quarter of the channels comes from the previous frame and a quarter from the next. At the ends
-    of the clip, the first and last frames replace the missing ones."""
+    `frames` is T, the length of each clip in the batch. The first quarter of the channels comes
+    from the previous frame and the second from the next; the first and last frame keep their own
+    where they have no neighbour."""
     output: Tensor = _Exchanged.apply(x, frames)  # type: ignore[no-untyped-call]
     return output
 
@@ -126,8 +128,8 @@ class _Exchanged(torch.autograd.Function):
 
     @staticmethod
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
-        """Return x (batch * frames, channels, rows, cols) in which a quarter of the channels is
-        taken from the frame before, and a quarter from the frame after.
+        """Return x (batch * frames, channels, rows, cols) in which the first quarter of the
+        channels is taken from the frame before, and the second quarter from the frame after.
 
         The first and the last frame keep their own channels where they have no neighbour."""
         ctx.frames = frames

@@ -32,15 +32,16 @@ _MIRRORS = ((), (-1,), (-2,), (-2, -1))
 
 def schedule(count: int, still: bool = False) -> list[float]:
     """Return the assumed standard deviation of the error before each of `count` stages, falling
-    linearly. `still` chooses the values for stills, whose error is that of a logarithm."""
+    linearly. A single stage has the first value. `still` chooses the values for stills, whose error
+    is that of a logarithm."""
     return [float(sigma) for sigma in np.linspace(*(_STILL_SIGMA if still else _SIGMA), count)]
 
 
 def stage(
     measured: Measured[Tensor], denoiser: Denoiser, clip: Tensor, target: Tensor, sigma: float
 ) -> tuple[Tensor, Tensor]:
-    """Return clip and target after one stage of accelerated GAP (Liao, Li and Carin 2014): a
-    correction towards the frames, then the denoiser.
+    """Return clip (batch, N, rows, cols) and target (batch, B, rows, cols) after one stage of
+    accelerated GAP (Liao, Li and Carin 2014): a correction towards the frames, then the denoiser.
 
     `sigma` is the assumed standard deviation of the clip's error before the stage. The target is
     the frames plus the residuals of earlier stages, which accelerates convergence; the first stage
@@ -72,8 +73,9 @@ def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
 
 
 def led(measured: Measured[Tensor], clip: Tensor) -> Tensor:
-    """Return a clip corrected once towards the frames, as in a stage without a denoiser. The error
-    of the clip after the last stage is assumed to be `_LEFT`."""
+    """Return a clip (batch, N, rows, cols) corrected once towards the frames of `measured`, as in a
+    stage without a denoiser. The error of the clip after the last stage is assumed to be `_LEFT`.
+    """
     gap = measured.missing(measured.of(clip), measured.value)
     return clip + measured.correction(gap, clip.new_full((len(clip),), _LEFT))
 
@@ -94,7 +96,8 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
     stages start.
 
     Each pixel is the mean of its own and its neighbours' measurements, weighted by precision. A
-    saturated pixel has at least the light at which it saturates."""
+    saturated pixel has at least the light at which it saturates; one that never opens has its
+    neighbours' light."""
     mask = measured.mask[:, :, 0]
     opened = (mask > 0).expand_as(measured.value)
     # The light over the frame that each readout shows by itself.
@@ -106,6 +109,7 @@ def started_still(measured: Measured[Tensor]) -> Tensor:
     # Relative to the frame's own scale, so that a measurement counts more than wide surroundings.
     scale = measured.value.abs().amax(dim=(1, 2, 3)).clamp(min=1e-9).square().reshape(-1, 1, 1)
     light = averaged(pixel_light.unsqueeze(1), (total * scale).unsqueeze(1)).squeeze(1)
+    # Of several saturated readouts, the shortest shows the most light.
     least = torch.where(opened & measured.saturated, readout_light, 0.0).amax(dim=1)
     return torch.maximum(light, least)
 
@@ -142,13 +146,14 @@ def still_stages(
 
 
 def coded_light(light: Tensor) -> Tensor:
-    """Return the scaled logarithm of light that the denoiser for stills takes: 0 for 0, and 1 for
-    the light 200 of a full well."""
+    """Return the scaled logarithm of light, in full wells, that the denoiser for stills takes: 0
+    for no light or less, and 1 for 200 full wells."""
     return torch.log1p(light.clamp(min=0) / _FLOOR) / _SPAN
 
 
 def light_of(coded: Tensor) -> Tensor:
-    """Return the inverse of `coded_light`."""
+    """Return the light in full wells of scaled logarithms `coded`, the inverse of `coded_light`.
+    Values are first clipped to 0..1.5, so that errors of the denoiser stay finite."""
     return torch.expm1(coded.float().clamp(0, 1.5) * _SPAN) * _FLOOR
 
 

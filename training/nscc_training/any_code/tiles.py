@@ -34,7 +34,8 @@ def denoised_in_tiles(
 
     `planes` returns the denoiser's other inputs for a range of rows and a range of columns. `level`
     (batch,) is the assumed standard deviation of the clip's error. `number` is the stage, which
-    decides along which axes the denoiser sees the clip mirrored."""
+    decides along which axes the denoiser sees the clip mirrored. A tile has at most `MOST_VALUES`
+    values or sides of `_SMALLEST`."""
     frames, (rows, cols) = clip.shape[0] * clip.shape[1], clip.shape[-2:]
     side = max(_SMALLEST, int(sqrt(MOST_VALUES / frames)) // _GRID * _GRID)
     axes = mirror_axes(number)

@@ -128,7 +128,8 @@ def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
     them nonzero in a row.
 
     The same orthogonal matching pursuit as `pursued`, but for all blocks together, with the inner
-    products of atoms computed once. It always uses `sparsity` atoms."""
+    products of atoms computed once. It always uses `sparsity` atoms, at most as many as there are.
+    Atoms have length 1."""
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
     chosen = np.zeros((count, 0), np.int64)
@@ -156,5 +157,5 @@ def _unit(atoms: Matrix) -> Matrix:
 
 def _places(size: int) -> list[int]:
     """Return the first pixels of blocks along an axis of `size` pixels: every `STRIDE`-th, and the
-    last at which a block fits."""
+    last at which a block fits. `size` is at least `SIDE`."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

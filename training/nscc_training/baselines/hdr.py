@@ -23,11 +23,12 @@ def merged(
     """Estimate the light over the whole frame in electrons (rows, cols), as if every pixel had
     always been open.
 
-    `frame` (rows, cols) are converter codes above the offset, `open_share` is the open fraction of
-    the frame of each pixel, and `saturated` marks codes that are lower limits. The light of a pixel
-    is the mean of the measurements around it, weighted by precision; saturated measurements have
-    weight 0. The neighbourhood grows until it contains a measurement. A saturated pixel has at
-    least the light that saturates it."""
+    All arrays are (rows, cols): `frame` are converter codes above the offset, `open_share` is the
+    open fraction of the frame of each pixel, and `saturated` marks codes that are lower limits. The
+    light of a pixel is the mean of the measurements around it, weighted by precision; saturated
+    measurements have weight 0. The neighbourhood grows until it contains a measurement. A saturated
+    pixel has at least the light that saturates it; one that never opens has its neighbours' light.
+    """
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
     usable = ~saturated & (open_share > 0)
@@ -45,7 +46,8 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
     least `least`.
 
     The neighbourhood of a pixel doubles until it holds a pixel with a precision above 0. If no
-    pixel has one, the larger of `light` and `least` is returned."""
+    pixel of the picture has one, the larger of `light` and `least` is returned. All are (rows,
+    cols); `least` may be -inf."""
     weighted = precision * light
     result = light.copy()
     missing = np.full(light.shape, bool((precision > 0).any()))
@@ -66,6 +68,6 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
 
 def _from_first_to_last(marked: NDArray[np.bool_], margin: int) -> slice:
     """Return the slice from the first to the last true element of `marked`, with `margin` more
-    elements at both ends where the array has them."""
+    elements at both ends where the array has them. At least one element is true."""
     indices = np.flatnonzero(marked)
     return slice(max(0, int(indices[0]) - margin), int(indices[-1]) + margin + 1)

@@ -70,8 +70,8 @@ def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
 
 
 def bilinear(clip: Clip, mask: Clip) -> Clip:
-    """Interpolate the pixels of each frame of `clip` that its mask opens, with tent weights that
-    grow until they find data.
+    """Interpolate the pixels of each frame of `clip` that its mask opens, with tent weights whose
+    reach doubles until they find data. A frame that no pixel sees is 0.
 
     This is a reference method: it uses the ground truth `clip` instead of the measurement."""
     pairs = zip(clip, mask, strict=True)
@@ -92,8 +92,8 @@ def thin_out(clip: Clip) -> Clip:
 
 
 def _energy(mask: Clip) -> NDArray[np.float32]:
-    """Return the sum over the frames of the squared `mask`, (rows, cols). It is 1 where a pixel
-    never opens, so that one can divide by it."""
+    """Return the sum over the frames of the squared `mask` (T, rows, cols), as (rows, cols). It is
+    1 where a pixel never opens, so that one can divide by it."""
     energy = np.einsum("trc,trc->rc", mask, mask)
     return np.asarray(np.where(energy > 0, energy, 1), np.float32)
 

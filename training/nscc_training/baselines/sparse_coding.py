@@ -114,13 +114,14 @@ def made_filters() -> Tensor:
 
 
 def summed(maps: Tensor, filters: Tensor) -> Tensor:
-    """Return the sum (1, 1, rows, cols) of maps (1, K, rows, cols) convolved with filters."""
+    """Return the sum (1, 1, rows, cols) of maps (1, K, rows, cols), each convolved with its filter
+    of `filters` (K, 1, SIDE, SIDE)."""
     return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
 
 
 def spread(picture: Tensor, filters: Tensor) -> Tensor:
-    """Return the correlation (1, K, rows, cols) of a picture (1, 1, rows, cols) with each filter:
-    the adjoint of `summed`."""
+    """Return the correlation (1, K, rows, cols) of a picture (1, 1, rows, cols) with each of
+    `filters` (K, 1, SIDE, SIDE): the adjoint of `summed`."""
     return functional.conv2d(picture, filters, padding=SIDE // 2)
 
 
@@ -139,8 +140,8 @@ def largest_gain(filters: Tensor, mask: Tensor) -> float:
     """Return an upper bound of the largest eigenvalue of A A^T, where A adds maps, each convolved
     with its filter of `filters`, and multiplies the sum by `mask` (1, 1, rows, cols).
 
-    Twelve power iterations estimate it; they begin with the mask itself. Its inverse is the step of
-    FISTA."""
+    Twelve power iterations estimate it; they begin with the mask itself. The result is at least
+    1e-6, also for a mask of 0. Its inverse is the step of FISTA."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):

@@ -16,7 +16,9 @@ torch.library.define(
 
 
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips (batch, T, rows, cols) as `tv_loop.tv_denoise` does.
+    """Denoise clips (batch, T, rows, cols) by `iterations` of Chambolle's method for total
+    variation of this `weight` (above 0). Differences between frames count `time` times those
+    between pixels. The result is float32 and has no gradient.
 
     On the CPU a compiled loop computes, which reads memory less often; on other devices torch's
     operators do."""

@@ -95,7 +95,8 @@ def tent_sums(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
     values : array
         A picture (rows, cols).
     reach : int
-        At least 1, which leaves the picture as it is. The weight of the pixel itself is 1.
+        At least 1, which leaves the picture as it is. A pixel d rows (or columns) away has the
+        weight 1 - d / `reach` along that axis; the weight of the pixel itself is 1.
 
     Returns
     -------

@@ -19,8 +19,9 @@ def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
     """Return overlapping blocks of `pictures` (batch, count, rows, cols), as (batch, blocks, count
     * pixels of a block).
 
-    `block` (rows, cols) is the size of a block. Blocks begin every `step` (rows, cols) pixels and
-    are ordered row by row."""
+    `block` (rows, cols) is the size of a block, at most that of the pictures; pixels at the end
+    that no block reaches are left out. Blocks begin every `step` (rows, cols) pixels and are
+    ordered row by row."""
     blocks = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
     batch, count, down, across = blocks.shape[:4]
     return blocks.permute(0, 2, 3, 1, 4, 5).reshape(
@@ -33,7 +34,8 @@ def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: S
     `unfold_blocks`.
 
     `size` is (count, rows, cols). `block` must be a multiple of `step` in both directions, and the
-    blocks must fill the pictures."""
+    blocks must fill the pictures. `blocks` is as `unfold_blocks` returns it, with the blocks row by
+    row."""
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
     # Each pixel lies in this many blocks in each direction.
@@ -123,6 +125,7 @@ class BlockNet(nn.Module):
         )
         decoded = self.layers(_Taken.apply(padded, self.block, step)).float()  # type: ignore[no-untyped-call]
         total: Tensor = _Put.apply(decoded, (self.slots, down, across), self.block, step)  # type: ignore[no-untyped-call]
+        # The number of blocks that contain each pixel: a sum of ones.
         ones = torch.ones(
             (1, decoded.shape[1], self.block[0] * self.block[1]), device=decoded.device
         )
@@ -138,6 +141,6 @@ class BlockNet(nn.Module):
 
     def grown(self, size: int, axis: int) -> int:
         """Return the smallest size in pixels, at least `size`, that whole blocks fill along an axis
-        (0 is down)."""
+        (0 is down, 1 across): at least one block."""
         block, step = self.block[axis], self.step[axis]
         return block + max(0, -(-(size - block) // step)) * step

@@ -31,7 +31,8 @@ def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) ->
         One of `SIZES`.
     task : DecoderTask
     width : float
-        Factor on the channels of all layers.
+        Factor on the channels of all layers, above 0. A small decoder with more parameters than
+        `SMALL` becomes narrower.
 
     Raises
     ------
@@ -107,7 +108,8 @@ def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
     """Raise ValueError if the task asks for a first guess that decoder `name` cannot make, or asks
     for one without letting the decoder see the code.
 
-    `guesses` says whether the decoder can make one."""
+    `guesses` says whether the decoder can make one. A task that leaves the choice open (`guess` is
+    None) passes."""
     if task.guess is not None and not guesses:
         takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
         raise ValueError(f"decoder.guess applies to {takers}, not to {name}")
@@ -136,8 +138,9 @@ def _called(
     """Return the output of the user's decoder for a frame and its shutters.
 
     `module` is the decoder, `forward` its own method, and `name` its import path for messages.
-    Raises Rejected (NS0822) if it fails, returns another shape than the task needs, or has weights
-    but passes no gradient during training."""
+    `frame` is (batch, [2,] rows, cols), `shutters` (N, r, c). Raises Rejected (NS0822) if it fails,
+    returns another shape than the task needs, or has weights but passes no gradient during
+    training."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
@@ -164,7 +167,8 @@ def parameter_count(module: nn.Module) -> int:
 
 def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
     """Return the number of arithmetic operations of a decoder for one frame of rows x cols pixels
-    and `slots` slots. A multiplication and an addition count as two."""
+    and `slots` slots. A multiplication and an addition count as two; only operations that torch's
+    counter knows (convolutions, matrix products) count. The frame has `buckets` buckets."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))

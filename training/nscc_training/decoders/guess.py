@@ -70,9 +70,9 @@ def refuse_not_finite(values: Tensor, name: str) -> None:
 def averaged(values: Tensor, weights: Tensor) -> Tensor:
     """Return the weighted mean around every pixel of `values` (batch, channels, rows, cols).
 
-    `weights` has the same shape. The mean is over the 3 x 3 neighbours; where their weights are
-    small, over wider neighbourhoods, up to the whole picture. Autocast is switched off, so that the
-    inputs' precision is kept."""
+    `weights`, at least 0, has the same shape; where all weights are 0, so is the mean. The mean is
+    over the 3 x 3 neighbours; where their weights are small, over wider neighbourhoods, up to the
+    whole picture. Autocast is switched off, so that the inputs' precision is kept."""
     with torch.autocast(values.device.type, enabled=False):
         totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
         while max(totals[-1][0].shape[-2:]) > 1:

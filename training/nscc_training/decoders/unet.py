@@ -37,8 +37,8 @@ class UNet(nn.Module):
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
         """Build a U-Net with `inputs` and `outputs` channels in two or three `dimensions`.
 
-        `widths` are the channels of its levels, from fine to coarse; each level halves the sides.
-        In three dimensions, slots are an axis like rows and columns."""
+        `widths` are the channels of its levels, from fine to coarse; each level but the first
+        halves the sides. In three dimensions, slots are an axis like rows and columns."""
         super().__init__()
         self.dimensions = dimensions
         convolution = nn.Conv2d if dimensions == 2 else _Convolution3d
@@ -217,7 +217,7 @@ class ClipUNet(nn.Module):
 
 
 def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
-    """Return `guess * (1 + extra_share) + added`.
+    """Return `guess * (1 + extra_share) + added`, all of one shape; with both 0, the guess itself.
 
     A clip's guess contains the pattern of the code. Removing it by addition would make the network
     reproduce the pattern; a gain removes it with one number."""

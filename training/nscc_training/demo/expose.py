@@ -53,7 +53,8 @@ _BRIGHTER = ("@99", "@100")
 @dataclass(frozen=True, eq=False)
 class Looked:
     """A still as pixels that look measured it: `light` in electrons over the frame (rows, cols,
-    [3]), the open time `open_us` of each pixel, and the seconds of the simulation."""
+    [3]), the open time `open_us` of each pixel (rows, cols), in colours the mean of the three
+    exposures, and the seconds of the simulation."""
 
     light: NDArray[np.float64]
     open_us: NDArray[np.float64]
@@ -67,11 +68,11 @@ class Exposed:
     `run` is the run whose program exposed it; None for the example program for clips. `laid`
     contains the placed light of each colour. `coded_capture` is the coded frame and `usual` a frame
     with always open pixels; `dark` and `usual_dark` are their dark frames. `seconds` is the
-    simulation time of the coded frame. `looked` is a still exposed by pixels that look. `fair` is a
-    frame and dark frames of an ordinary camera at its best: a still with the best single stop, or a
-    clip in a burst of as many frames as `program` has readouts, if there are several. `bracket` is
-    a still in three readouts of one exposure, one after the other, with dark frames; None if the
-    chip has too few registers."""
+    simulation time of the coded frame. `looked` is a still exposed by pixels that look; None for a
+    clip. `fair` is a frame and dark frames of an ordinary camera at its best: a still with the best
+    single stop, or a clip in a burst of as many frames as `program` has readouts; None for a clip
+    in one readout. `bracket` is a still in three readouts of one exposure, one after the other,
+    with dark frames; None for a clip, or if the chip has too few registers."""
 
     run: Path | None
     program: Path
@@ -115,8 +116,9 @@ class Exposed:
         return len(self.container.table.shutters[0])
 
     def codes(self, capture: Taken, readout: int = 0) -> NDArray[np.uint8]:
-        """Return the converter codes of readout number `readout` of a capture, (rows, cols) or with
-        colours (rows, cols, 3)."""
+        """Return the converter codes of readout number `readout` (0 is the first) of a capture,
+        (rows, cols) or with colours (rows, cols, 3). Raises IndexError for a readout that the
+        capture does not have."""
         codes = capture.simulated.frame.frame[..., readout, :, :]
         return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
 
@@ -128,8 +130,9 @@ class Exposed:
 
 
 def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exposed:
-    """Expose a still with its run's program, or a clip with the program for its number of readouts.
-    Also expose it with the ordinary cameras that the demo compares.
+    """Expose a still with the program of the run in `settings` (None: the shipped run for stills),
+    and a clip with that of its run or the example program for its number of readouts. Also expose
+    it with the ordinary cameras that the demo compares.
 
     Uses the default sensor and the effects that `auto` selects. `listener` receives progress and
     warnings. Raises Rejected for a scene that is dark, or cannot be read, or is not of the run's
@@ -169,6 +172,8 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
     count, stop = len(compiled.table.shutters[0]), like.slots
     if subject.still:
         light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
+        # The errors that the sheet shows: of display light, or mu-law for light of a high dynamic
+        # range.
         curve: Curve = "linear" if subject.transfer == "srgb" else "mu"
         chip = DesignChip.of(compiled.target, sensor)
         stop = best_stop(chip, light_e, compiled.slots, curve)
@@ -181,6 +186,7 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
         )
     bracket = None
     if subject.still:
+        # A chip with too few registers for three readouts gives no bracket.
         with suppress(Rejected):
             lengths = bracket_slots(like.slots)
             three = camera(like.slots, like.slot_us, target, lengths=lengths)
@@ -210,7 +216,8 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
     """Expose a still with the example program whose pixels look at their light. Return the light
     that they measured, without a decoder.
 
-    `request` chooses effects and seed; `listener` receives progress."""
+    `request` chooses effects and seed; `listener` receives progress. `scene` has the exposure with
+    which the coded frame was exposed."""
     container = compile_file(examples()[LOOKING], Options()).container
     assert container is not None  # example programs compile
     begin = working_s()
@@ -241,8 +248,10 @@ def _laid(
     """Return the light of the scene on the array, for each colour, and the scene with the exposure
     that was used.
 
-    Without an exposure in `settings` it is that of the run `like`; if the scene is dark at its
-    percentile, a higher percentile. `container` gives the slots and the array."""
+    Without an exposure in `settings` it is that of the run `like`, a text "ELECTRONS@PERCENTILE";
+    if the scene is dark at this percentile (NS0738), the percentiles of `_BRIGHTER` are tried. A
+    scene in electrons has no exposure to choose. `container` gives the slots and the array. Raises
+    the last Rejected if every exposure is dark, and other errors of reading the scene at once."""
     scene = replace(subject.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")
     exposures = (
@@ -265,7 +274,9 @@ def _laid(
 
 
 def _program_of(settings: DemoSettings) -> Path:
-    """Return the path of the program for clips; only the network joins several readouts."""
+    """Return the path of the example program for clips: with the number of readouts in `settings`
+    (default `BEST_READOUTS`) for the network, and with one readout for other methods, which cannot
+    join several."""
     return examples()[CLIPS[(settings.readouts or BEST_READOUTS) if settings.learned else 1]]
 
 
@@ -273,7 +284,7 @@ def _dark(
     container: Container, sensor: Sensor, settings: DemoSettings, listener: Listener
 ) -> Taken:
     """Return `DARK_FRAMES` frames of a dark scene from the program `container`, with noise that is
-    independent of the scene's."""
+    independent of the scene's. All frames are those of one chip, as repeats of one capture."""
     night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
     seed = settings.seed + DARK_SEED
     request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)
@@ -281,8 +292,8 @@ def _dark(
 
 
 def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
-    """Return the frame file of a capture, with the arrays that `keep` names and the decode table,
-    so that it can be reconstructed without the program."""
+    """Return the frame file of a capture, with the arrays that `keep` names (such as "truth") and
+    the decode table, so that it can be reconstructed without the program."""
     simulated, light = capture.simulated, capture.light
     about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
     file = FrameFile.of(capture.container, light, simulated.frame, about, keep)

@@ -41,9 +41,10 @@ _PEAK_PERCENTILE = 99.9
 class Shown:
     """The content of a sheet.
 
-    `light` is the reconstruction of `exposed_scene`, in the shape of the ground truth. `how` names
-    the method, which took `decode_s` seconds. `display` means that the scene is in display
-    encoding. `tone` names a tone curve; None chooses one."""
+    `light` is the reconstruction of `exposed_scene` in electrons, over the frame (rows, cols, [3])
+    or per slot (T, rows, cols, [3]), as the ground truth. `how` names the method, which took
+    `decode_s` seconds. `display` means that the scene is in display encoding. `tone` names a tone
+    curve of `nscc_runtime.pictures.tone`; None chooses one by the scene (`curve`)."""
 
     exposed_scene: Exposed
     display: bool
@@ -59,12 +60,14 @@ class Shown:
 
     @cached_property
     def truth(self) -> NDArray[Any]:
-        """The ground truth in electrons, over the frame or per slot."""
+        """The ground truth in electrons: over the frame (rows, cols, [3]) for a still, per slot (T,
+        rows, cols, [3]) for a clip."""
         return self.exposed_scene.truth()
 
     @property
     def white_e(self) -> float | None:
-        """The electrons of white; None if the scene is not in display encoding."""
+        """The electrons that the display shows as white, over the frame for a still, per slot for a
+        clip; None if the scene is not in display encoding."""
         return self.exposed_scene.white_e() if self.display else None
 
     @property
@@ -75,37 +78,46 @@ class Shown:
 
     @cached_property
     def fitted(self) -> Tone:
-        """The tone curve, fitted to the ground truth."""
+        """The tone curve, fitted to the ground truth. All panels use it, so that their greys are
+        comparable."""
         return fitted(self.curve, self.truth, self.white_e)
 
     @cached_property
     def usual_light(self) -> NDArray[np.float64]:
-        """The light estimated from always open pixels, in the shape of the ground truth."""
+        """The light estimated from always open pixels, in electrons, in the shape of the ground
+        truth."""
         return self._camera_light(self.exposed_scene.usual, self.exposed_scene.usual_dark)
 
     @cached_property
     def fair_light(self) -> NDArray[np.float64] | None:
-        """The light of an ordinary camera at its best, or None."""
+        """The light of an ordinary camera at its best, in electrons, in the shape of the ground
+        truth; None for a clip with one readout, for which it would be the always open camera."""
         fair = self.exposed_scene.fair
         return None if fair is None else self._camera_light(*fair)
 
     def _camera_light(self, capture: Taken, dark: Taken) -> NDArray[np.float64]:
-        """Return the light that the frames of an ordinary camera measured, in electrons: over the
-        frame for a still, per slot for a clip. Each frame of a clip fills the slots in which it was
-        open.
+        """Return the light that an ordinary camera measured, in electrons: over the frame for a
+        still, per slot for a clip. Each frame of a clip fills the slots in which it was open.
 
-        `dark` are dark frames of this camera."""
+        `capture` has one readout for each of its frames, which all pixels share; `dark` are dark
+        frames of this camera."""
+        # All pixels of an ordinary camera have one shutter, (readouts, slots).
         shutters = capture.container.table.shutters[0]
         frames: list[NDArray[np.float64]] = []
         for open_slots, exposure_e in zip(
             shutters.sum(axis=-1), self._exposures_e(capture, dark), strict=True
         ):
             frames += [exposure_e / open_slots] * int(open_slots)
+        # For a still `frames` repeats the light of one slot; times the slots it is that of the
+        # frame.
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
     def _exposures_e(self, capture: Taken, dark: Taken) -> list[NDArray[np.float64]]:
         """Return the electrons of each readout of `capture` above the mean of its dark frames
-        `dark`, each (rows, cols, [3])."""
+        `dark`, one array (rows, cols, [3]) a readout. Noise can make them negative.
+
+        A scene larger than the array is exposed in parts, and the dark frame is repeated over them.
+        """
         exposures_e = []
         for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0)):
             codes = self.exposed_scene.codes(capture, k)
@@ -116,11 +128,13 @@ class Shown:
 
     @cached_property
     def bracket_light(self) -> NDArray[np.float64] | None:
-        """The light that an ordinary bracket measured, merged without a network, in electrons over
-        the frame; None if there is no bracket."""
+        """The light that an ordinary bracket (readouts of different exposure times in one frame)
+        measured, in electrons over the frame, (rows, cols, [3]). It is merged without a network.
+        None if there is no bracket: for a clip, or if the chip has too few registers."""
         if self.exposed_scene.bracket is None:
             return None
         capture, dark = self.exposed_scene.bracket
+        # The frame is ([3,] readouts, rows, cols); readouts become the first axis.
         saturated = np.moveaxis(capture.simulated.frame.saturated, -3, 0)
         if saturated.ndim == 4:  # colours become the last axis
             saturated = np.moveaxis(saturated, 1, -1)
@@ -169,9 +183,9 @@ class Shown:
     def decibels(self, light: NDArray[Any]) -> float:
         """Return the score of `light`, which has the shape of the truth, in dB.
 
-        Clips and display scenes are compared in display encoding, averaged over frames. Linear
-        light with a high dynamic range is compared by mu-law PSNR, with the 99.9th percentile as
-        peak."""
+        Clips and display scenes are compared in display encoding, averaged over the frames that
+        differ from the truth; +inf if none does. Linear light with a high dynamic range is compared
+        by mu-law PSNR, with the 99.9th percentile as peak."""
         truth = np.asarray(self.truth, np.float64)
         if self.measure == "PSNR-mu":
             peak = float(np.percentile(truth, _PEAK_PERCENTILE)) or float(truth.max()) or 1.0
@@ -190,8 +204,12 @@ class Shown:
 
 
 def demo_sheet(shown: Shown) -> Figure:
-    """Draw the sheet of the demo's results. Its headline compares the best reconstruction with an
-    ordinary camera."""
+    """Draw the sheet of the demo's results: rows of panels, for a still or for a clip, below a
+    headline.
+
+    The headline compares the better reconstruction, by the decoder or by pixels that look, with the
+    better ordinary camera, and says whether it is worse. It adds the score of a bracket if there is
+    one."""
     name = shown.exposed_scene.scene.name
     results = [(shown.psnr_db, shown.how)]
     if shown.looked_db is not None:
@@ -225,13 +243,17 @@ def _decoder_text(shown: Shown) -> str:
 
 
 def _tone(shown: Shown) -> str:
-    """Return the tone curve and its white as text."""
+    """Return the name of the tone curve and its white in electrons as text: "NAME, white W
+    electrons"."""
     return f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
 
 
 def _still_rows(shown: Shown) -> list[list[Image]]:
-    """Return the rows of panels for a still: truth beside an ordinary camera, then pixels that
-    look, then the run beside an ordinary bracket."""
+    """Return the rows of panels for a still, from top to bottom.
+
+    First the truth, beside an ordinary camera and its error; then pixels that look, if they exposed
+    the scene; last the reconstruction, its error, shutters and readout, and an ordinary bracket if
+    there is one."""
     truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
     rows = [
         [
@@ -267,8 +289,11 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _clip_rows(shown: Shown) -> list[list[Image]]:
-    """Return the rows of panels for a clip: ordinary camera, readout and shutters; then `_MOMENTS`
-    frames of truth, reconstruction and error, and of a burst if there is one."""
+    """Return the rows of panels for a clip.
+
+    The first has the always open camera, the readout and the shutters. The next have `_MOMENTS`
+    frames, evenly spread from first to last: truth, reconstruction, error, and a burst of ordinary
+    frames if there is one. A clip of fewer frames shows some of them twice."""
     exposed_scene = shown.exposed_scene
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
@@ -293,14 +318,17 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
 
 
 def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
-    """Return the panels for pixels that look at their light: what they measured, its error, and
-    when they closed. `truth` is the true light in grey levels or colours."""
+    """Return the three panels for pixels that look at their light: what they measured (`looked`),
+    its error, and when they closed. `truth` (rows, cols, [3]) is the true light as shown, 0 to 255.
+    """
     light = shown.fitted(looked.light)
     note = (
         f"exposures over their times, no decoder: {shown.measure} {shown.looked_db:.1f} dB, in "
         f"{_time(looked.seconds)}"
     )
     shortest, longest = looked.open_us.min(), looked.open_us.max()
+    # At least one doubling is the whole scale: if all pixels close together, nothing is divided by
+    # 0.
     times = np.log2(looked.open_us / shortest) / max(1.0, np.log2(longest / shortest))
     closed = f"open for {shortest * 1e-3:.3g} to {longest * 1e-3:.3g} ms: yellow is longest"
     return [
@@ -311,19 +339,21 @@ def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Im
 
 
 def readouts_text(count: int) -> str:
-    """Return "N readouts of one exposure", with N as a word, for 1 to 4."""
+    """Return "N readouts of one exposure", with `count` as a word. Raises KeyError for a count that
+    is not 1 to 4."""
     words = {1: "one readout", 2: "two readouts", 3: "three readouts", 4: "four readouts"}
     return f"{words[count]} of one exposure"
 
 
 def _time(seconds: float) -> str:
-    """Return the time with a no-break space before the unit."""
+    """Return the time in seconds as text, with two digits and a no-break space before the unit,
+    which is "s"."""
     return f"{seconds:.2g}\N{NO-BREAK SPACE}s"
 
 
 def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
-    """Return one row of panels, each of one of `frames` below its title. `note` is written below
-    the first panel."""
+    """Return one row of panels: `frames` (count, rows, cols, [3]), each below its title of
+    `titles`, which has as many. `note` is written below the first panel only."""
     return [
         Image(_fit(frame), title, note if k == 0 else "")
         for k, (frame, title) in enumerate(zip(frames, titles, strict=True))
@@ -331,8 +361,9 @@ def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Im
 
 
 def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
-    """Return a panel that shows the differences between `truth` and `light` in colours. Both are in
-    grey levels or colours, 0 to 255.
+    """Return a panel that shows the absolute differences between `truth` and `light` (rows, cols,
+    [3]) in colours. Both are grey levels or colours as shown, 0 to 255; differences of colours are
+    averaged.
 
     `quiet` leaves out its title and scale."""
     difference = np.abs(truth.astype(np.float64) - light)
@@ -345,8 +376,9 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 
 def _shutters(shown: Shown) -> Image:
-    """Return a panel of the pixels in the array's corner. Colours show for a clip when the pixels
-    are open, for a still for how long."""
+    """Return a panel of the shutters of the pixels in the array's upper left corner, at most
+    `_CORNER` on its longer side. Colours show for a clip the mean time at which a pixel is open,
+    for a still for how long it is open."""
     exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
     size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed
@@ -362,6 +394,8 @@ def _shutters(shown: Shown) -> Image:
         # The square root tells short exposure times apart.
         image = _coloured(np.sqrt(open_us / open_us.max()))
         return Image(_fit(image), "shutters", f"{corner_text}: yellow is longest")
+    # The mean of the middles of the open slots, weighted by their lengths. A pixel that never opens
+    # gets 0, because its weights are 0.
     middle_us = np.cumsum(slot_us) - slot_us / 2
     mean_open_us = corner @ (slot_us * middle_us) / np.maximum(open_us, 1e-9)
     note = f"{corner_text} of {slot_us.sum() * 1e-3:.3g}: dark is early, yellow late"
@@ -369,8 +403,8 @@ def _shutters(shown: Shown) -> Image:
 
 
 def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
-    """Return values from 0 to 1 as colours of the scale viridis, from dark blue to yellow: uint8,
-    with RGB as the last axis."""
+    """Return `scale`, values from 0 to 1, as colours of the scale viridis from dark blue to yellow:
+    uint8, with RGB as the last axis. Values beyond 0 or 1 get the first or last colour."""
     from matplotlib import colormaps
 
     colours = np.asarray(colormaps["viridis"](np.clip(scale, 0, 1)))[..., :3]
@@ -378,8 +412,9 @@ def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
 
 
 def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return an image magnified by a whole number, or a large one reduced, so that its longer side
-    is about `_SIDE_PIXELS`."""
+    """Return an image (rows, cols, [3]), scaled so that its longer side is about `_SIDE_PIXELS`. A
+    small one is magnified by a whole number, by repeating pixels; a large one is reduced by
+    averaging."""
     side = max(image.shape[:2])
     # Up to 1.5 times the side, a picture is shown without resampling.
     if side > 1.5 * _SIDE_PIXELS:

@@ -29,7 +29,8 @@ saturated where the long one is."""
 
 def bracket_slots(slots: int) -> tuple[int, ...]:
     """Return the number of slots of each readout of an ordinary bracket, the shortest first.
-    Together they fill a frame of `slots` slots."""
+    Together they fill a frame of `slots` slots, if it has at least three; each has at least one
+    slot."""
     shorter = [max(1, round(slots * length / sum(_BRACKET))) for length in _BRACKET[:-1]]
     return *shorter, max(1, slots - sum(shorter))
 
@@ -45,8 +46,9 @@ def camera(
     """Compile the program of an ordinary camera, whose pixels all have the same shutter.
 
     It has one readout, open until slot `stop` (None: the whole frame). With `frames` it has several
-    readouts of equal length, one after the other; with `lengths`, readouts of these numbers of
-    slots. Raises Rejected if several readouts do not fit the chip."""
+    readouts of equal length, one after the other; with `lengths`, which then decides, readouts of
+    these numbers of slots. `stop` has no effect on several readouts. `target` is a chip, its name
+    or file; None the default one. Raises Rejected if the program does not fit the chip."""
     rules = f"open when n < {stop or slots}\n"
     ends = [slots * k // frames for k in range(frames + 1)]
     if lengths:
@@ -72,10 +74,11 @@ def merged_bracket(
     times. The result is in electrons, (rows, cols) or with colours last; every pixel is estimated
     alone.
 
-    `exposure_e` and `saturated` are (readouts, rows, cols, ..), in electrons of the registers.
-    `open_share` (readouts,) is the fraction of the frame in which each readout was open. Readouts
-    are weighted by precision, for the light in the longest readout that is not saturated. A pixel
-    that saturates all of them has at least the light of the shortest one."""
+    `exposure_e` and `saturated` are (readouts, rows, cols, ..), in electrons of the registers and
+    true where saturated. `open_share` (readouts,) is the fraction of the frame in which each
+    readout was open. Readouts are weighted by precision, for the light in the longest readout that
+    is not saturated. A pixel that saturates all of them has at least the light of the shortest one.
+    """
     order = np.argsort(open_share)
     shares = open_share[order].reshape(-1, *[1] * (exposure_e.ndim - 1))
     light, full = exposure_e[order] / (chip.gain * shares), saturated[order]

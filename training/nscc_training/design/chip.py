@@ -85,8 +85,8 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def _words_e2(self, reads: int, additions: int, moves: int) -> float:
-        """Return the variance, in square electrons, that a pixel's words add: numbers of `reads` of
-        PIX, of `additions` and of `moves` of values."""
+        """Return the variance, in square electrons, that a pixel's words add: so many `reads` of
+        PIX, `additions` and `moves` of values."""
         words = self.effects.find_part(WordGain)
         move_noise = 1.0 if words is None else words.move_noise(self.sensor)
         times = {"reads": reads, "words": additions + moves * move_noise**2, "resets": 0.0}
@@ -137,7 +137,7 @@ class DesignChip:
 
 def most_steps(target: Target, well_e: float) -> int:
     """Return the largest level of a look in steps of IN: below a full well (`well_e`) and the
-    largest value of a register."""
+    largest value of a register; at least 1."""
     full_e = min(target.full_well_e, target.register_max_e, well_e)
     below = math.ceil(full_e / target.electrons_per_step) - 1
     return max(1, min(target.in_high, below))
@@ -149,7 +149,8 @@ _MOST_LEVELS = 64
 
 def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Values:
     """Return light on the curve on which errors are measured: relative to the peak and clipped to
-    0..1, on a linear or mu-law scale; or for "log" the logarithm of light, at least `dark_e`."""
+    0..1, on a linear or mu-law scale; or for "log" the natural logarithm of light, at least
+    `dark_e`. `light_e` and `peak_e` (above 0) are in electrons and broadcast."""
     if curve == "log":
         return np.log(np.maximum(light_e, dark_e))
     relative_light = np.clip(light_e / peak_e, 0.0, 1.0)

@@ -37,8 +37,9 @@ _MOST_KEPT = 128
 class LookSchedule:
     """When pixels look at their light, and at which level they close.
 
-    `at` are the boundaries of the looks, in increasing order, and `steps` their levels in steps of
-    IN, the value that the controller sends to all pixels."""
+    `at` are the boundaries between slots at which pixels look, in increasing order: k is the end of
+    the k-th slot. `steps`, as long, are the levels of these looks in steps of IN, the value that
+    the controller sends to all pixels."""
 
     at: tuple[int, ...]
     steps: tuple[int, ...]
@@ -46,8 +47,8 @@ class LookSchedule:
 
 @dataclass(frozen=True)
 class Expected:
-    """The expected mean square error on each curve, and the fractions of the pixels that close at
-    each look and at the end of the frame."""
+    """The expected result of a schedule: the mean square error on each curve, and the fractions of
+    the pixels that close at each look and, as the last, at the end of the frame; their sum is 1."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]
@@ -58,8 +59,8 @@ class LookModel:
     scenes. The module's docstring has the formula."""
 
     def __init__(self, chip: DesignChip, scene: Histogram, slot_us: Sequence[float]) -> None:
-        """Prepare the model. `scene` is the histogram of the scenes' light, and `slot_us` are the
-        slot lengths in microseconds."""
+        """Prepare the model. `chip` gives noise and levels, `scene` is the histogram of the scenes'
+        light, and `slot_us` are the slot lengths in microseconds, which are above 0."""
         self.chip, self.scene, self._slot_us = chip, scene, slot_us
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
@@ -71,10 +72,11 @@ class LookModel:
         self._closed: dict[int, NDArray[np.float32]] = {}
 
     def exposure_errors(self, curve: Curve) -> Values:
-        """Return the mean square error on a curve of exposures that end at each slot boundary,
-        (groups, slots + 1), for each group of pixels with equal light.
+        """Return the mean square errors on a curve of exposures that end at each boundary, (groups,
+        slots + 1): row g for pixels of the histogram's group g of equal light, column k for the
+        boundary after k slots.
 
-        It is infinite at boundary 0. Results are kept for later calls."""
+        Column 0 is infinite, because nothing has been exposed. Results are kept for later calls."""
         if curve not in self._exposure_errors:
             light, peak = self.scene.light_e, self.scene.peak_e
             errors = np.full((len(light), self.slots + 1), np.inf)
@@ -87,7 +89,8 @@ class LookModel:
         groups, offsets), for each level that is tried, each group of pixels with equal light, and
         each offset of a pixel's comparator.
 
-        Results are kept for later calls."""
+        Charge counts up to a full well at most. The results for `_MOST_KEPT` boundaries are kept
+        for later calls."""
         if at not in self._closed:
             if len(self._closed) == _MOST_KEPT:
                 self._closed.clear()
@@ -99,8 +102,9 @@ class LookModel:
         return self._closed[at]
 
     def expected(self, schedule: LookSchedule) -> Expected:
-        """Return the expected error of a schedule on each curve, and the fraction of the pixels
-        that close at each look and at the end."""
+        """Return the expected error of a schedule on each curve, and the fractions of the pixels
+        that close at each look and at the end. The nearest level that the chip has replaces each
+        level of the schedule."""
         closing = []
         errors = dict.fromkeys(CURVES, 0.0)
         for at, pixels in self._closing(schedule.at, self._rows(schedule)):
@@ -111,9 +115,10 @@ class LookModel:
 
     def _closing(self, at: Sequence[int], rows: Sequence[int]) -> Iterator[tuple[int, Values]]:
         """Yield the boundary of each look and the weights (groups, offsets) of the pixels that it
-        closes; last, the frame's end with the pixels that stay open.
+        closes; last, the frame's end with the pixels that stay open. The sum of all weights is 1.
 
-        `at` are the boundaries of the looks, `rows` the indices of their levels."""
+        `at` are the boundaries of the looks, in increasing order. `rows`, as long, are the indices
+        of their levels among the levels that the chip has."""
         open_ = self._start
         for moment, row in zip(at, rows, strict=True):
             closing_pixels = open_ * self.closed(moment)[row]
@@ -122,12 +127,14 @@ class LookModel:
         yield self.slots, open_
 
     def best(self, looks: int, curve: Curve) -> LookSchedule:
-        """Return the schedule of `looks` looks with the smallest expected error on a curve.
+        """Return the schedule of `looks` looks with the smallest expected error on a curve that a
+        local search finds. `looks` is at least 1 and smaller than the number of slots.
 
         The search begins with several geometric schedules. It moves one look after the other and
         gives it the best level, with the other looks fixed, until no move reduces the error. The
-        best result is returned; the same input gives the same schedule. With several scenes, each
-        scene's error is divided by its error before the search, so that no scene dominates."""
+        best result is returned; the same input gives the same schedule. With several scenes and
+        another curve than "log", the search is repeated with each scene's error divided by its
+        error in the result before, so that no scene dominates."""
         worth, schedule = min(
             (self._descended(start, curve) for start in self._starts(looks)),
             key=lambda outcome: outcome[0],
@@ -151,8 +158,8 @@ class LookModel:
         return schedule
 
     def _descended(self, schedule: LookSchedule, curve: Curve) -> tuple[float, LookSchedule]:
-        """Improve a schedule in rounds until its error on a curve stays. Return the error and the
-        schedule."""
+        """Improve a schedule in rounds until its error on a curve falls by less than 0.01 %, for
+        `_ROUNDS` rounds at most. Return the expected error and the schedule."""
         worth = np.inf
         for _ in range(_ROUNDS):
             schedule, now = self._round(schedule, curve)
@@ -164,14 +171,16 @@ class LookModel:
 
     def _rows(self, schedule: LookSchedule) -> list[int]:
         """Return the indices, among the levels that are tried, of the levels nearest to a
-        schedule's."""
+        schedule's; of two that are equally near, the first."""
         return [int(np.abs(self.chip.levels - steps).argmin()) for steps in schedule.steps]
 
     def _starts(self, looks: int) -> list[LookSchedule]:
         """Return initial schedules of `looks` looks: geometric boundaries from several first ones,
         with equal levels.
 
-        The level lets the exposure at the next look nearly fill the well."""
+        First boundaries are 1, 4, 16 and so on, up to a quarter of the frame; the later ones grow
+        by equal ratios towards its end. The level lets the exposure at the next look nearly fill
+        the well."""
         starts: dict[tuple[int, ...], LookSchedule] = {}
         first = 1
         while first == 1 or first * 4 <= self.slots:
@@ -184,8 +193,9 @@ class LookModel:
         return list(starts.values())
 
     def _round(self, schedule: LookSchedule, curve: Curve) -> tuple[LookSchedule, float]:
-        """Replace the boundary and the level of each look in turn, the last first, by the best
-        ones. Return the new schedule and its expected error on a curve."""
+        """Replace the boundary and the level of each look in turn, the last first, by those with
+        the smallest error while the other looks stay. Return the new schedule and its expected
+        error on a curve."""
         at, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
         for k in reversed(range(len(at))):
@@ -194,6 +204,8 @@ class LookModel:
                 open_ = open_ * (1 - self.closed(at[before])[rows[before]])
             after = self._after(at, rows, k, curve)
             open_error = float((open_ * after).sum())
+            # The pixels that earlier looks close keep their error: `islice` leaves out look k and
+            # later ones.
             earlier = sum(
                 float(pixels.sum(axis=1) @ self.exposure_errors(curve)[:, moment])
                 for moment, pixels in islice(self._closing(at, rows), k)
@@ -222,19 +234,22 @@ class LookModel:
         return error
 
     def _moments(self, at: list[int], k: int) -> list[int]:
-        """Return the boundaries to try for look number `k`, between those of its neighbours and
-        including its present one: all if they are few, else a geometric selection."""
+        """Return the boundaries to try for look number `k`, in increasing order, between those of
+        its neighbours: all if they are at most `_MOST_TRIED`, else a geometric selection with the
+        present boundary and the two next to it. `at` are the present boundaries of all looks."""
         low = at[k - 1] + 1 if k else 1
         high = at[k + 1] - 1 if k + 1 < len(at) else self.slots - 1
         if high - low < _MOST_TRIED:
             return list(range(low, high + 1))
+        # Three of the tries are the present boundary and its neighbours.
         moments = np.geomspace(low, high, _MOST_TRIED - 3).round().astype(int).tolist()
         return sorted({*moments, *(m for m in range(at[k] - 1, at[k] + 2) if low <= m <= high)})
 
 
 def _spread(moments: Values, slots: int) -> tuple[int, ...]:
-    """Return different whole boundaries from 1 to `slots` - 1, increasing, and as close to
-    `moments` as that allows."""
+    """Return different whole boundaries from 1 to `slots` - 1, increasing, one for each of the
+    increasing numbers `moments` and close to it. The caller ensures fewer moments than slots. Each
+    boundary leaves room for the later ones."""
     count, spread_moments = len(moments), [0]
     for k, moment in enumerate(moments.round().astype(int).tolist()):
         spread_moments.append(min(max(moment, spread_moments[-1] + 1), slots - count + k))

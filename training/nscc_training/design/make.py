@@ -74,8 +74,8 @@ def best_tile(
 
 
 def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
-    """Return the stops of a tile, given from short to long, in the order of its pixels: from long
-    to short."""
+    """Return the four stops (or indices) of a tile, given from short to long, in the order of its
+    pixels row by row: from long to short."""
     return tuple(reversed(tile))
 
 
@@ -287,13 +287,14 @@ def design_pattern(
 
 
 def _pattern_text(pattern: Pattern, slots: int) -> str:
-    """Return name and exposure times of a pattern as text."""
+    """Return the name of a pattern and its different exposure times, the longest first, as text.
+    `slots` is the length of the frame."""
     stops = sorted({int(stop) for stop in pattern.stops.flat}, reverse=True)
     return f"{pattern.name}, {', '.join(map(str, stops))} of {slots} slots"
 
 
 def _reached_text(pattern: Pattern) -> str:
-    """Return the PSNR of a pattern as text."""
+    """Return the two mean PSNR of a pattern, linear and mu-law, as text."""
     return f"{pattern.linear_db:.1f} dB PSNR linear, {pattern.mu_db:.1f} dB PSNR mu-law"
 
 
@@ -301,8 +302,8 @@ _CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarit
 
 
 def expected_text(errors: dict[Curve, float]) -> str:
-    """Return mean square errors by curve as text: as PSNR in dB, or for the logarithm as
-    percent."""
+    """Return mean square errors by curve as text: as PSNR in dB for a peak of 1, or for the
+    logarithm as root mean square in percent. The order is that of `CURVES`."""
     texts = []
     for curve in CURVES:
         if curve not in errors:

@@ -43,6 +43,7 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
     """Return the pixels of the scenes, each (rows, cols) in electrons over the frame, in groups of
     nearly equal light, whose widths are equal in the logarithm.
 
+    Groups without pixels are left out; those of a later scene follow. There is at least one scene.
     Raise Rejected (NS0824) for a scene without light."""
     count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
     histograms = []
@@ -87,7 +88,8 @@ def peak_of(light: Values, number: int = 0) -> float:
     """Return the light that counts as white: the percentile `PERCENTILE`, or if that is dark, the
     maximum.
 
-    Raises Rejected (NS0824) for a scene without light, which the message calls by its `number`."""
+    Raises Rejected (NS0824) for a scene without light, which the message calls by its `number` plus
+    1."""
     peak = float(np.percentile(light, PERCENTILE))
     if peak <= 0:
         peak = float(light.max())

@@ -73,13 +73,14 @@ def shapes() -> dict[str, Levels]:
 
 def patterns(slots: int) -> list[Pattern]:
     """Return all patterns of exposure times in a frame of `slots` slots: each shape with each ratio
-    of neighbouring levels and each longest time."""
+    of neighbouring levels and each longest time, if its shortest time is at least one slot."""
     stops = np.array(stops_tried(slots))
     candidates = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
         deepest = int(levels.max())
         for step in _HALF_STOPS:
             for longest in range(len(stops) - 1, -1, -1):
+                # A shape of one level is the uniform one, which is listed already.
                 if deepest and longest >= step * deepest:
                     candidates.append(Pattern(name, stops[longest - step * levels]))
     return candidates
@@ -96,9 +97,9 @@ def judged(
     """Return all patterns with their mean PSNR over the scenes after merging, under all effects,
     the best first.
 
-    `scenes` are stills (rows, cols) in electrons over the frame. `compiled` returns the program
-    whose pixels are all open for a number of slots. `progress` receives the numbers of the scenes.
-    """
+    `scenes` are stills (rows, cols) in electrons over the frame. `slot_us` is the length of a slot.
+    `compiled` returns the program whose pixels are all open for the number of slots that it gets.
+    `progress` receives the numbers of the scenes."""
     candidates = patterns(slots)
     sums = np.zeros((len(candidates), 2))
     for number in progress(range(len(scenes))):

@@ -147,7 +147,7 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def start_uniform(self) -> None:
-        """Set the same code at all pixels."""
+        """Set the same shutter at all pixels."""
 
     @abstractmethod
     def start_quad(self) -> None:
@@ -298,7 +298,8 @@ class Encoder(nn.Module, ABC):
         Raises
         ------
         ValueError
-            For a missing field, another shape or values outside the limits.
+            For a missing field, another shape or values outside the limits. Other fields are
+            ignored.
         """
         tensors = []
         for name, (low, high) in limits.items():

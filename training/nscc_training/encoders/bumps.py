@@ -100,7 +100,8 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only the codes `legal` (codes, fields), which `require` of a program permits.
+        """Allow only the codes `legal` (codes, fields in the order of `limits`), which `require` of
+        a program permits; there is at least one.
 
         With a generator, the code of every pixel is drawn anew from them; with None, it moves to
         the nearest legal code. The limits of the fields become those of the legal codes."""
@@ -126,8 +127,8 @@ class Bump(Encoder):
         return self.opened_by(self.fields(generator), soft)
 
     def opened_by(self, fields: Tensor, soft: bool = False) -> Tensor:
-        """Return the shutters (N, rows, cols) of field values (fields, rows, cols) within their
-        limits.
+        """Return the shutters (N, rows, cols) of field values (fields, rows, cols) in slots, in the
+        order of `limits` and within them.
 
         If `soft`, the edges are sigmoids of the width `temperature`, and codes are not rounded.
         Otherwise the shutters are 0 and 1, and pass the gradient of an edge of the width `width`.
@@ -201,7 +202,7 @@ class Bump(Encoder):
 
     def snapped(self, fields: Tensor) -> Tensor:
         """Return the legal code nearest to each pixel's `fields` (fields, rows, cols), by the sum
-        of absolute differences.
+        of absolute differences; of equally near ones the first in `legal`.
 
         Without a list of legal codes, every whole number is legal. The gradient passes as if
         nothing was rounded."""
@@ -242,7 +243,7 @@ class Bump(Encoder):
 
     def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
         """Set the values (rows, cols) of all fields in slots, given in the order of `limits`. They
-        are not checked."""
+        are not checked, and may be fractions of a slot."""
         with torch.no_grad():
             for name, values in zip(self.limits, fields, strict=True):
                 slots = torch.as_tensor(np.asarray(values, np.float64))
@@ -296,7 +297,8 @@ class Stop(Bump):
         self.fill(np.full(self.spec.tile, max(1.0, np.rint(self.spec.slots**0.5))))
 
     def start_quad(self) -> None:
-        """Set stops N, N / 4, N / 16 and N / 64 in each 2 x 2 pixels."""
+        """Set stops N, N / 4, N / 16 and N / 64, rounded and at least 1, in each 2 x 2 pixels, row
+        by row."""
         self.fill(np.maximum(1, np.rint(self.spec.slots / 4.0 ** self.quad_ranks())))
 
 
@@ -323,7 +325,8 @@ class Start(Bump):
         self.fill(generator.integers(0, self.last, self.spec.tile, endpoint=True))
 
     def start_uniform(self) -> None:
-        """Set all bumps to the middle of the frame."""
+        """Set all bumps to the middle of the frame, half a slot earlier if they cannot be
+        centred."""
         self.fill(np.full(self.spec.tile, self.last // 2))
 
     def start_quad(self) -> None:
@@ -347,6 +350,7 @@ class StartStop(Bump):
         """Return starts and stops, int64 (rows, cols), each stop at least one slot after its start.
         Raise ValueError if a parameter is not finite."""
         codes = super().codes()
+        # Start and stop are rounded independently, so that they may meet.
         codes["stop"] = np.maximum(codes["stop"], codes["start"] + 1)
         return codes
 
@@ -359,7 +363,8 @@ class StartStop(Bump):
         super().load_codes(codes)
 
     def start_random(self, generator: np.random.Generator) -> None:
-        """Draw all bumps, every pair of edges with the same probability."""
+        """Draw the bump of each pixel, every legal pair of start and stop with the same
+        probability."""
         first, last = np.triu_indices(self.spec.slots)
         drawn = generator.integers(0, len(first), self.spec.tile)
         self.fill(first[drawn], last[drawn] + 1)

@@ -59,7 +59,8 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
 
 def _first(name: str, spec: ShutterSpec, length: int) -> Places:
     """Return the slot in which each pixel of the tile opens, int64 (rows, cols), in the start
-    `name`. Bumps have `length` slots."""
+    `name`. Bumps have `length` slots, at most the number of slots of `spec`; only those of "cyclic"
+    may reach beyond the end of the frame."""
     y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
     last = spec.slots - length
     if name in YARDSTICKS:
@@ -223,7 +224,8 @@ def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Genera
     of one level keep a distance from each other.
 
     Each level in turn takes its share of free pixels, nearest to the points of a Poisson-disc
-    sampler. Each remaining pixel gets the level whose own pixels are farthest away."""
+    sampler. Each remaining pixel gets the level whose own pixels are farthest away; a level without
+    pixels is infinitely far."""
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile

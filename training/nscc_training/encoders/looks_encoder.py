@@ -123,8 +123,8 @@ class LooksEncoder(Encoder):
         self._fill(at, np.full(looks, max(1, self.most // 2)))
 
     def start_quad(self) -> None:
-        """Set boundaries in a geometric sequence from 1, and levels at which the exposure at the
-        next look nearly fills the well."""
+        """Set boundaries in a geometric sequence from 1, and one level for all, at which the
+        exposure at the next look nearly fills the well."""
         looks = self.spec.tile[1]
         ratio = self.spec.slots ** (1 / looks)
         # From one look to the next the exposure grows by `ratio`; it then reaches 90 % of the well.

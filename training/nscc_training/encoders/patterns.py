@@ -98,8 +98,8 @@ class Bits(_Digits):
         return {"bits": np.einsum("n,nrc->rc", weights, opened)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the bits of each pixel from one integer, bit n for slot n. Raise ValueError if it is
-        out of range."""
+        """Set the bits of each pixel from one integer of `bits` (rows, cols), bit n for slot n.
+        Raise ValueError if `bits` is missing, of another shape or out of range."""
         self.checked(codes, {"bits": (0, (1 << self.spec.slots) - 1)})
         n = np.arange(self.spec.slots, dtype=np.int64).reshape(-1, 1, 1)
         self.set_digits(self.logits, (codes["bits"][None] >> n) & 1 == 1)
@@ -206,7 +206,7 @@ class Codebook(_Digits):
         return [(self.shapes, (-1.0, 1.0))]
 
     def unused_share(self) -> float:
-        """Return the fraction of shapes that no pixel chooses."""
+        """Return the fraction of shapes, 0 to below 1, that no pixel chooses."""
         return 1 - len(torch.unique(self.choice.argmax(dim=-1))) / self.rows
 
     def book(self) -> NDArray[np.int64]:
@@ -252,20 +252,21 @@ class Codebook(_Digits):
         self.choose(np.where(again < self.rows, again, rank % self.rows))
 
     def spread(self) -> NDArray[np.int64]:
-        """Return a shape index for each pixel, using all shapes in turn."""
+        """Return a shape index for each pixel, int64 (rows, cols), using all shapes in turn, row by
+        row."""
         return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
 
     def choose(self, rows: NDArray[np.int64]) -> None:
-        """Set the scores so that each pixel chooses the shape in `rows` (rows, cols), by a margin
-        of 1 that training can overcome."""
+        """Set the scores so that each pixel chooses the shape whose index is in `rows` (rows,
+        cols), by a margin of 1 that training can overcome."""
         with torch.no_grad():
             chosen = functional.one_hot(torch.as_tensor(rows), self.rows)
             self.choice.copy_(chosen.to(self.choice.dtype))
 
 
 def quarters(slots: int) -> NDArray[np.bool_]:
-    """Return four shutters (slots, 4), each open in one quarter of the frame, and for at least one
-    slot."""
+    """Return four shutters (slots, 4), each open in one quarter of the frame in turn, and for at
+    least one slot; in frames of fewer than four slots some are equal."""
     n = np.arange(slots)[:, None]
     first = np.minimum(np.arange(4) * slots // 4, slots - 1)
     last = np.maximum((np.arange(4) + 1) * slots // 4, first + 1)

@@ -49,10 +49,11 @@ _CLASSES = {
 class Baseline:
     """A baseline of a protocol: fixed codes and a decoder without training (`method`).
 
-    Its codes are `start` (CLASS:START) on a tile of `side` x `side`, or a number of open slots.
-    `takes_codes` allows other codes. `best_in` names a metric in which the best of several uniform
-    exposures is chosen with the ground truth. `tiles` is a function of protocol and seed that
-    returns the shutters of several frames; `alone` decodes each frame separately."""
+    Its codes are `start` (CLASS:START) on a tile of `side` x `side`, or a number of open slots as
+    text, the same for all pixels. `takes_codes` allows other codes. `best_in` names a metric in
+    which the best of several uniform exposures is chosen with the ground truth. `tiles` is a
+    function of protocol and seed that returns the shutters of several frames; `alone` decodes each
+    frame separately."""
 
     method: Method
     start: str = ""
@@ -74,8 +75,9 @@ class Baseline:
 
 
 def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> NDArray[np.bool_]:
-    """Return random shutters (buckets, slots, rows, cols) for a tile (rows, cols); a second bucket
-    is open where the first is closed."""
+    """Return random shutters (buckets, slots, rows, cols) for a tile (rows, cols), with as many
+    slots as a clip of the protocol has frames; a second bucket is open where the first is closed.
+    `seed` determines them."""
     first = np.random.default_rng(seed).random((1, int(protocol["frames"]), *tile)) < 0.5
     return first if buckets == 1 else np.concatenate([first, ~first])
 
@@ -146,8 +148,8 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 def evaluate_baseline(
     protocol: Protocol, wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of the baseline `name` on a folder of scenes, and its arrays by name, both
-    as `result_of` does.
+    """Return the result of the baseline `wanted.subject` on the folder of scenes `wanted.data`, and
+    its arrays by name, both as `result_of` does.
 
     `wanted.shutter` names other shutters, CLASS:START or a run (`named_codes`). The noise of a
     scene depends only on the scene's index and `wanted.seed`."""
@@ -175,6 +177,7 @@ def evaluate_baseline(
 
     attempts = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
     metric = baseline.best_in or "psnr_db"
+    # Of several uniform exposures the best counts; other baselines have one attempt.
     tile, settings, scored_scenes = max(attempts, key=lambda entry: mean_score(entry[2], metric))
     published = protocol.values.get("published_db", {}).get(name)
     extra_settings = {} if published is None else {"published_db": published}

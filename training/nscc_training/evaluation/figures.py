@@ -99,7 +99,7 @@ class _Shot:
 
 
 def figures(settings: FigureSettings) -> dict[str, bytes]:
-    """Return PNG files by the names in `figures.toml`.
+    """Return the bytes of PNG files by their file names, the names in `figures.toml` with ".png".
 
     `data` contains panoramas and clips, or folders `hdr` and `video` with them. The figures show
     the first crop with the largest ratio of brightest light to median, and the first window with
@@ -206,7 +206,8 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Protocol
 
 def _worth(light_e: Field) -> float:
     """Return how suitable a scene is for a figure: the ratio of the brightest light to the median
-    for a still, and the mean change between frames for a clip."""
+    for a still, and the mean change between frames, relative to the mean light, for a clip (T,
+    rows, cols). Larger is better."""
     if light_e.ndim == 3:
         return float(np.abs(np.diff(light_e, axis=0)).mean() / max(light_e.mean(), 1e-9))
     return float(np.percentile(light_e, 99.9) / max(float(np.median(light_e)), 1e-9))

@@ -64,8 +64,8 @@ _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 
 
 def row_of(name: str, target: Target) -> LookSchedule:
-    """Return the looks of the method `name` on a chip: boundaries, and levels in steps of IN, which
-    depend on its full well."""
+    """Return the looks of the method `name`, a key of ROWS (else KeyError), on a chip: boundaries,
+    and levels in steps of IN, which depend on its full well."""
     at, percent = ROWS[name]
     return LookSchedule(at, (level_steps(percent, "%", target),) * len(at))
 
@@ -145,7 +145,8 @@ def looked_light(
     """Return the light over the frame in electrons (rows, cols) that pixels which look measure of
     the constant light `light_e`, of this shape.
 
-    `seeds` are those of the noise and of the device."""
+    `container` is the program, and `effects` a selection or the names of effects. `seeds` are those
+    of the noise and of the device."""
     readings = _still_capture(container, light_e, sensor, effects, seeds).told
     return merged_image(readings[LIGHT], readings[DEVIATION]) * float(container.slot_s.sum())
 
@@ -211,8 +212,8 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
 
 
 def _compiled(schedule: LookSchedule, target: Target) -> Container:
-    """Return the compiled program of pixels that look as the schedule says, with slots of 125
-    us."""
+    """Return the compiled program of pixels that look as the schedule says, with `SLOTS` slots of
+    125 us. Raise Rejected if it does not fit the chip."""
     text = looking_text(schedule, SLOTS, 125.0, target, None, "")
     container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
     assert container is not None

@@ -80,7 +80,7 @@ class CapturedScene:
 
     def measured(self) -> Measured[Tensor]:
         """Return the frames as a measurement in electrons, for the decoder for any code: of a still
-        with one slot, of a clip with all slots."""
+        with one slot, of a clip with all slots. Of a benchmark clip, light is on 0..1."""
         from nscc_training.measured import Measured
 
         if self.model is None:
@@ -89,13 +89,14 @@ class CapturedScene:
         return Measured.read(self.codes, masks, self.model).tensors()
 
     def corner(self, size: int) -> CapturedScene:
-        """Return the upper left corner, `size` x `size`, of the frames."""
+        """Return the upper left corner of the frames, `size` x `size` or smaller. The tile and the
+        scene stay whole."""
         region = np.s_[..., :size, :size]
         return replace(self, codes=self.codes[region], saturated=self.saturated[region])
 
     def frame(self, number: int) -> CapturedScene:
         """Return frame `number` (from 0) alone. Of its slots, only those from the first in which a
-        pixel is open to the last are kept."""
+        pixel is open to the last are kept; there must be one. The scene stays whole."""
         slots = np.flatnonzero(self.tile[number].any(axis=(1, 2)))
         frame_slice = slice(number, number + 1)
         tile = self.tile[frame_slice, slots[0] : slots[-1] + 1]
@@ -191,7 +192,8 @@ def _any(captured: CapturedScene, **options: Any) -> Light:
 
 
 def _read_out(captured: CapturedScene) -> Light:
-    """Return the measurement of each pixel divided by its open fraction of the frame."""
+    """Return the first frame's measurement of each pixel divided by its open fraction of the frame,
+    in electrons over the frame (rows, cols). All pixels must open."""
     return np.asarray(captured.codes[0].astype(np.float64) * captured.code_e / captured.share)
 
 
@@ -215,7 +217,7 @@ STILLS: Mapping[str, Method] = {
 
 def load(method: str, slots: int) -> None:
     """Compile or learn everything that a method needs for clips of `slots` slots, so that measured
-    times exclude it."""
+    times exclude it. Methods that need nothing are accepted."""
     if method in ("gap-tv", "admm-tv", "any"):
         denoise.load()
     if method == "dictionary":

@@ -44,7 +44,8 @@ def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str
 
 def results_named(folder: Path, name: str) -> list[dict[str, Any]]:
     """Read the result files in `folder` whose names without `.json` match the pattern `name`, in
-    which * stands for any text. Return them in the order of the file names."""
+    which * stands for any text; none match gives an empty list. Raise Rejected (NS0807) for a file
+    that is no result. Return them in the order of the file names."""
     return [read_result(path) for path in sorted(folder.glob(f"{name}.json"))]
 
 

@@ -57,9 +57,9 @@ def usable_scenes(
     """Return the scenes that can be used, and entries of the result for the others (`file`, place,
     `reason`).
 
-    A scene's index seeds its noise. Therefore None keeps the place of the others in the list,
-    except under hdr-v1. A file that cannot be read is such an entry, with the `code` of its error;
-    raises Rejected if only such files remain."""
+    A scene's index in the list seeds its noise. Therefore None keeps the place of the others in the
+    list, except under hdr-v1, where the list has usable crops only. A file that cannot be read is
+    such an entry, with the `code` of its error; raises Rejected if only such files remain."""
     scenes: list[ProtocolScene | None] = []
     left_out: list[dict[str, Any]] = []
     damages: list[Diagnostic] = []
@@ -192,8 +192,8 @@ def _refuse_non_finite(result_e: Array, name: str) -> None:
 
 
 def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
-    """Return the mean of a metric in dB over the items of all scenes. Infinite values are left out;
-    without items it is -inf."""
+    """Return the mean of a metric in dB over the items of all scenes. Infinite values are left out
+    unless all are; without items it is -inf, so that any other is better."""
     scores = [number(item[metric]) for entry in scored_scenes for item in entry.items]
     return finite_mean(scores) if scores else -math.inf
 
@@ -325,7 +325,7 @@ def mean_of(
     results: Sequence[Mapping[str, Any]], metric: str, *, by_source: bool = False
 ) -> float | None:
     """Return the mean of a metric over the items of each result, then over results (seeds); None if
-    no item is finite.
+    no item is finite. Every item has the metric.
 
     Infinite items are left out. `by_source` first averages the items of each file, so that each
     file counts once."""
@@ -490,8 +490,8 @@ def _scene_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
 
 
 def _class_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Return a line for each class among `items`: how often it was decoded correctly, and the class
-    for which it is most often mistaken."""
+    """Return a line for each class among `items`: how often it was decoded correctly, and, if it
+    ever was, the class for which it is most often mistaken."""
     lines = []
     for label in dict.fromkeys(item["class"] for item in items):
         decoded = Counter(item["decoded"] for item in items if item["class"] == label)

@@ -53,8 +53,8 @@ def evaluate_run(
     wanted: EvaluationSettings,
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run with its hard shutters on the scenes in the folder `data`, and its
-    arrays by name, both as `result_of` does.
+    """Return the result of a run with its hard shutters on the scenes in the folder `wanted.data`,
+    and its arrays by name, both as `result_of` does.
 
     The result lists the files that `wanted.skip_seen` leaves out. Effects are those of a different
     chip for each seed.
@@ -255,7 +255,8 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
 
 
 def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
-    """Return the files that the run was trained or validated on."""
+    """Return those of `files` that the run was trained or validated on, by the digests of their
+    contents."""
     return [path for path in files if file_sha256(path) in folder.seen_digests]
 
 

@@ -120,13 +120,15 @@ def results(
 
 
 def _text(value: Any) -> Any:
-    """Return a number that JSON does not know as text, other values unchanged."""
+    """Return a float that JSON does not know as text ("inf", "-inf", "nan"), other values
+    unchanged."""
     if isinstance(value, float) and not math.isfinite(value):
         return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
     return value
 
 
 def _numbers(figures: Figures) -> Figures:
-    """Return figures with infinity and NaN as numbers again."""
+    """Return figures in which the texts "inf", "-inf" and "nan", as `_text` writes them, are
+    numbers again."""
     numbers = {"nan": math.nan, "inf": math.inf, "-inf": -math.inf}
     return {n: numbers.get(v, v) if isinstance(v, str) else v for n, v in figures.items()}

@@ -77,7 +77,8 @@ class Stopwatch:
 
 
 def timed_ms(run: Callable[[], T], clock: Callable[[], float] = perf_counter) -> tuple[T, float]:
-    """Call `run` and return its result and its time in milliseconds."""
+    """Call `run` once and return its result and its time in milliseconds. `clock` returns
+    seconds."""
     begin = clock()
     result = run()
     return result, (clock() - begin) * 1e3

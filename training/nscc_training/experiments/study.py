@@ -199,7 +199,7 @@ def _executed(tasks: Iterable[_Turn], study: Study, watch: Stopwatch) -> Iterato
 
 def _reason(why: Exception) -> tuple[str, str]:
     """Return the code and the text of the reason why a point cannot be measured; the code is
-    `_NO_CODE` without a message of nscc."""
+    `_NO_CODE` without a message of nscc. Of several messages the last counts."""
     if isinstance(why, Rejected):
         return why.diagnostics[-1].code, why.diagnostics[-1].message
     if isinstance(why, ModuleNotFoundError):
@@ -212,7 +212,7 @@ def _is_timed(point: StudyPoint, rows: Mapping[str, PointRow]) -> bool:
     """Return whether a point is repeated for its time.
 
     Points that were refused in the first repeat, or that measure their times themselves, are not.
-    `rows` contains their rows."""
+    `rows` contains the rows of the first repeat of all points."""
     row = rows[_Turn(point, turn=0).key]
     return point.figures is not None and not row.code and not isinstance(row.figures["ms"], list)
 

@@ -53,7 +53,7 @@ def artifacts(
 
     `setup` holds the best state of the run, which was reached at `step`. `shown` are the validation
     scenes of the scores, and `scenes` the split that the files name. Computing the scores takes the
-    most time."""
+    most time. Raises Rejected with the compiler's errors if the shutters do not fit the chip."""
     from safetensors.torch import save
 
     build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
@@ -123,12 +123,14 @@ def lines_of(values: Any) -> bytes:
 
 
 def config_digest(settings: RunSettings) -> str:
-    """Return the digest of config.resolved.toml, which determines the run."""
+    """Return the SHA-256 of config.resolved.toml, the text of `settings` with every key. It
+    determines the run."""
     return sha256(config_toml(settings).encode()).hexdigest()
 
 
 def split_digest(scenes: Scenes) -> str:
-    """Return the digest of split.json, the scenes of training and validation."""
+    """Return the SHA-256 of split.json, which lists the scenes of training and validation with the
+    digests of their files."""
     return sha256(lines_of(scenes.split())).hexdigest()
 
 
@@ -159,7 +161,8 @@ def capture_toml(setup: TrainingSetup) -> str:
 
 
 def _exposure(setup: TrainingSetup) -> str:
-    """Return a sentence on how brightly the training of `setup` exposes scenes."""
+    """Return a sentence, for capture.toml, on how brightly the training of `setup` exposes scenes:
+    stills by the part that saturates, clips by a full well, or by the electrons of a mid-grey."""
     if setup.still:
         low, high = sorted(setup.settings.data.saturated)
         share = f"{100 * low:g}" if low == high else f"{100 * low:g} to {100 * high:g}"
@@ -298,7 +301,7 @@ def _purpose(setup: TrainingSetup) -> str:
 
 def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
     """Return the text of the model card: scores, data, settings and limits of a run. `result` is
-    the content of `result.json`."""
+    the content of `result.json`, and `scenes` are only counted."""
     settings, metrics = setup.settings, setup.protocol.metrics
     metric, score_name = metrics[0], METRIC_NAMES[metrics[0]]
 

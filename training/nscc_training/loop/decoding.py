@@ -54,7 +54,9 @@ def scene_by_model(
     frame or per slot, and the seconds that the decoder took.
 
     `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows, cols); `seed` is
-    that of the noise. `tile` (N, r, c) and `model` replace the run's shutters and sensor."""
+    that of the noise. `tile` (N, r, c) and `model` replace the run's shutters and sensor, None
+    keeps them; for pixels that look, `tile` has their boundaries and levels. A run that classifies
+    returns a score for each class."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:
@@ -112,7 +114,8 @@ def scene_by_words(
     """Capture a scene as the words of a program expose it, without noise, and decode it. Return the
     light in electrons and the seconds of both.
 
-    `light_e` is as in `scene_by_model`."""
+    `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows, cols). A scene
+    larger than the array of the chip is cut."""
     rows, cols = light_e.shape[-2:]
     light = light_on_array(light_e, setup.slots, container.target)
     ideal = setup.model.noiseless()
@@ -145,8 +148,8 @@ def decoded_frame(
 
     `frame` holds converter codes, (rows, cols), or (2, rows, cols) for two buckets. `saturated`, of
     the same shape, marks codes that count as full. `share` (rows, cols) is the open fraction of
-    each pixel, for pixels that look. `corner` is the place of the first pixel on the array, which
-    decides its code. Large frames are decoded in blocks of `_BLOCK` pixels."""
+    each pixel, for pixels that look. `corner` (row, column) is the place of the first pixel on the
+    array, which decides its code. Large frames are decoded in blocks of `_BLOCK` pixels."""
     rows, cols = frame.shape[-2:]
     if setup.classes:
         opened = shutters_at(setup, (rows, cols), corner)
@@ -203,7 +206,8 @@ def _decoder_output(
     setup: TrainingSetup, relative: Tensor, shutters: Tensor
 ) -> NDArray[np.float32]:
     """Return the decoder's output, float32, for one frame `relative` to a full well ([2,] rows,
-    cols) with its `shutters`."""
+    cols) with its `shutters` (N, r, c), or the open fractions (1, rows, cols) of pixels that look:
+    light (rows, cols) or (N, rows, cols), or (classes,)."""
     frame = relative[None].to(setup.device)
     output: Tensor = setup.decoder(frame, shutters.to(setup.device))[0]
     return np.asarray(output.float().cpu().numpy())

@@ -40,7 +40,8 @@ class Ranks:
 
     def batch_range(self, size: int) -> tuple[int, int]:
         """Return the range (first, end) of the patches of a batch of `size` that this process
-        computes."""
+        computes. The shares differ by one patch at most; with fewer patches than processes, some
+        are empty."""
         return self.rank * size // self.count, (self.rank + 1) * size // self.count
 
     def parallel(self, module: nn.Module) -> nn.Module:

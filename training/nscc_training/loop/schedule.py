@@ -35,11 +35,13 @@ def _starts(settings: RunSettings) -> int:
 def cycle_of(settings: RunSettings, step: int) -> tuple[int, int]:
     """Return the first step of the cycle that contains `step`, and the first step after that cycle.
 
-    A cycle is the time between two restarts of the codes, or the time in which they are settled."""
+    A cycle is the time between two restarts of the codes, or the time in which they are settled. A
+    step beyond the last belongs to the last cycle."""
     settled, starts = settling_step(settings), _starts(settings)
     bounds = [settled * number // starts for number in range(starts + 1)]
     if settled < settings.train.steps:
         bounds.append(settings.train.steps)
+    # Limited, so that steps before the first and beyond the last have a cycle, too.
     after = min(max(1, bisect_right(bounds, step)), len(bounds) - 1)
     return bounds[after - 1], bounds[after]
 
@@ -67,8 +69,8 @@ def anneal(setup: TrainingSetup, step: int) -> None:
 
 
 def set_rates(optimizers: Iterable[Optimizer], settings: RunSettings, step: int) -> None:
-    """Set the learning rates of the optimizers for a step, from the rate `base` of each parameter
-    group.
+    """Set the learning rates of the optimizers for a step, in place, from the rate `base` of each
+    parameter group.
 
     They rise from 0 in the first steps of a cycle, at most `_WARM_UP`, and with the schedule
     `cosine` fall to 0 at its end. They rise because Adam's first steps have the size of the rate

@@ -36,7 +36,8 @@ per slot."""
 
 def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     """Replace the run's codes by the best of some moved candidates, if one is better. Return the
-    mean loss of the codes that the run then has.
+    mean loss, with its part for words, of the codes that the run then has. The decoder is left in
+    evaluation mode.
 
     `shutter.judged` of `shutter.moves` candidates are judged: those with the largest expected gain
     among those that compile within `shutter.most_words`. Their loss is measured on `batches`, the
@@ -88,7 +89,7 @@ def _promising(
     setup: TrainingSetup, current: Codes, candidates: list[Codes], gain: Tensor
 ) -> list[Codes]:
     """Return the candidates that are legal and differ from `current`, the most promising first. The
-    encoder's codes are changed meanwhile.
+    encoder may be left with the codes of any of them, so the caller loads codes again.
 
     The expected gain of a candidate is the sum of `gain` (N, rows, cols) over the slots and pixels
     that it opens, minus that over those that it closes."""

@@ -118,8 +118,9 @@ class TrainingSetup:
         """Set the encoder to random codes that compile for the chip, drawn with the run's seed and
         `numbers`.
 
-        The first draw moves the codes `near`, if there are any, at many places. Raises Rejected
-        with the compiler's errors if none of `_MOST_DRAWS` draws compiles."""
+        The first draw moves the codes `near` (None: there are none) at many places; later draws are
+        independent of them. Raises Rejected with the compiler's errors if none of `_MOST_DRAWS`
+        draws compiles."""
         for attempt in range(_MOST_DRAWS):
             seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
             generator = np.random.default_rng(seeds)
@@ -259,8 +260,8 @@ def make_setup(settings: RunSettings) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """Return an encoder with the initial codes that the settings `chosen` name: a start, a run, a
-    file of codes or a program.
+    """Return an encoder with the initial codes that the settings `chosen` name: a start, a run (a
+    folder or the name of a shipped one), a file of codes (.npz) or a program (.nsl).
 
     `seed` is that of random starts. Raises Rejected (NS0815) for invalid settings and for codes
     that do not fit, and the errors of reading a file."""
@@ -349,8 +350,8 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
 
 def _loss(names: str) -> Loss:
-    """Return the sum of the losses named in a text, separated by "+". Raise Rejected for an unknown
-    name or import path."""
+    """Return the sum of the losses named in the text `names`, separated by "+", such as "l1 +
+    psnr": names of `LOSSES`, or module:name. Raise Rejected for an unknown name or import path."""
     losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:

@@ -97,8 +97,9 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of` into the encoder and the decoder of `setup`. Raise KeyError
-    or RuntimeError if names or shapes differ."""
+    """Load tensors with the names of `tensors_of` ("encoder.NAME", "decoder.NAME"; others are
+    ignored) into the encoder and the decoder of `setup`. Raise KeyError or RuntimeError if names or
+    shapes differ."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 
@@ -177,7 +178,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
 
 def _changed(checkpoint: Path, settings: RunSettings) -> str:
     """Return the settings that differ from the configuration beside a checkpoint, as the end of a
-    sentence; "" if that cannot be read."""
+    sentence ("; changed: a, b"); "" if that configuration cannot be read."""
     try:
         before = load_config(checkpoint.with_name(CONFIG))
     except Rejected:
@@ -204,7 +205,8 @@ def _file_digests(setup: TrainingSetup) -> dict[str, str]:
 
 def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
     """Load the state of an optimizer from tensors named `index.key`, where the index is that of a
-    parameter. Raise ValueError if an entry lacks a key."""
+    parameter. Raise ValueError if an entry lacks a key, or has others, and for an index that is no
+    number."""
     state: dict[int, dict[str, Any]] = {}
     for name, value in tensors.items():
         index, _, key = name.partition(".")
@@ -237,7 +239,7 @@ def locked_folder(folder: Path) -> Iterator[None]:
     """Create `folder` if needed, and lock it until the block or the process ends. Raise Rejected
     (NS0848) if another process has it.
 
-    A new folder that is still empty is removed if the block fails."""
+    A folder that was created here and is still empty is removed if the block fails."""
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)
     descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)

@@ -41,8 +41,9 @@ class StepLoss(nn.Module):
         """Return the loss of one step on this process's share of the batch, times the weight of
         that share.
 
-        The codes are fixed, relaxed, or tried: with a trial, two versions of the codes are decoded,
-        and the difference of their losses gives the codes a gradient."""
+        In a step in which codes do not learn, they are fixed, and a search that has not begun uses
+        random ones. Otherwise they are relaxed or tried: with a trial, two versions of the codes
+        are decoded, and the difference of their losses gives the codes a gradient."""
         setup, settings, rank = self._setup, self._setup.settings, self._ranks.rank
         seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
@@ -76,10 +77,11 @@ class StepLoss(nn.Module):
 def trial_of(
     encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], window_seed: tuple[int, ...]
 ) -> CodeTrial:
-    """Return a trial (`CodeTrial`) of the encoder's codes for patches of rows x cols.
+    """Return a trial (`CodeTrial`) of the encoder's codes, which it must have, for patches of rows
+    x cols.
 
-    `seed` is that of the trial's random moves. If the tile is larger than a patch,
-    `window_seed` seeds the choice of its part."""
+    `seed` is that of the trial's random moves. If the tile is larger than a patch, `window_seed`
+    seeds the choice of its part."""
 
     def over(tile: Tensor) -> Tensor:
         """Return values of the tile (.., r, c), or of a part of it, repeated over a patch."""
@@ -91,8 +93,8 @@ def trial_of(
 def pull(
     setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
 ) -> Tensor:
-    """Return a scalar 0 whose gradient with respect to the codes is that of the loss, estimated
-    from a trial.
+    """Return a scalar of value 0 whose gradient with respect to the codes is that of the loss,
+    estimated from a trial.
 
     A gradient through the capture shows the effect of a little more light on a measurement. It does
     not show that a saturated pixel carries no more information, nor what information its neighbours
@@ -203,7 +205,8 @@ def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
     """Return the error of light (batch, rows, cols): ten times the sum of an RMS error of linear
     light, one on the mu-law curve, and a mean error of the logarithm.
 
-    The first two are relative to the 99.9 % quantile of the truth."""
+    The first two are relative to the 99.9 % quantile of the truth, clipped to 0..1, and averaged
+    over the batch."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
     # The square root of 1e-6 limits the slope for errors near 0.

@@ -36,8 +36,9 @@ def decoded(
     stills, (batch, N, rows, cols) for clips.
 
     `light` is in electrons over the frame, or per slot. `shutters` (N, r, c) are a tile for the
-    first bucket; for pixels that look, their boundaries and levels. A `model` without photon noise
-    has no other effects either. Without a generator there is no noise."""
+    first bucket; for pixels that look, their boundaries and levels. `model` may differ from the
+    run's own; without photon noise it has no other effects either. Without a generator there is no
+    noise."""
     with torch.autocast(setup.device.type, enabled=False):
         # The run's own model defines the unit of a frame, under another sensor too.
         if setup.encoder.spec.kind == LOOKS:
@@ -71,7 +72,8 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 def changes_of(shutters: Tensor) -> Tensor:
     """Return the fraction of the boundaries between slots at which the shutter (N, rows, cols) of
-    each pixel changes, (rows, cols)."""
+    each pixel changes, (rows, cols); 0 for one slot. Soft shutters count by how much they change.
+    """
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 
@@ -80,7 +82,8 @@ def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
     counts as 1.
 
     As in metrics, predictions above the peak are clipped where the truth reaches the peak. For
-    classes, return the prediction and the classes of the batch."""
+    classes, return the prediction and the classes of the batch, both (batch, classes), unchanged.
+    """
     if batch.classes is not None:
         return prediction, batch.classes
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))

@@ -100,8 +100,8 @@ class Log:
         return cls(out, metrics, [head, *kept_rows])
 
     def add(self, step: int, split: str, **values: float | str | None) -> None:
-        """Add a line for a step and a split ("train" or "val"), with `values` by column. Missing
-        values stay empty.
+        """Add a line for a step and a split ("train" or "val"), with `values` by column (names of
+        columns; others are not in the table). Missing values and None stay empty.
 
         With tensorboard installed, an event is written too."""
         cells = (values.get(name) for name in self._columns)
@@ -316,8 +316,8 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """Return the data that `run.dataset` draws for the steps `first` up to `last`, in order. Worker
-    processes compute it ahead, if the settings name some."""
+    """Return the data that `run.dataset` draws for the steps from `first` up to, but without,
+    `last`, in order. Worker processes compute it ahead, if the settings name some."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset,
@@ -332,8 +332,8 @@ def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
 def _steps(
     run: TrainingRun, track: Track, report: Callable[[str], None], stop_after: int | None
 ) -> None:
-    """Train from the current step to the last, or to `stop_after`. At intervals and at the end,
-    validate, and write log and checkpoint.
+    """Train from the current step to the last, or until `stop_after` steps are done (None: no
+    limit). At intervals and at the end, validate, and write log and checkpoint.
 
     `track` receives the steps, and `report` a text for each validation."""
     total, validate_every = run.setup.settings.train.steps, run.setup.settings.train.validate_every
@@ -358,7 +358,7 @@ def _steps(
 
 def _so_far(run: TrainingRun) -> dict[Path, bytes]:
     """Return the contents of log and checkpoint, from which a run can resume, by the paths of their
-    files."""
+    files in the folder of the run."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
@@ -415,8 +415,8 @@ def _begin_again(run: TrainingRun, tensors: dict[str, Tensor]) -> None:
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
-    """Update the parameters by the gradient of a loss, whose norm is limited, and return the loss
-    without the weight of this process.
+    """Update the parameters by the gradient of a loss, whose norm for the decoder is limited to the
+    setting `clip` (0: no limit), and return the loss without the weight of this process.
 
     `names` are the scenes of the batch and `step` its number, for the error (NS0817) if the loss or
     a gradient is not finite."""

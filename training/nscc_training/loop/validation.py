@@ -83,8 +83,9 @@ def validated(
 ) -> Validation:
     """Score the decoder on the scenes `shown`.
 
-    `decode` captures and decodes a scene; None does it `as_trained`. The light is multiplied by
-    `exposure`, and the result divided by it."""
+    `shown` has at least one scene. `decode` captures and decodes a scene; None does it under the
+    conditions of the training (`as_trained`). The light is multiplied by `exposure`, and the result
+    divided by it."""
     decode = decode or as_trained(setup)
     losses: list[float] = []
     scores: dict[str, list[float]] = {name: [] for name in setup.protocol.metrics}
@@ -96,6 +97,7 @@ def validated(
         losses.append(_loss(setup, scene, result_e))
     means = {name: float(np.mean(values)) for name, values in scores.items()}
     name, *_ = scores
+    # The first metric may be infinite for single scenes, which its mean leaves out.
     finite_mean = summary(scores[name], ["scene"] * len(shown))["mean"]
     means[name] = float("inf") if finite_mean is None else finite_mean
     return Validation(
@@ -141,7 +143,8 @@ def by_chip(
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
     """Return the loss of a decoder's result for a scene: light in electrons, or the scores of
-    classes. Light above the peak is clipped."""
+    classes. The light is relative to the scene's peak; results above it are clipped where the truth
+    reaches it, as in training."""
     if setup.classes:
         scores, truth = (torch.from_numpy(values)[None] for values in (result_e, scene.truth_e))
         return float(setup.loss(scores, truth))

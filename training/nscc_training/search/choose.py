@@ -43,8 +43,8 @@ _YARDSTICK = "quad, 1/4 of the frame"
 
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
-    """A design for clips: the `name` of its code, and for each code that was tried, by how many dB
-    its frames are `expected` to reduce the variance of light."""
+    """A design for clips: the `name` of its code, and `expected`: by how many dB the frames of each
+    code that was tried reduce the variance of light, by the code's name."""
 
     name: str
     expected: dict[str, float]
@@ -131,7 +131,8 @@ def _motion(kind: MotionKind, scene: NDArray[np.floating] | None, chip: DesignCh
     "fast", or "scene" for those of `scene`.
 
     `scene` (N, rows, cols) in electrons gives brightness, contrast and fineness of the texture;
-    None takes typical values. Raises Rejected (NS0824) for a scene without light."""
+    None takes typical values (kind "slow" or "fast" only). Raises Rejected (NS0824) for a scene
+    without light."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
         raise rejected(
@@ -149,8 +150,8 @@ def _motion(kind: MotionKind, scene: NDArray[np.floating] | None, chip: DesignCh
 
 
 def encoders_by_name(slots: int) -> dict[str, Encoder]:
-    """Return the candidate codes for frames of `slots` slots as encoders, by name: bumps, and for
-    16 slots the searched bits."""
+    """Return the candidate codes for frames of `slots` slots as encoders, by name: bumps ("START,
+    1/K of the frame") in a 4 x 4 tile, and for 16 slots the searched bits ("searched")."""
     encoders = {}
     for divisor in _PARTS_OPEN:
         length = -(-slots // divisor)
@@ -171,8 +172,9 @@ def _lines(
 ) -> tuple[tuple[str, str], ...]:
     """Return what was chosen and why, as pairs of a label and a text.
 
-    `expected` is the expected gain of each code in dB, and `passed` are the codes that were not
-    chosen, with the reason. `motions` are the models of the scenes."""
+    `name` is the chosen code. `expected` is the expected gain of each code in dB by name, and
+    `passed` are texts: codes with a higher gain that were not chosen, with the reason. `motions`
+    are the models of the scenes."""
     speeds = [speed for motion in motions for speed in motion.speeds]
     lines = [
         ("code", name),

@@ -93,7 +93,8 @@ class ClipDesign(Design):
 
 def clip_codes(slots: int) -> list[ClipCode]:
     """Return all codes that are compared for frames of `slots` slots: always open, bumps, mixtures
-    and free bits, in one readout and, where useful, in two."""
+    and free bits, in one readout and, where useful, in two. The first is `_USUAL`; the names
+    differ."""
     tiles = {
         name: encoder.hard().numpy() > 0.5 for name, encoder in encoders_by_name(slots).items()
     }
@@ -148,7 +149,7 @@ def _judged(
     codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
 ) -> list[ClipCode]:
     """Return the codes that fit the chip, with their mean PSNR over the scenes, the best first.
-    `progress` receives their numbers.
+    `progress` receives their numbers. Codes that do not fit are left out.
 
     Raises Rejected if not even the code that is always open fits."""
     sensor = frame.chip().sensor
@@ -170,7 +171,8 @@ def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -
     reconstruction by the decoder for any code.
 
     `light_e` (N, rows, cols) is its light in electrons per slot. `number` is that of the scene; it
-    is the seed of the noise."""
+    is the seed of the noise. White is the scene's peak (`peak_of`). Raises Rejected (NS0824) for a
+    middle without light."""
     light = light_on_array(light_e, container.slots, container.target)
     # All codes have the same noise, so that their differences are those of the codes.
     frame = exposed_frame(container, light, sensor, Request.of(effects="all", seed=number))

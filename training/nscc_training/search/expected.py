@@ -98,7 +98,8 @@ def _alike(slots: int, speed: float, length: float) -> Values:
 
 def _windows(opened: Values) -> Sequence[Values]:
     """Return at most `_MOST_WINDOWS` windows of the shutters, each (N, pixels), evenly spaced over
-    the repeating tile `opened` (N, rows, cols)."""
+    the repeating tile `opened` (N, rows, cols). Pixels are row by row, and windows continue beyond
+    the edge of the tile with its repetition."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
     stride = -(-len(origins) // _MOST_WINDOWS)
@@ -129,8 +130,9 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
     """Return five representative speeds of the blocks of a clip (T, rows, cols), in pixels over the
     whole clip.
 
-    They are quantiles, weighted by contrast, of speeds that phase correlation measures. All are 0
-    for a clip of one frame or without contrast."""
+    They are quantiles, weighted by contrast, of speeds that phase correlation measures. They
+    increase. All are 0 for a clip of one frame or without contrast; pixels beyond whole blocks are
+    left out."""
     import cv2
 
     _, rows, cols = clip.shape
@@ -155,7 +157,8 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
     """Return the correlation length of a picture (rows, cols) in pixels, 0.5 to 50, and its
-    contrast, the standard deviation divided by the mean, at least 0.1."""
+    contrast, the standard deviation divided by the mean, at least 0.1. A picture of equal pixels,
+    or of one, has the length 1."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
     steps = [np.diff(picture, axis=axis) for axis in (0, 1) if picture.shape[axis] > 1]
@@ -167,7 +170,8 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
 
 
 def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
-    """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames.
+    """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames;
+    0 for a single frame.
 
     For slow motion, frames further apart are compared, because phase correlation measures whole
     pixels best. `window` weights the pixels of the block. `cv2` is the imported package, which is

@@ -29,7 +29,7 @@ def moved(
     """Return codes after one to four random moves, in the form of `Encoder.codes`; `codes` stay
     unchanged.
 
-    The fraction `single_share` of the results changes the shutter of one pixel only. Codes of a
+    With the probability `single_share`, the shutter of a single pixel changes instead. Codes of a
     codebook include `book`. A move changes one pixel, a rectangle, all pixels at a period in each
     direction, or every other block. Their shutters shift in time, lengthen, shorten, or take or
     exchange the codes of pixels at a random offset. Before that, the tile may become copies of one
@@ -74,7 +74,8 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
 
 def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
     """Return codes in which the pixels `places` take the codes of pixels at a random offset. With
-    `exchange`, these pixels take the former codes in return."""
+    `exchange`, those pixels, unless they are in `places` too, take the former codes in return. The
+    tile wraps around; the rows of a codebook (`book`) stay."""
     # Up to two pixels down or up, and right or left.
     step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
@@ -92,7 +93,7 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
     """Return the codes of a tile of copies of one of its blocks, each later than those above and to
-    the left, by random steps.
+    the left, by random steps. `codes` stay unchanged.
 
     Such regular codes are too far from others for small moves to reach them."""
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
@@ -107,8 +108,8 @@ def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
 
 def _by(slots: int, generator: Generator) -> int:
-    """Return a random number of slots to move by, positive or negative: at most half a frame,
-    uniform in the logarithm."""
+    """Return a random number of slots to move by, positive or negative: at least one, at most half
+    a frame, uniform in the logarithm."""
     most = max(1, slots // 2)
     return int(generator.choice((-1, 1)) * np.rint(most ** generator.random()))
 
@@ -134,7 +135,8 @@ def _starts(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator
 
 def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     """Return codes of class d in which the start, the stop or both of the pixels `places` are
-    shifted by one random number of slots."""
+    shifted by one random number of slots, as far as the bump stays within the frame and open for a
+    slot."""
     start, stop = codes["start"], codes["stop"]
     by = places * _by(spec.slots, generator)
     kind = generator.integers(3)
@@ -232,7 +234,8 @@ def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
-    """Return values within limits, as integers."""
+    """Return `values` limited to `low` and `high`, as int64. Fractions are cut off, so the caller
+    rounds."""
     return np.asarray(np.clip(values, low, high), np.int64)
 
 

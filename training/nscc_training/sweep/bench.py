@@ -49,7 +49,7 @@ _ITERATIONS = 20
 
 def bench_figures(values: Values) -> Figures:
     """Return the figures of a class of shutters on scenes: mean PSNR, words (instructions of the
-    chip), and the shortest slot. `values` are those of the point.
+    chip), and the shortest slot. `values` are those of a point of kind emulate with a `bench`.
 
     `at_us` is the slot length; None takes the shortest possible slots. Words depend on the slot
     length only because stored values are refreshed, which shorter slots need less often. So
@@ -111,14 +111,15 @@ class BenchScenes:
 
     def designed(self, exposures: int) -> LookSchedule:
         """Return the looks with this number of `exposures` that have the smallest expected linear
-        error on the scenes."""
+        error on the scenes, which are stills with light."""
         lights = histogram([scene.light_e for scene in self.scenes])
         model = LookModel(DesignChip.of(self.target, self.sensor), lights, [1.0] * SLOTS)
         return model.best(exposures - 1, "linear")
 
     def figures(self, compiled: Compiled, shutters: Encoder | LookSchedule) -> Figures:
         """Return the words and the shortest slot of the program `compiled`, and the mean PSNR over
-        scenes with a decoder that needs no training.
+        scenes, in dB, with a decoder that needs no training. Infinite scores are left out of the
+        mean unless all are.
 
         `shutters` are the codes, or the looks, that the program was compiled from."""
         container = compiled.container
@@ -196,7 +197,8 @@ def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
 
 def _decoded(frames: CapturedScene) -> NDArray[Any]:
     """Return the light of frames in electrons: neighbours are merged for stills, clips are decoded
-    by GAP-TV. A clip has as many frames as its truth."""
+    by GAP-TV. A decoded clip with fewer slots than the truth has frames repeats each slot, whose
+    light is shared among its frames, so that it has as many."""
     if frames.is_still:
         return STILLS["merged"].decode(frames)
     decoded = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
@@ -205,8 +207,8 @@ def _decoded(frames: CapturedScene) -> NDArray[Any]:
 
 
 def _light(scene: ProtocolScene, slots: int, target: Target) -> Light:
-    """Return a scene's light on the array. The frames of a clip are joined to `slots` slots, which
-    together last as long."""
+    """Return a scene's light on the array. The frames of a clip, a multiple of `slots`, are joined
+    to `slots` slots, which together last as long."""
     light_e = scene.light_e
     if light_e.ndim == 3:
         light_e = light_e.reshape(slots, -1, *light_e.shape[1:]).sum(axis=1)

@@ -86,7 +86,7 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor[PointTask]]:
 
 def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
     """Yield the results of tasks, in the order in which the workers of `client` finish them. A task
-    whose worker ended is tried once more."""
+    whose worker ended is tried once more; after that its result is a failed row."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()

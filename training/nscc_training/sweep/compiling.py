@@ -99,8 +99,9 @@ def _limit_keys() -> tuple[Key, ...]:
 
 
 def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind limits, or None: a missing `family`
-    or chip, or an unusable chip. The keys that the grid states do not matter."""
+    """Return what is wrong with the values of a point of kind limits, or None: a missing `family`,
+    a missing chip, or changed values of a chip that is not named. The keys that the grid states do
+    not matter."""
     if "family" not in values:
         return PointFault(
             "", "the key family is missing: a class at every size", 'add family = "d"'
@@ -116,12 +117,14 @@ def _limit(values: Values, _task: PointTask) -> Figures:
     """Return the figures of a point of kind limits: the largest size of a family of programs that
     fits the chip, and the smallest size that is proved not to fit.
 
-    Either is None if it is not known."""
+    Either is None if it is not known; sizes are in the unit of the family, which the figures name.
+    """
     family = next(family for family in families() if family.name == values["family"])
     target = target_of(values)
     assert target is not None
     options = Options(level=values["level"], target=target, codes="open", cache=False)
     search = limit_of(family, target, options, values["slot"])
+    # The search yields its progress and returns the limit when it ends.
     while True:
         try:
             next(search)

@@ -40,8 +40,9 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind design, or None. The keys that the
-    grid states do not matter."""
+    """Return what is wrong with the values of a point of kind design, or None: no scene, both or
+    none of looks and the criterion sve-risk, or more looks than boundaries. The keys that the grid
+    states do not matter."""
     if "scene" not in values:
         return PointFault("", "a point needs a scene to design for", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):

@@ -80,8 +80,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return what is wrong with the values of a point of kind emulate, or None. `named` are the
-    keys that the grid states."""
+    """Return the first thing that is wrong with the values of a point of kind emulate, or None.
+    `named` are the keys that the grid states."""
     if ("scene" in values) == ("bench" in values):
         return PointFault(
             "bench" if "bench" in values else "",
@@ -115,7 +115,8 @@ def _reads(values: Values) -> Sequence[Path]:
 
 def _capture(values: Values, threads: int) -> Figures:
     """Expose a scene with the program of a point. Return the mean, the shares of saturated and
-    invalid pixels, and the predicted and measured errors of the plan.
+    invalid pixels, and the predicted and measured errors of the plan, if it has one. The mean is
+    None without valid pixels.
 
     `threads` are those of the simulation."""
     from nscc.containers import with_pixels

@@ -87,7 +87,8 @@ def _evaluate(values: Values, task: PointTask) -> Figures:
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
     """Return the mean of each score over the `items` that have it, by name; None if no value is
-    finite. A crop without dark pixels, for example, has no score for them."""
+    finite. Values are numbers, or "inf"; "inf" is left out of the mean. Places such as `file` and
+    `crop` are no scores. A crop without dark pixels, for example, has no score for them."""
     from nscc_training.statistics import summary
 
     means = {}

@@ -82,8 +82,9 @@ _PLOT_KEYS = keys_of(Plot, _PLOT)
 class Grid:
     """A grid that has been read.
 
-    `name` and `folder` are those of its file, and `text` is its content. `columns` are the keys
-    that occur in it, `axes` those with several values in a part. `plot` describes its diagram."""
+    `name` and `folder` are those of its file, and `text` is its content. `points` are in the order
+    of the file, each with the points that it needs as `after`. `columns` are the keys that occur in
+    it, `axes` those with several values in a part. `plot` describes its diagram."""
 
     name: str
     folder: Path
@@ -138,7 +139,7 @@ def read_grid(path: Path) -> Grid:
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     """Return the grid with only the points of the parts named in `grid_parts`, and the runs that
-    they need; all points if none is named.
+    they need; all points if none is named. A run stands before the points that need it.
 
     Raises Rejected (NS0832) for an unknown part."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
@@ -206,7 +207,7 @@ def _kinds(
     common: Any, grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
     """Return the kind of each part's points: its own, or `common`, the one that stands above all
-    parts.
+    parts (None if there is none).
 
     Raises Rejected (NS0832) with all parts that lack a kind or have an invalid name."""
     problems: list[Diagnostic] = []
@@ -332,7 +333,7 @@ def _of_part(
     grid_part: str, kind: str, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> Iterator[GridPoint]:
     """Yield the points of a part: every combination of its keys' values. The first key varies
-    slowest.
+    slowest. A part without keys has one point.
 
     `axes` are the values of the keys. `called` is the template for the points' names; "" names them
     after the part and the values of keys with several values. A value `run:NAME` is a template,
@@ -350,7 +351,8 @@ def _of_part(
 
 def _called(called: str, values: Values) -> str:
     """Return the name of a point: the template `called`, in which its values replace `{KEY}`. A "/"
-    in a value makes folders. A KEY without a value stays as text."""
+    in a value makes folders; the value's other characters are simplified as by `_spelled`. A KEY
+    without a value stays as text."""
 
     def spelled(value: Any) -> str:
         """Return a value as a part of a file name. The folders of a path stay, except `.` and
@@ -393,8 +395,9 @@ def _about(
 
 
 def _spelled(value: Any) -> str:
-    """Return a value as text for file names: at most 40 letters, digits and signs. Of programs and
-    TOML files the name without ending is used."""
+    """Return a value as text for file names: at most 40 letters, digits and the signs `+-._`;
+    others become `-`. Several numbers are joined by `x`. Of programs and TOML files the name
+    without ending is used."""
     items: Sequence[Any] = value if isinstance(value, tuple) else (value,)
     text = "x".join(f"{item:g}" if isinstance(item, float) else str(item) for item in items)
     text = text.lower() if isinstance(value, bool) else text

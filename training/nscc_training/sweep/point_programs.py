@@ -53,8 +53,8 @@ def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Ke
 def declared_axes(settings: type, *names: str, **defaults: object) -> tuple[Key, ...]:
     """Return keys of a grid for options that fields of the dataclass `settings` declare.
 
-    `names` are the fields. `defaults` are further fields, with another default than they declare.
-    """
+    `names` are the fields whose declared default is kept. `defaults` are further fields, with
+    another default than they declare."""
     keys = [declared(settings)[name] for name in (*names, *defaults)]
     return tuple(
         axis(
@@ -156,8 +156,8 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return the file of a program and the files that it names in quotes. Raise Rejected if the
-    program cannot be read."""
+    """Return the file of a program, and the files that it names in quotes, relative to its folder.
+    Whether these exist is not checked. Raise Rejected if the program cannot be read."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 
@@ -174,7 +174,9 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove the program of the settings `values`, without the cache of searches."""
+    """Compile and prove the program of a point with these `values`, without the cache of searches.
+    Raise Rejected if it does not compile, does not fit, or a slot needs more than `max_words`
+    words."""
     options = Options(
         level=values["level"],
         codes=values["codes"],
@@ -218,8 +220,8 @@ def encoder_of(values: Values) -> Encoder:
 
 
 def whole_ticks(slot_us: float) -> float:
-    """Return a slot length in microseconds, rounded up to a multiple of 10 ns, so that texts of
-    programs are readable."""
+    """Return a slot length in microseconds, rounded up to a multiple of 10 ns (at least 10 ns), so
+    that texts of programs are readable."""
     # The 1e-6 keeps multiples of 10 ns, whose quotient may lie just above a whole number.
     return round(max(1, ceil(slot_us / 0.01 - 1e-6)) * 0.01, 6)
 

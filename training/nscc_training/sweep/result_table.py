@@ -67,7 +67,7 @@ def plain(value: Any) -> Any:
 
 
 def csv_text(table: Table) -> str:
-    """Return the table as CSV."""
+    """Return the table as CSV: a line of column names, then one line for each point."""
     return csv_of(table.columns, ([cell(value) for value in row] for row in table.rows()))
 
 
@@ -92,8 +92,8 @@ def parquet_bytes(table: Table) -> bytes:
 
 
 def _of_one_type(values: Sequence[Any]) -> list[Any]:
-    """Return a column whose values have one type, except None: all floats if any is a float, all
-    text if types differ."""
+    """Return a column whose values have one type, except None: all floats if numbers include a
+    float, all text if other types differ. None stays."""
     types = {type(value) for value in values if value is not None}
     if types <= {int, float}:
         return [float(v) if v is not None and float in types else v for v in values]

@@ -51,7 +51,7 @@ class Swept:
 
 def known(grid: Grid, out: Path, how: SweepSettings) -> tuple[int, int]:
     """Return the number of points of a grid, and how many have stored results in the folder `out`.
-    Nothing is computed."""
+    Nothing is computed or created. Points with equal keys count each."""
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
@@ -142,7 +142,8 @@ def summary_lines(swept: Swept) -> list[str]:
 
 
 def failures(swept: Swept) -> Rejected:
-    """Return the error (NS0833) that points of a sweep failed, with the first reasons."""
+    """Return the error (NS0833) that points of a sweep failed, with the first different reasons,
+    for the caller to raise."""
     columns = swept.table.columns
     errors = [
         e for e, code in zip(columns["error"], columns["code"], strict=True) if code == FAILED
@@ -290,8 +291,9 @@ def _executor(how: SweepSettings, count: int) -> AbstractContextManager[Executor
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Make links to the outputs of the grid's points, named after the points, and remove links that
-    are no longer valid.
+    """Make links to the outputs of the grid's points, named after the points, in the folder of
+    their kind below `out`, and remove links to other outputs. Of points with one name, later ones
+    have a part of their key added.
 
     Other processes may do the same at the same time."""
     links: dict[Path, str] = {}
@@ -320,8 +322,9 @@ def store_in(folder: Path, report: Callable[[str], object] = lambda _text: None)
 
 
 def times_csv(store: ExperimentStore) -> str:
-    """Return the seconds, the end and the worker of each computed point in `store` as CSV. The end
-    is in seconds after the first point began."""
+    """Return the seconds, the end and the worker of each computed point in `store` as CSV. The
+    columns are key (12 digits), name, seconds, ended_s and worker. The end is in seconds after the
+    first point began."""
     timings = store.timings()
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     rows = (

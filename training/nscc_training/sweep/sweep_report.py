@@ -114,7 +114,8 @@ def _lines(
 
     `x` and `figure` are the columns of both axes. `lines` are columns that tell lines apart, and
     `chosen` are values of columns that rows must have. If x is a key, equal x have the mean of y,
-    and points are sorted; if it is a figure, points stay as in the table."""
+    and points are sorted if all x are numbers; if it is a figure, points stay as in the table. Rows
+    without x or a finite y are left out."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
@@ -139,8 +140,8 @@ def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
-    """Return a table of the points that have a message instead of figures, grouped by reason; empty
-    if all have figures."""
+    """Return a table of the points that have a message instead of figures, grouped by code and
+    reason; empty if all have figures. Points and rows are in the same order."""
     together: dict[tuple[str, str], list[str]] = {}
     columns = table.columns
     for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
@@ -164,7 +165,7 @@ def _take(names: list[str], fits: Any = lambda _name: True) -> str:
 
 
 def _number(value: Any) -> bool:
-    """Return whether a value is a finite number."""
+    """Return whether a value is a finite number; a bool is none."""
     number = isinstance(value, int | float) and not isinstance(value, bool)
     return number and isfinite(value)
 

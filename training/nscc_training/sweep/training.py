@@ -79,7 +79,7 @@ def _reads(values: Values) -> Sequence[Path]:
 
 def _begun_with(path: Path) -> Sequence[Path]:
     """Return the files that a training starts from: a run folder, a code file, or a program with
-    the files that it names."""
+    the files that it names. Whether `path` exists is not checked."""
     is_program = path.suffix.lower() == ".nsl" and path.is_file()
     return text_files(path) if is_program else [path]
 

@@ -35,7 +35,7 @@ def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 def work(task: PointTask) -> Done:
     """Compute a task and return its result. Errors become part of its row, except for a missing
-    package, which is raised.
+    package, which is raised as ModuleNotFoundError.
 
     If this process computes another key for the point, its code or data differ: nothing is
     computed, and the result has `other_key`."""
@@ -57,8 +57,9 @@ def failure(task: PointTask, why: str) -> PointRow:
 def _row(task: PointTask) -> tuple[PointRow, bool]:
     """Compute a point and return its row, and whether it failed unexpectedly.
 
-    An error of nscc becomes a row with its code; any other exception becomes a row, too, so that
-    the sweep goes on. Only a missing package is raised (ModuleNotFoundError)."""
+    An error of nscc becomes a row with its code (of several errors the first that is proved, else
+    the first), and did not fail; any other exception becomes a row, too, so that the sweep goes on.
+    Only a missing package is raised (ModuleNotFoundError)."""
     kind = KINDS[task.point.kind]
     values = {
         name: str(task.runs[value]) if isinstance(value, str) and value in task.runs else value

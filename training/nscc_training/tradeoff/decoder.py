@@ -135,8 +135,8 @@ def _points(
 
 
 def score_figures(captures: Sequence[CapturedScene], lights: Sequence[Light]) -> Figures:
-    """Return the mean PSNR and SSIM of `lights`, the reconstructions of `captures`, by name.
-    Infinite PSNR is left out unless all scenes have it."""
+    """Return the mean `psnr_db` and `ssim` of `lights`, the reconstructions of `captures` in this
+    order, in electrons. Infinite PSNR is left out unless all scenes have it."""
     pairs = zip(captures, lights, strict=True)
     scene_scores = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in scene_scores)
@@ -156,7 +156,7 @@ def networks(folder: RunFolder, name: str) -> list[Decoder]:
     """Return the decoder of a run in both number formats; FC-net also with fewer overlapping
     blocks.
 
-    `name` is added to the method's name to tell runs apart."""
+    `name` is added to the method's name to tell runs apart; "" adds nothing."""
     setup = folder.setup
     method = f"{setup.settings.decoder.name} {setup.settings.decoder.sized}{name}"
     device = torch.cuda.get_device_name(setup.device) if setup.device.type == "cuda" else ""

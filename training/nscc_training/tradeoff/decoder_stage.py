@@ -133,7 +133,7 @@ def _merged(bench: Bench, capture: Simulated) -> Values:
 
 
 def _stages(count: int) -> str:
-    """Return a number of stages as text."""
+    """Return a number of stages as text: "1 stage", "2 stages"."""
     return f"{count} stage{'s' * (count > 1)}"
 
 
@@ -144,7 +144,7 @@ def _of_run(
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[StudyPoint]:
     """Yield the points of the decoder of the program's run in both number formats; none if the
-    program belongs to no run.
+    request names no run.
 
     The rows and columns `region` of the frame are decoded; `truth` is their light."""
     if bench.request.run is None:
@@ -174,8 +174,9 @@ def _of_run(
 
 
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
-    """Return the rows and columns in the middle of an array of this shape that are decoded: at most
-    `CLIP_VALUES` values in `slots` slots."""
+    """Return the rows and columns in the middle of an array of this shape that are decoded: a
+    square whose side is a multiple of 16, with at most `CLIP_VALUES` values in `slots` slots, but
+    at least 16 pixels wide. A smaller side of the array is kept whole."""
     side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
     region = []
     for length in shape:

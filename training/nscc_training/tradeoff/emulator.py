@@ -106,7 +106,7 @@ class Naive:
         return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
 
     def _opened(self, n: int) -> NDArray[np.bool_]:
-        """Return which pixels are open in slot `n`, (buckets, rows, cols)."""
+        """Return which pixels are open in slot `n` (0 is the first), bool (buckets, rows, cols)."""
         return np.moveaxis(self.program.opened[n][self.program.lane], -1, 0)
 
 
@@ -290,7 +290,7 @@ class EmulatorBench:
     @cache  # noqa: B019  # a bench lives as long as the command
     def plan_error(self, name: str) -> tuple[float, float]:
         """Return the RMS error of the plan for the tolerance `name`, in electrons and in codes,
-        measured against the reference with the same random numbers."""
+        measured against the reference with the same random numbers. Results are cached."""
         rms_e = audit(self._on(self.scene.light), self.plans[name]).measured_rms_e
         return rms_e, rms_e / self.program.sensor.electrons_per_lsb
 
@@ -357,14 +357,14 @@ def _error_figures(errors: Callable[[], tuple[float, float]], _frame: Frame) -> 
 
 
 def unknown(light: Light) -> Light:
-    """Return the same light without the results that it caches."""
+    """Return the same light, also of its motion, without the results that it caches."""
     motion = light.motion
     return replace(light, motion=None if motion is None else unknown(motion))
 
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
-    """Return the RMS difference of frames from `truth`, in electrons and in codes, each of the
-    worst bucket.
+    """Return the RMS difference of frames from those of `truth`, as many, in electrons and in
+    codes, each of the worst bucket.
 
     Only pixels that are valid in both frames count. Both are infinite if a bucket has no valid
     pixel."""

@@ -228,8 +228,8 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
 
 
 def _saves(decision: Decision) -> str:
-    """Return the time that leaving an effect out saves, as text; "" for an effect that is
-    absent."""
+    """Return the time that leaving an effect out saves, as text in ms; "free" if it saves none, ""
+    for an effect that is absent."""
     if decision.decision == "absent":
         return ""
     return f"{float(f'{decision.cost_ms_model:.2g}'):g} ms" if decision.cost_ms_model else "free"

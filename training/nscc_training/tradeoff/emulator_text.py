@@ -26,7 +26,8 @@ _BUDGET_HEAD = ("effect", "", "RMS e", "bias e", "left out e", "saves ms", "why"
 
 
 def keeps_promise(measured_plan: MeasuredPlan) -> bool:
-    """Return whether the measured error is at most `SLACK` times the tolerance."""
+    """Return whether the measured error is at most `SLACK` times the tolerance, both in electrons.
+    NaN keeps no promise."""
     return measured_plan.measured_e <= SLACK * measured_plan.tolerance_e
 
 

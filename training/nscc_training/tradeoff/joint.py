@@ -137,8 +137,8 @@ def joint_text(joint: Joint, measured: StudyResult) -> str:
 
 
 def si_seconds(time_ms: float) -> str:
-    """Return a time in milliseconds as text with three digits in a suitable unit: 2.5 us, 31 ms,
-    1.2 s."""
+    """Return a time in milliseconds (0 or more) as text with three digits in a suitable unit: 2.5
+    us, 31 ms, 1.2 s. Times below 1 us are in ns."""
     time_ms = float(f"{time_ms:.3g}")
     steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
     unit, factor = next(

@@ -74,7 +74,8 @@ class Bench:
 
     def with_codes(self, compiled: Compiled, codes: Any = None) -> Container:
         """Return the container of a compiled program with codes for its pixels: `codes` (arrays by
-        field), or None for those of the request."""
+        field), or None for those of the request. Raises Rejected for codes that the program does
+        not have."""
         assert compiled.container is not None
         pixels = self.request.pixels if codes is None else codes
         return with_pixels(compiled.container, self.request.program, pixels)
@@ -131,7 +132,8 @@ class Bench:
         )
 
     def noise_e(self) -> float:
-        """Return the standard deviation of the frame's noise in electrons."""
+        """Return the standard deviation of the frame's noise in electrons, as a plan of the program
+        and scene predicts it."""
         seed = self.request.device_seed
         return planning_of(self.container, self.sensor, self.light, seed).noise_e()
 
@@ -258,7 +260,8 @@ def rms_percent(
     """Return the root mean square difference of `seen_e` from `ideal_e`, both (buckets, rows,
     cols), in percent of the signal, for the worst bucket.
 
-    Only pixels in `counted` count; without any, the result is infinite."""
+    Only pixels in `counted`, bool of this shape, count; a bucket without any makes the result
+    infinite. `signal_e` is the mean signal, above 0."""
     mean_squares = [
         float(np.mean((bucket_e - ideal)[is_counted] ** 2)) if is_counted.any() else math.inf
         for bucket_e, ideal, is_counted in zip(seen_e, ideal_e, counted, strict=True)
@@ -267,8 +270,9 @@ def rms_percent(
 
 
 def scaled_text(target: str, factor: float) -> str:
-    """Return the text of a tolerance multiplied by `factor`, in its own unit: `3%` for `1%` and
-    3."""
+    """Return the text of a tolerance multiplied by `factor`, in its own unit: `3%` for `1%` and 3.
+    The units are e, lsb, % and noise. `target` has been parsed as a tolerance, so that it is valid.
+    """
     match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
     assert match is not None  # the text was parsed as a tolerance before
     return f"{float(match[1]) * factor:g}{match[2]}"

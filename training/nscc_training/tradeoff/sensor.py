@@ -50,7 +50,8 @@ def sensor_study(settings: SensorStudySettings) -> Study:
     """Return the study of what shutters and readouts reach on a chip: PSNR against the shortest
     slot, and against readout time.
 
-    Raises Rejected for an unknown target, and NS0811 for a folder without scenes."""
+    Readouts are studied only if the data contain clips. Raises Rejected for a target that cannot be
+    loaded, and NS0811 for a data folder without scenes."""
     points, target = sensor_points(settings), load_target(settings.target, Path()).name
     if any(point.case == "clips" for point in points):
         points += readout_points(settings)
@@ -76,17 +77,19 @@ def sensor_study(settings: SensorStudySettings) -> Study:
 
 
 def shutters_of(points: Sequence[Point]) -> list[Point]:
-    """Return the points of shutters, without those of readouts."""
+    """Return the points of shutters: all points except those whose case is "readouts"."""
     return [point for point in points if point.case != "readouts"]
 
 
 def sensor_points(settings: SensorStudySettings) -> list[StudyPoint]:
     """Return a point for each combination of class, number of slots, kind of codes and lowering,
-    and for each number of looks.
+    and for each number of looks. Points of kinds of scenes that the data lack are left out.
 
-    Clips have as many frames as the largest number of slots. Stills are exposed by class b on a
-    tile of 2 x 2 stops, and by pixels that look. Raises Rejected (NS0811) for a folder without
-    scenes."""
+    The method of a point is "CLASS, CODES codes, LOWERING" (`sensor_diagram` splits it at ", "), or
+    "looks-N" and "designed-N" for pixels that look N times, with the usual or with designed times
+    and levels. Clips have as many frames as the largest number of slots. Stills are exposed by
+    class b on a tile of 2 x 2 stops, and by pixels that look. Raises Rejected (NS0811) for a folder
+    without scenes."""
     kinds = KINDS if settings.data is None else kinds_in(settings.data)
     shapes = [("clips", *shape) for shape in product(settings.classes, settings.slots)]
     shapes += [("stills", "b", slots) for slots in settings.stop_slots]
@@ -113,7 +116,9 @@ def sensor_points(settings: SensorStudySettings) -> list[StudyPoint]:
 
 
 def bench_values(settings: SensorStudySettings, kind: str) -> Values:
-    """Return the values of a sweep's point of kind `emulate` for scenes of one kind."""
+    """Return the values, by option, of a sweep's point of kind `emulate` for scenes of one `kind`,
+    "clips" or "stills". Options that `settings` do not have keep their defaults; stills add a tile
+    of 2 x 2 stops."""
     tile = {"tile": (2, 2), "init": "quad"} if kind == "stills" else {}
     return {
         **EMULATE.defaults(),
@@ -131,8 +136,11 @@ def bench_values(settings: SensorStudySettings, kind: str) -> Values:
 
 
 def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -> StudyPoint:
-    """Return a point whose PSNR and shortest slot `measure` returns, for scenes of one `kind`, a
-    method and a number of slots."""
+    """Return a point of the study for scenes of one `kind`, "clips" or "stills", a `method` (its
+    format: `sensor_points`), and a number of slots.
+
+    `measure` is called when the point runs; it returns `psnr_db`, `shortest_slot_us` and `words`,
+    as `bench_figures` does."""
     setting = f"{slots} slots"
 
     def figures() -> Figures:
@@ -149,7 +157,8 @@ def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -
 
 
 def readout_points(settings: SensorStudySettings) -> list[StudyPoint]:
-    """Return points of clips in several readouts of one exposure, and in bursts of frames.
+    """Return two points for each count in `settings.readouts`: clips in so many readouts of one
+    exposure ("coded"), and in a "burst" of so many frames.
 
     Coded readouts are decoded by the decoder for any code; every frame of a burst is shown for as
     long as it was open."""
@@ -162,8 +171,11 @@ def readout_points(settings: SensorStudySettings) -> list[StudyPoint]:
 
 
 def _readouts(method: str, count: int, values: Values) -> Figures:
-    """Return the mean PSNR in dB and the readout time in ms of clips in `count` readouts: those of
-    a "burst", or "coded" ones. `values` describe the scenes."""
+    """Return the mean PSNR in dB over clips that were captured in `count` readouts, the readout
+    time in ms, and a text of both as `setting`. `method` is "burst", ordinary frames one after
+    another, or "coded", the shipped program with so many readouts (1 to 4). `values` are those of
+    `bench_values` and describe the scenes. Raises Rejected if the program does not fit the target.
+    """
     scenes = scenes_of(values)
     if method == "burst":
         container = camera(SLOTS, SLOT_US, values["target"], count)
@@ -184,7 +196,7 @@ def _readouts(method: str, count: int, values: Values) -> Figures:
 def _clip(
     method: str, container: Container, light_e: NDArray[Any], scenes: BenchScenes, index: int
 ) -> NDArray[np.float64]:
-    """Return the reconstruction of a clip, in electrons in each of its frames.
+    """Return the reconstruction (N, rows, cols) of a clip, in electrons in each of its N frames.
 
     The clip is scene number `index`, with the light `light_e` (N, rows, cols). With the `method`
     "coded" the network decodes its readouts. In a burst, each frame is shown for as long as it was
@@ -194,20 +206,22 @@ def _clip(
     if method == "coded":
         return np.asarray(decoded_clip(coded.clip().tensors())[0].numpy(), np.float64)
     # Each frame of a burst is shown for as long as it was open.
+    # All pixels of a burst share one shutter, (frames, slots).
     slots = coded.opened[0].sum(axis=-1)
     shown = coded.value_e / slots[:, None, None]
     return np.repeat(np.asarray(shown, np.float64), slots, axis=0)
 
 
 def sensor_diagram(points: Sequence[Point], target: str, slot_us: float | None) -> Figure:
-    """Draw the PSNR of points against the shortest slot, with a panel for stills and one for each
-    kind of codes of clips.
+    """Draw the PSNR of points against the shortest slot. Stills have a panel for their class and
+    one for pixels that look; clips have a panel for each kind of codes and lowering.
 
     `slot_us` is the length of the slots, None if each program has its shortest; the note says so.
     """
 
     def names(point: Point) -> tuple[str, str]:
-        """Return the names of the panel and of the line that a point belongs to."""
+        """Return the names of the panel and of the line that a point belongs to, from its method:
+        "CLASS, CODES codes, LOWERING", or "NAME-COUNT" for pixels that look."""
         shutters, _, way = point.method.partition(", ")
         if not way:  # pixels that look have one lowering; their number is the number of exposures
             return ("stills, pixels that look", shutters.partition("-")[0])

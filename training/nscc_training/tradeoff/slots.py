@@ -18,8 +18,9 @@ from nscc_training.experiments.study import NotMeasured
 
 
 def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
-    """Return the program `source` with slots of the lengths `slot_us` in microseconds, whose number
-    may differ. Raise ValueError if its text has no frame statement."""
+    """Return the program `source` in which the first frame statement is replaced: its slots have
+    the lengths `slot_us` in microseconds, whose number may differ from before. Raise ValueError if
+    its text has no frame statement."""
     tree, _ = parse(source)
     spans = [s.span for s in tree.statements if isinstance(s, EqualSlots | ListedSlots)]
     if not spans:

@@ -68,8 +68,8 @@ def builtin_programs() -> tuple[StudiedProgram, ...]:
 
 
 def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
-    """Return the programs in these files, named after the files without their endings, or if these
-    are equal, after their paths."""
+    """Return the programs in these files, in order and each once, named after the files without
+    their endings, or if these are equal, after their paths."""
     paths = list(dict.fromkeys(files))
     short = len({path.stem for path in paths}) == len(paths)
     return tuple(
