@@ -22,13 +22,15 @@ from nscc.plugins import sources
 def content(path: Path) -> str:
     """Return the digest of a file's bytes, or of all files of a folder with their relative names.
 
-    Return "" if the path does not exist or cannot be read."""
+    Return "" if the path does not exist, cannot be read, or is not a possible path. A file of a
+    folder that cannot be read counts as "". The digest of an empty folder is that of no files."""
     try:
         if path.is_dir():
             files = sorted(entry for entry in path.rglob("*") if entry.is_file())
             return digest([(entry.relative_to(path).as_posix(), content(entry)) for entry in files])
         status = path.stat()
         return _content(path.resolve(), status.st_size, status.st_mtime_ns)
+    # ValueError: the path contains a null character.
     except (OSError, ValueError):
         return ""
 
@@ -75,7 +77,8 @@ def version_digest() -> str | None:
 def package_digest(name: str) -> str | None:
     """Return the digest of the sources of another installed package, and of Python and numpy.
 
-    `name` is its import name. Return None if it has no sources, or they cannot be read."""
+    `name` is its import name. Return None if it is not installed, has no sources, or they cannot be
+    read. Only the first folder of a package in several folders is read."""
     spec = find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         return None
@@ -118,8 +121,11 @@ def _token(value: Any, known: dict[int, bytes]) -> bytes:
     if value is None or isinstance(value, bool | float):
         return repr(value).encode()
     if isinstance(value, int):
+        # Hexadecimal, because Python limits the decimal digits of long integers, such as truth
+        # vectors.
         return f"i{value:x}".encode()
     if isinstance(value, str):
+        # File names that are not UTF-8 contain surrogates.
         return b"s" + value.encode(errors="surrogatepass")
     token = known.get(id(value))
     if token is None:

@@ -43,7 +43,8 @@ class Results:
     def find(
         self, problem: Problem, machine: Machine, level: int, *context: Any
     ) -> tuple[str, Solution | None]:
-        """Return the key of a problem's solution, and the solution; None if it is not stored.
+        """Return the key of a problem's solution, and the solution; None if it is not stored, is
+        damaged or does not solve the problem.
 
         `problem` lists what the gates must compute, `level` is that of `-O`, and `context` contains
         everything else that affects the best solution. The key is "" for levels below `LEAST_LEVEL`

@@ -89,11 +89,13 @@ class Store(Record):
         self._make_room()
 
     def entries(self) -> int:
-        """Return the number of entries in the folder."""
+        """Return the number of entries in the folder, damaged ones included; 0 if it does not exist
+        or cannot be read."""
         return sum(1 for _ in self._files(_ENTRY))
 
     def bytes_used(self) -> int:
-        """Return the total size of all entries in bytes."""
+        """Return the total size of all entries in bytes, damaged ones included; 0 if the folder
+        does not exist or cannot be read."""
         return sum(status.st_size for _, status in self._files(_ENTRY))
 
     def _make_room(self) -> None:

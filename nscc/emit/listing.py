@@ -23,7 +23,7 @@ _MOST_SLOTS = 256
 
 
 def program_text(program: Program) -> str:
-    """Return fields, frame, class and decode table of a program as text.
+    """Return fields, frame, class and decode table of a program as text, one line each.
 
     Shutters are rows of 0 and 1, slot 0 first, with the number of their codes; long tables and rows
     are shortened."""
@@ -70,10 +70,10 @@ def _field_text(field: Field) -> str:
 
 
 def _shutter_lines(program: Program) -> list[str]:
-    """Return a line for each shutter: its digits for each bucket, slot 0 first, and how many codes
-    have it.
+    """Return a line for each shutter: its digits for each bucket, slot 0 first and 1 for open, and
+    how many codes have it.
 
-    At most `_MOST_SHUTTERS` and `_MOST_SLOTS` are shown."""
+    At most `_MOST_SHUTTERS` and `_MOST_SLOTS` are shown, with the number of the others."""
     table = program.table
     users = [0] * len(table.shutters)
     for shutter in table.shutter_of_code.tolist():
@@ -113,6 +113,7 @@ def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
     plain: list[str] = []
     inner: list[Node] = []
     cut = 0
+    # The first field is the place, which stands before the others.
     for name in node.field_names[1:]:
         value = getattr(node, name)
         items = value if isinstance(value, tuple) else (value,)
@@ -146,7 +147,8 @@ def plan_text(plan: ExposurePlan) -> str:
 def gates_text(decoding: Decoding, program: Program) -> str:
     """Return the gates that compute FLAG (the bit that lets a pixel act) at every boundary as text.
 
-    They are on virtual registers; the text begins with the chip's register of each."""
+    They are on virtual registers (p: code, s: state, t: scratch); the text begins with the chip's
+    register of each."""
     solution = decoding.solution
     places = allocate(solution, program.target, program.spared_registers).places
     lines = [f"encoding: {solution.encoding}"]
@@ -163,8 +165,8 @@ def gates_text(decoding: Decoding, program: Program) -> str:
 
 
 def segment_lines(lines: list[str], title: str, segments: Sequence[Sequence[object]]) -> None:
-    """Append a title and, indented, a line for each segment to `lines`; nothing without
-    segments."""
+    """Append a title and, indented, a line for each segment to `lines`; nothing without segments.
+    The operations of a segment are separated by semicolons."""
     if segments:
         lines.append(title)
         lines += ["  " + "; ".join(map(str, segment)) for segment in segments]
@@ -189,7 +191,7 @@ def schedule_text(lowered: Lowered) -> str:
 
 def choice_text(choice: Choice) -> str:
     """Return all lowerings (ways to compute the exposure) with their costs, best first, the reasons
-    of those without, and the best one's kernels (lists of words)."""
+    of those without gates, and the best one's kernels (lists of words), as lines of text."""
     lines = []
     for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes

@@ -43,7 +43,8 @@ from nscc.operations import Op
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
-    """Return the gates of a program as a network; its shutters must depend on the code only."""
+    """Return the gates of a program as a network (see the module); its shutters must depend on the
+    code only, so that pixels do not look at their light."""
     solution = lowered.solution
     maker = NetworkMaker(lowered, solution.encoding)
     maker.planes(solution.planes, solution.holders)
@@ -83,9 +84,10 @@ class NetworkMaker:
         self._counts = Counter[str]()
 
     def planes(self, vectors: Iterable[int], holders: Iterable[str]) -> None:
-        """Add the nodes of the code registers' initial values.
+        """Add the nodes p0, p1, .. of the code registers' initial values.
 
-        `vectors` are their bits for all shutters, and `holders` say what they hold."""
+        `vectors` are their bits for all shutters, bit k for shutter k, and `holders` say in words
+        what they hold; both are in the order of the planes."""
         for i, (vector, holder) in enumerate(zip(vectors, holders, strict=True)):
             self.plane(f"p{i}", self.places[f"p{i}"], holder, vector)
 
@@ -125,8 +127,10 @@ class NetworkMaker:
         """Add the node of a value that the words `written` store in the register `name` at a
         boundary.
 
-        `kind` is "gate" or "look". `look` has further attributes of the answer of a comparison.
-        Return the node's name."""
+        `kind` is "gate" or "look", `function` the attribute of that name, `name` a virtual register
+        or FLAG. `look` has further attributes of the answer of a comparison; a gate has the number
+        of its words instead. Return the node's name. Raises ValueError if the boundary does not run
+        the words."""
         node = self._named(kind[0])
         self.network.add_node(
             node,
@@ -150,14 +154,15 @@ class NetworkMaker:
         self.network.add_edge(self.holds["FLAG"], node)
 
     def end(self, node: str, name: str, **attributes: str | int) -> None:
-        """Add the node of a register's required final value, with further attributes; `name` is the
-        virtual register."""
+        """Add the node `node` of a register's required final value, with further attributes, of
+        which `kind` must be one; `name` is the virtual register."""
         register, slots = self.places[name], self.lowered.plan.slots
         self.network.add_node(node, **attributes, register=register, boundary=slots)
         self.network.add_edge(self.holds[name], node)
 
     def _named(self, letter: str) -> str:
-        """Return a new name of a node, such as g0, g1, .."""
+        """Return a new name of a node: the letter and the number of earlier nodes of this letter,
+        such as g0, g1, .."""
         self._counts[letter] += 1
         return f"{letter}{self._counts[letter] - 1}"
 
@@ -217,7 +222,8 @@ def registers_needed(network: nx.DiGraph) -> int:
     all values in this order of gates.
 
     That is the largest number of values that are alive at the same time. Planes are alive before
-    the first gate. A gate may overwrite a register that it reads for the last time."""
+    the first gate. A gate may overwrite a register that it reads for the last time. A value that
+    nothing reads needs a register only while it is written. An empty network needs none."""
     last = {value: reader for reader in network for value in network.predecessors(reader)}
     alive: set[str] = set()
     most = 0
@@ -249,7 +255,8 @@ _SHAPES = {
 
 
 def dot_text(network: nx.DiGraph) -> str:
-    """Return the network as Graphviz DOT, drawn from left to right."""
+    """Return the network as Graphviz DOT, drawn from left to right: a shape for each kind of node,
+    with two lines of text."""
     lines = ["digraph gates {", "  rankdir=LR;", "  node [fontname=monospace];"]
     lines.append(f"  label={_quoted([network.graph['encoding']])};")
     for node, attributes in network.nodes(data=True):
@@ -260,8 +267,8 @@ def dot_text(network: nx.DiGraph) -> str:
 
 
 def _label(node: dict[str, str | int]) -> list[str]:
-    """Return the two lines of text that describe a node: what it is, and its register and
-    boundary."""
+    """Return one or two lines of text that describe a node: what it is, and its register and
+    boundary. `node` has the node's attributes, as listed in the module."""
     match node["kind"]:
         case "plane":
             return [f"{node['name']} in {node['register']}", str(node["holder"])]

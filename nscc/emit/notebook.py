@@ -30,8 +30,9 @@ def shutter_chart(
 ) -> html.Html:
     """Return a chart of shutters, bool (shutters, buckets, N), over time, with one row each.
 
-    `labels` stand beside the rows. If there are many shutters, evenly spaced ones are shown,
-    including the first and the last."""
+    `labels` stand beside the rows, one for each shutter. `slot_us` are the lengths of the N slots
+    in microseconds, `buckets` the names of the buckets. If there are many shutters, evenly spaced
+    ones are shown, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))
@@ -64,11 +65,12 @@ def shutter_chart(
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """Return SVG paths of one shutter's bar, whose shade shows for which part of each column it is
-    open.
+    """Return SVG paths of one shutter's bar, one for each shade, which shows for which part of each
+    column it is open; columns that are closed have none.
 
-    `places` are the column edges and `share` the open part of each column, all 0..1; `top` and
-    `height` are in pixels. `bucket` chooses the colour."""
+    `places` (columns + 1,) are the column edges and `share` (columns,) the open part of each
+    column, all 0..1; `top` and `height` are in pixels. `bucket` chooses the colour."""
+    # Rounded up, so that a short open time is visible; the small number is for rounding errors.
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))

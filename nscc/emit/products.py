@@ -55,7 +55,8 @@ def word_product(
     """Return a product of a program with words as {file name: content}; file names begin with
     `stem`.
 
-    `product` is a key of SUFFIXES, and `kind` the kind of the program. Raises as `emitted` does."""
+    `product` is a key of SUFFIXES that `emitted` leaves to the kind of the program, which is
+    `kind`. Raises Rejected as `emitted` does, and for C++ as `devkit_program` does."""
     from nscc.emit.listing import schedule_text
 
     lowered, container = compiled.lowered, compiled.container

@@ -16,7 +16,9 @@ from nscc.words.cost import refresh_count
 
 
 def subject(program: Program) -> dict[str, Any]:
-    """Return class, slots, codes, fields and buckets of a program as JSON values."""
+    """Return class, slots, codes, fields and buckets of a program as JSON values, with the keys of
+    the build report. Slot times are in microseconds; a field is a list of its lowest and highest
+    value."""
     table = program.table
     return {
         "class": program.class_name,
@@ -114,11 +116,10 @@ def _lowering_values(lowered: Lowered) -> dict[str, Any]:
 
 
 def _logic(lowered: Lowered) -> dict[str, Any]:
-    """Return how many digital words of a frame decode codes, without those that only refresh
-    registers.
+    """Return the cost of decoding codes in a frame as JSON values: words, without those that only
+    refresh registers, and operations, where the two words of a pair count as one.
 
-    The JSON values also have the number of operations, where the two words of a pair count as one.
-    """
+    `bound` is a lower bound on the operations, None if none is known."""
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
@@ -128,6 +129,7 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
         at[boundary] += per_kernel[kernel][0]
     words = sum(at)
     bound = None
+    # The bound holds for this lowering, and for all shutters of a class.
     if lowered.plan.lowering == "accumulate" and len(program.table.codes) == program.legal_codes:
         shutters, registers = len(program.table.shutters), len(program.target.digital_registers)
         bound = level_bound(program.class_name, shutters, slots, registers)

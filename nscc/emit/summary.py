@@ -13,7 +13,8 @@ from nscc.program.program import Program
 
 
 def summary(name: str, compiled: Compiled) -> str:
-    """Return the text that `nscc check` prints for the valid program file `name`."""
+    """Return the text that `nscc check` prints for the valid program file `name`: its name with the
+    verdict, then a line for each row of the summary."""
     fits = compiled.container is not None
     verdict = f"fits {compiled.program.target.name}" if fits else "valid, but not known to fit"
     lines = (f"{label:<10} {value}" for label, value in summary_rows(compiled))
@@ -65,7 +66,8 @@ def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
 
 
 def _codes_text(program: Program) -> str:
-    """Return how many codes are compiled, and how many others are legal or in use."""
+    """Return how many codes are compiled, and how many others are legal or in use, where that
+    differs."""
     count, legal = len(program.table.codes), program.legal_codes
     if program.mode == "fixed":
         excludes_legal_codes = legal is not None and legal > count
@@ -77,7 +79,8 @@ def _codes_text(program: Program) -> str:
 
 
 def word_cost_text(compiled: Compiled) -> str:
-    """Return two lines: words a frame and words stored, and the shortest possible slot."""
+    """Return two lines: words a frame and words stored, and the shortest possible slot. The program
+    must have been lowered."""
     lowered = compiled.lowered
     assert lowered is not None
     target, (stored, executed) = lowered.program.target, _words(compiled)
@@ -119,11 +122,12 @@ def word_frame_text(lowered: Lowered) -> str:
 
 def word_slot_text(lowered: Lowered, slot: int) -> str:
     """Return the number of words at the start of a slot and their share of it, as the end of a
-    sentence."""
+    sentence. `slot` is its number, 0..N-1."""
     words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
     if not words:
         return "costs no words."
     slot_us = lowered.program.frame.slot_us[slot]
+    # The words of boundary 0 run before the exposure begins, so they may take nothing of slot 0.
     took = share_text(busy_us, slot_us) if busy_us else "no time of its light"
     return f"{counted(words, 'word')} at its start, {took}."
 

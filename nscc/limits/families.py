@@ -75,7 +75,8 @@ def families() -> list[Family]:
 
 
 def stop_rule(first: str) -> str:
-    """Return the statements of class b: open from slot 0 to a stop of `first`..N."""
+    """Return the statements of class b, one a line: open from slot 0 to a stop of `first`..N.
+    `first` is "1", or "0" to include a code that never opens."""
     return f"code stop : {first}..N\nopen when n < stop"
 
 
@@ -97,14 +98,16 @@ def bits_rule() -> str:
 
 
 def book_rule(rows: list[str]) -> str:
-    """Return the statements of a codebook whose rows are texts of digits 0 and 1."""
+    """Return the statements of a codebook whose rows are texts of digits 0 and 1, slot 0 first, one
+    row for each shutter and all of equal length."""
     return f"shutters book [{', '.join(rows)}]\ncode id : row of book\nopen when book[id]"
 
 
 def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArray[np.bool_]) -> str:
     """Return a program whose code `id` is an index into `shutters`, bool (rows, buckets, slots).
 
-    It has a codebook for each bucket, and slots of `slot_us` microseconds."""
+    It has a codebook for each bucket, named in `buckets`, and slots of `slot_us` microseconds. A
+    single bucket gets no name in the program."""
     # Decimal writes 1e-05 without an exponent, which the language does not have.
     times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
     lines, rules = ["nsl 1", f"frame slots [{times}]"], []
@@ -120,15 +123,17 @@ def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArra
 
 
 def program_text(slots: int, slot: str, rule: str) -> str:
-    """Return a program of version 1 with equal slots; `slot` is their length as written, such as
-    "125us"."""
+    """Return a program of version 1 with equal slots and the statements `rule`; `slots` is their
+    number, `slot` their length as written, such as "125us"."""
     return f"nsl 1\nframe {slots} slots of {slot}\n{rule}\n"
 
 
 def random_rows(count: int, slots: int) -> list[str]:
-    """Return `count` distinct pseudo-random rows of digits 0 and 1, the same on every machine.
+    """Return `count` distinct pseudo-random rows of `slots` digits 0 and 1, the same on every
+    machine, as texts.
 
-    If there are fewer than `count` different rows of `slots` digits, return all of them."""
+    If there are fewer than `count` different rows of `slots` digits, return all of them. The rows
+    for a smaller count are the first of those for a larger one."""
     rows: dict[str, None] = {}
     words = -(-slots // 64)
     number = 0

@@ -80,8 +80,9 @@ def limit_of(
 ) -> Generator[SizeTrial, None, Limit]:
     """Find the limit of one family for slots of length `slot`, with all legal codes.
 
-    Yield each trial as it ends; return the largest size that fits and the smallest that is proved
-    to be impossible."""
+    Yield each trial as it ends; return the limit, with the largest size that fits and the smallest
+    that is proved to be impossible. `options` are those of the compilations; their target and codes
+    are replaced. `slot` is written as in a program, such as "125us"."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
@@ -116,7 +117,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
     """Compile the family's program of one size; return its costs, or the error that prevents it.
 
     `slot` is the text of the slot length. If there are several errors, one that no compiler can
-    avoid (`proved` in its data) is returned before others."""
+    avoid (`proved` in its data) is returned before others. Warnings do not count."""
     try:
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
@@ -146,11 +147,13 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
 
 
 def _unknown(limit: Limit) -> str:
-    """Return why the sizes between the largest built and the smallest impossible one are unknown.
+    """Return why the sizes between the largest built and the smallest impossible one are unknown,
+    as text for people.
 
     Return "" if there are no such sizes. The reasons are the nearest trial that failed and the
     largest size that is tried."""
     family, first = limit.family, limit.unknown_from
+    # No frame has more slots, so larger sizes of this family are no programs.
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""
     reasons = []
@@ -229,8 +232,8 @@ def _reasons(limit: Limit) -> list[str]:
 
 
 def _trials_text(limit: Limit) -> str:
-    """Return the largest size of `limit` that fits, and the smaller sizes that did not fit, as
-    text."""
+    """Return the largest size of `limit` that fits, and the smaller sizes that did not fit with
+    their errors, as text; "no tried size fits" if there is none."""
     if limit.built is None:
         return "no tried size fits"
     count = sum(trial.size <= limit.built.size for trial in limit.trials)
@@ -253,7 +256,8 @@ def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, An
 
 
 def _limit_values(limit: Limit) -> dict[str, Any]:
-    """Return a limit as JSON values, with the sizes that were tried."""
+    """Return a limit as JSON values, with the sizes that were tried; values that are not known are
+    None."""
     unknown = None
     if limit.unknown_reason:
         last = None if limit.impossible is None else limit.impossible - 1
@@ -301,10 +305,12 @@ class SizeTrial:
 
 
 def candidates(count: Count, least: int, most: int) -> list[int]:
-    """Return the sizes that a search compiles first, ascending.
+    """Return the sizes that a search compiles first, ascending and distinct, all within
+    `least`..`most`.
 
     These are `least` and `most`, each last size before the codes need another bit, and powers of
-    two. `count(size)` is the number of shutters, which must not decrease with the size."""
+    two that are not just below one of them. `count(size)` is the number of shutters, which must not
+    decrease with the size."""
     steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
@@ -319,12 +325,13 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 def explore(
     sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
 ) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
-    """Compile the ascending `sizes`, then search between the largest that fits and the next that
-    does not.
+    """Compile the ascending `sizes` with `attempt`, then search between the largest that fits and
+    the next that does not.
 
     Yields at most `budget` trials as they end, and returns all trials by size. The search first
     tries the size after the largest that fits, because limits often lie where another bit is
-    needed, then the middles. It skips larger sizes after `GIVE_UP_AFTER` failures in a row."""
+    needed, then the middles. It skips larger sizes after `GIVE_UP_AFTER` failures in a row. If none
+    of the `sizes` fits, nothing in between is tried."""
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
@@ -355,10 +362,11 @@ def explore(
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
     """Return the largest size in `least`..`most` that fits, found by bisection; None if no tried
-    size fits.
+    size fits, or if the range is empty.
 
-    At most `budget` sizes are tried, `most` first. The result is exact if all sizes below a fitting
-    size fit and the budget suffices."""
+    `fits(size)` tells whether a size fits. At most `budget` sizes are tried, `most` first. The
+    result is exact if all sizes below a fitting size fit and the budget suffices; else it is the
+    largest tried size that fits."""
     if most < least or budget < 1:
         return None
     if fits(most):

@@ -77,10 +77,10 @@ class WayOut:
 
 def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
     """Return at most `MOST_SHOWN` similar programs that were compiled and fit, smallest change
-    first.
+    first; none if nothing was found.
 
-    `level` is the optimisation level of the program that does not fit. The text of each result
-    names the level at which it was compiled."""
+    `attempt` compiles a program, and `level` is the optimisation level of the program that does not
+    fit. The text of each result names the level at which it was compiled."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 
@@ -107,7 +107,7 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
 
 
 def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
-    """Return a change of the program with its cost in words.
+    """Return a change of the program with its cost in words, as text in two columns.
 
     `change` is what the user writes, `why` describes the result, `lowered` is the changed program,
     compiled at `level`. `data` is added for programs that read the error."""
@@ -133,8 +133,8 @@ def _book(program: Program, shutters: NDArray[np.bool_]) -> Source:
 def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
     """Yield the program with the largest codebook that fits: the first of the rows in use.
 
-    Yield nothing for programs without a codebook or if none fits. `level` is the optimisation
-    level."""
+    Yield nothing for programs without a codebook, with further code fields, or if none fits.
+    `attempt` compiles a program, at the optimisation level `level`."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
     table, slots = program.table, len(program.frame.slot_us)
@@ -184,9 +184,9 @@ def _largest(
 ) -> tuple[int, Lowered | None, str]:
     """Return the largest size in `least`..`most` that fits, as (size, lowered program, remark).
 
-    `source` returns the program text of a size, and `budget` limits the number of compilations. If
-    none fits, the result is (0, None, ""). The remark tells if the time `_MOST_S` ended before all
-    sizes were tried."""
+    `source` returns the program text of a size, `attempt` compiles it, and `budget` limits the
+    number of compilations. If none fits, the result is (0, None, ""). The remark tells if the time
+    `_MOST_S` ended before all sizes were tried, else it is empty."""
     built: dict[int, Lowered | None] = {}
     begin, remark = process_time(), ""
 
@@ -207,8 +207,9 @@ def _largest(
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
     """Yield the complete class with the most slots that fit, if that is fewer than the frame has.
 
-    A rule of no class is kept as it is written; N in it follows the frame. Yield nothing for
-    codebooks, whose rows have the length of the frame."""
+    `attempt` compiles a program, at the optimisation level `level`. A rule of no class is kept as
+    it is written; N in it follows the frame. Yield nothing for codebooks, whose rows have the
+    length of the frame."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
     least, most = 2, slots - 1  # numbers of slots to try
@@ -239,8 +240,8 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
 
 
 def _with_slots(program: Program, slots: int) -> Source:
-    """Return the program text with `slots` slots; unchanged if its `frame` statement lists slot
-    lengths."""
+    """Return the program text with `slots` slots: the number before "slots" in its `frame`
+    statement is replaced. Unchanged if that statement lists slot lengths."""
     text, span = program.source.text, program.frame.span
     frame = re.sub(r"\d+(?=\s+slots?\b)", str(slots), text[span.start : span.end], count=1)
     return Source("way-out.nsl", text[: span.start] + frame + text[span.end :])

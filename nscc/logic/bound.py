@@ -20,12 +20,14 @@ ASSUMES = (
 
 
 def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> int | None:
-    """Return a lower bound on the digital operations per frame of a complete class; None if not
+    """Return a lower bound on the digital operations per frame of a complete class; None if none is
     known.
 
-    A complete class has these numbers of shutters. Class b: N with stops 0..N-1, one more with
-    0..N. Class c with starts 0..N-len: N - len + 1. Class d: all N (N + 1) / 2 bumps, with or
-    without the shutter that never opens."""
+    `class_name` is the letter of the shutter class, `shutters` the number of different shutters,
+    `slots` the N slots of a frame, and `registers` the one-bit registers of a pixel. A complete
+    class has these numbers of shutters; for any other number and for the classes a and e no bound
+    is known. Class b: N with stops 0..N-1, one more with 0..N. Class c with starts 0..N-len: N -
+    len + 1. Class d: all N (N + 1) / 2 bumps, with or without the shutter that never opens."""
     bumps = slots * (slots + 1) // 2
     loads = slots
     match class_name:
@@ -48,9 +50,11 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
 
 
 def _loadable(slots: int, never: int, registers: int) -> int:
-    """Return the most registers that can hold, at the start, what a slot of class d loads.
+    """Return the most of `registers` that can hold, at the start of a frame, what some slot of
+    class d loads; 0 if none can.
 
-    `never` is 1 if some shutter never opens, else 0."""
+    The other registers must still distinguish all shutters that are closed in the loaded slots.
+    `slots` is N. `never` is 1 if some shutter never opens, else 0."""
     for loaded in range(min(registers, slots), 0, -1):
         gap, longer = divmod(slots - loaded, loaded + 1)
         # A gap of g slots between loaded ones contains g (g + 1) / 2 bumps that are closed in all

@@ -114,6 +114,7 @@ class _Finder:
         self._problem = problem
         self._machine = machine
         self._budget = budget
+        # Reducing the demands costs time, too. A step stands for 512 shutters of one truth vector.
         budget.spend(len(problem.demands) * problem.shutters // 512)
         self._points = _points(problem)
         self._sets = packed(self._points.bits)
@@ -122,9 +123,14 @@ class _Finder:
         self._times = Counter(task for task in self._tasks if task is not None)
 
     def plans(self) -> Iterator[_Plan]:
-        """Yield plans, each better than the previous one; raise GaveUp when no steps are left."""
+        """Yield plans, each with fewer words than the previous one; end when no search finds a
+        better one.
+
+        Raises GaveUp at once if there are more than MOST_POINTS points, or if the planes that
+        distinguish them leave no register for results; later when no steps are left."""
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
+        # One register is left for intermediate results.
         widest = min(self._machine.registers - 1, len(self._points.bits))
         if count > MOST_POINTS:
             raise GaveUp(f"{count} kinds of shutters, more than {MOST_POINTS}")
@@ -157,6 +163,7 @@ class _Finder:
                 if plan is not None:
                     best = plan
                     yield plan
+        # One word a task is the least, so nothing can be better.
         if best is None or best.words == self._times.total():
             return
         for plan in self._chosen(best, int(allowed * (1 - _CHOOSING)), quick):
@@ -169,7 +176,10 @@ class _Finder:
 
     def solution(self, plan: _Plan) -> Solution:
         """Return the solution that stores a plan's predicates and computes the others by its
-        cascades."""
+        cascades.
+
+        `plan` must have a cascade for every task. The solution has one answer for each demand; it
+        is empty if FLAG already holds the predicate."""
         points = self._points
         answers: list[tuple[Segment, ...]] = []
         for task in self._tasks:
@@ -206,7 +216,10 @@ class _Finder:
         )
 
     def _tasks_of_demands(self) -> list[_Task | None]:
-        """Return the task of every demand; None if FLAG already holds the demand's predicate."""
+        """Return the task of every demand, in order; None where FLAG already holds the demand's
+        predicate.
+
+        Predicates are numbered in the order of their first demands, as in `_Points.bits`."""
         problem = self._problem
         number: dict[int, int] = {}
         for demand in problem.demands:
@@ -221,12 +234,14 @@ class _Finder:
         return tasks
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
-        """Return a plan of at most `most` words for a choice of stored predicates, found with a
-        beam of `width`; None if none was found.
+        """Return a plan of at most `most` words per frame for a choice of stored predicates, found
+        with a beam of `width` values; None if the search found none.
 
-        `scratch` is the number of registers for intermediate results."""
+        `scratch` is the number of registers for intermediate results. Raises GaveUp if no steps are
+        left."""
         planes = _separating(self._points.bits, choice)
         times = self._times
+        # The search counts each distinct task once; every repetition costs at least one word more.
         repeats = times.total() - len(times)
         optional_cascades = self._search(planes, scratch).find(
             *self._predicates_and_flag(list(times)),
@@ -256,17 +271,18 @@ class _Finder:
         return Search(table, self._machine, scratch, self._budget)
 
     def _predicates_and_flag(self, tasks: list[_Task]) -> tuple[Points, Points]:
-        """Return the predicate of every task, and the content of FLAG before it (empty if
-        unknown)."""
+        """Return two arrays of sets, uint64 (tasks, words of 64 points): the predicate of every
+        task, and the content of FLAG before it (the empty set if unknown)."""
         predicates, flag_predicates = np.array(tasks).T
         known = np.where((flag_predicates >= 0)[:, None], self._sets[flag_predicates], np.uint64(0))
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
         """Improve the choice of stored predicates by exchanging or inverting one at random; yield
-        plans with fewer words.
+        each plan with fewer words than all before.
 
-        Ends when only `until` steps of the budget are left."""
+        `best` is the plan to begin with, `width` the width of the beam. Ends when only `until`
+        steps of the budget are left."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
         current = best
@@ -292,8 +308,10 @@ class _Finder:
                     yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
-        """Search for shorter cascades with the same planes, longest cascade first; yield better
-        plans."""
+        """Search for shorter cascades of the plan `best` with the same planes and a beam of `width`
+        values, the longest cascade first; yield each better plan.
+
+        Raises GaveUp if no steps are left."""
         search = self._search(best.planes, best.scratch)
         for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
@@ -306,8 +324,10 @@ class _Finder:
 
 
 def _points(problem: Problem) -> _Points:
-    """Return the points of a problem; the open shutters of each slot are additional candidate
-    planes."""
+    """Return the points of a problem: shutters that are equal in all demands are one point.
+
+    The open shutters of each slot of each bucket are added as candidates for planes, except where
+    all or none are open, because such a plane distinguishes nothing."""
     names: dict[int, str] = {}
     for demand in problem.demands:
         names.setdefault(demand.predicate, describe_demand(demand))
@@ -325,8 +345,11 @@ def _points(problem: Problem) -> _Points:
 
 
 def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
-    """Return the planes of a choice, changed at as few points as needed to distinguish all
-    points."""
+    """Return the planes of a choice, bool (planes, points), changed at as few points as needed so
+    that no two points are equal in all planes.
+
+    `bits` (predicates, points) are the candidates of `_Points`. The caller ensures that there are
+    at most 2^planes points."""
     stored, inverted = np.array(choice).T
     planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]

@@ -78,11 +78,13 @@ _A_PAIR = 0.5
 
 @dataclass(frozen=True)
 class _Values:
-    """The values in a beam: their undecided points, and how each value is reached.
+    """The values in a beam: their undecided points, and how each value is reached. All arrays have
+    one row for each value.
 
-    `task` is the index of the predicate. `via` is the index of the value that reads this value, as
-    a source of a NOR if `negated`, else of an OR. `cubes` (n, scratch) are masks of the cubes of
-    the same link, 0 if there are fewer."""
+    `on` and `off`, (n, words of 64 points), are the points at which the value must be 1 and 0; all
+    others are free. `task` is the index of the predicate. `via` is the number of the value that
+    reads this value (-1: none, it is the predicate itself), as a source of a NOR if `negated`, else
+    of an OR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -96,7 +98,8 @@ class _Values:
         return len(self.on)
 
     def take(self, indices: Indices | NDArray[np.bool_]) -> _Values:
-        """Return some of the values, by index or by mask."""
+        """Return some of the values, as copies: by index, in the order of `indices`, or by a mask
+        (n,) that is True for those to keep."""
         return _Values(*(array[indices] for array in vars(self).values()))
 
     def swapped(self) -> _Values:
@@ -110,8 +113,11 @@ class _Values:
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
 
     def best(self, width: int) -> _Values:
-        """Return for every task the `width` distinct values with the least undecided
-        information."""
+        """Return for every task the `width` distinct values with the least undecided information;
+        all values of a task that has fewer.
+
+        The result is sorted by task, then by undecided information. Equal values of a task count
+        once; the first of them stays."""
         undecided = self.undecided_bits()
         # Equal values have equal digests; a collision only loses a value.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
@@ -126,7 +132,7 @@ class _Values:
 
     @staticmethod
     def joined(groups: Sequence[_Values]) -> _Values:
-        """Return all rows of several groups of values as one group, in order."""
+        """Return all rows of one or more groups of values as one group, in order."""
         if len(groups) == 1:
             return groups[0]
         alike = zip(*(vars(group).values() for group in groups), strict=True)
@@ -144,8 +150,11 @@ class Search:
     """A search for cascades over one set of planes, with `scratch` registers."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
-        """Prepare a search with the cubes of `planes`, `scratch` free registers and a limit on
-        steps."""
+        """Prepare a search with the cubes of `planes`, `scratch` registers for intermediate results
+        and a limit on steps.
+
+        `machine` gives the limits on sources; None, for no limit, becomes a number that no gate
+        reaches."""
         self._table = planes
         self._scratch = scratch
         self._budget = budget
@@ -161,11 +170,15 @@ class Search:
         width: int,
         most_total: int,
     ) -> list[Cascade | None]:
-        """Return for each predicate of `on` (n, W) a cascade that computes it in FLAG, or None.
+        """Return for each predicate of `on` a cascade that computes it in FLAG, or None if the beam
+        found none.
 
-        A cascade has at most `most_words` words. FLAG holds `flag_before` (n, W) before the
-        cascade, the empty set if its content is unknown. `width` is the width of the beam. The
-        search ends when the cascades are unlikely to have as few as `most_total` words in total."""
+        `on` and `flag_before` are sets of points, uint64 (n, words of 64 points), one row for each
+        predicate. Cascade i has at most `most_words[i]` words. FLAG holds `flag_before` before the
+        cascade, the empty set if its content is unknown. `width` is the number of values of each
+        predicate that the beam keeps. The search ends early when all cascades together are unlikely
+        to have as few as `most_total` words; predicates without a cascade so far then have None.
+        Raises GaveUp if the budget is used up."""
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
         # One value for each task, with no link yet: `via` is -1, nothing is negated, no cubes.
@@ -219,7 +232,11 @@ class Search:
         return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
 
     def _numbered(self, values: _Values, in_flag: bool) -> _Values:
-        """Record the values as starting points of further links; return them with their indices."""
+        """Record the values as starting points of further links, and return them as parents: `via`
+        is their own number, and nothing is negated or decided by cubes yet.
+
+        `in_flag` says whether the values are in FLAG. Numbers continue after those recorded
+        before."""
         first = 0
         if self._recorded:
             before, last, _ = self._recorded[-1]
@@ -231,12 +248,14 @@ class Search:
     def _links(
         self, values: _Values, in_flag: bool, words: int, width: int
     ) -> Iterator[tuple[int, bool, _Values]]:
-        """Yield the links (gates of a cascade) that may write `values` to FLAG if `in_flag`, else
-        to a register: words of the link, whether its inner value is in FLAG, and inner values.
+        """Yield the links (gates of a cascade) that may write `values`, to FLAG if `in_flag`, else
+        to a scratch register, as (words of the link, whether its inner value is in FLAG, inner
+        values).
 
         An inner value is what the link before must compute; it lacks the points that the link's
-        planes and cubes decide. `words` is the number of words of later links, and `width` that of
-        the beam. Values without undecided points are recorded as ends of cascades."""
+        planes and cubes decide. `words` is the number of words of later links, and `width` the
+        number of values that the beam keeps. Values without undecided points are recorded as ends
+        of cascades. Raises GaveUp if no steps are left."""
         scratch = self._scratch
         most = self._most_cubes(in_flag)
         # First links without cubes, which read planes only.
@@ -278,15 +297,26 @@ class Search:
         return min(self._scratch, self._where_limit if to_flag else self._or_limit - 1)
 
     def _room(self, to_flag: bool, *, cubes: bool, inner: bool) -> int:
-        """Return the number of planes that a link can read besides its cubes and inner value."""
+        """Return the number of planes that a link can read besides its cubes and its inner value; 0
+        or more.
+
+        `to_flag`: the link is a WHERE. `cubes`: sources are reserved for as many cubes as a link
+        may have. `inner`: a WHERE without cubes reserves a source for the inner value; all other
+        links always do."""
         if not to_flag:
             return self._or_limit - 1 - (self._most_cubes(to_flag) if cubes else 0)
         if not cubes:
             return self._where_limit - inner
+        # An inner value in a scratch register takes the source of a cube, which needs a register
+        # too; one in FLAG is one more source.
         return max(0, self._where_limit - self._most_cubes(to_flag) - self._reads_flag)
 
     def _without_planes(self, values: _Values, room: int) -> _Values:
-        """Return the values without the points that at most `room` single planes decide."""
+        """Return the values without the points of `on` that at most `room` single planes decide;
+        unchanged if `room` is 0 or less.
+
+        Only planes that are 0 on all of `off` may be read. They are chosen greedily, most newly
+        decided points first."""
         planes = self._table.planes
         if room <= 0:
             return values
@@ -307,7 +337,11 @@ class Search:
         return replace(values, on=on)
 
     def _with_cube(self, values: _Values, used: int) -> Iterator[tuple[int, _Values]]:
-        """Yield (words, values after one more cube) for the valid cubes that decide most points."""
+        """Yield (words of the cube, values after one more cube) for the cubes that decide most
+        points of each value, at most _FIRST_CUBES or _NEXT_CUBES of each price.
+
+        A cube must be 0 on `off` and decide at least one point. `used` is the number of cubes that
+        the link already has. Raises GaveUp if no steps are left."""
         top = _FIRST_CUBES if used == 0 else _NEXT_CUBES
         for price, cubes, masks in self._table.groups:
             batch = max(1, _BATCH // cubes.size)
@@ -328,9 +362,11 @@ class Search:
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
-        """Record, for every task, the first value without undecided points.
+        """Record, for every task, the first value without undecided points as the end of its
+        cascade of `words` words, unless a cascade as short is known.
 
-        With `inner`, the content of FLAG before the cascade may decide points."""
+        With `inner`, the content of FLAG before the cascade is also read and may decide points.
+        `in_flag` says whether the link writes FLAG."""
         undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
@@ -347,8 +383,10 @@ class Search:
                 self._most[task] = words - 1
 
     def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
-        """Return the cascade found for `on`, with the planes that each link reads; None if none was
-        found."""
+        """Return the cascade whose end, (words, way), was found for the predicate `on`, with the
+        planes that each link reads; None if `end` is None.
+
+        `on` is a set of points, (words of 64 points,). The links are the last executed first."""
         if end is None:
             return None
         words, way = end
@@ -368,8 +406,8 @@ class Search:
         return Cascade(tuple(links), words)
 
     def _way(self, number: int) -> _Way:
-        """Return how the value with this number was made: from which value, negated or not, and
-        with which cubes."""
+        """Return how the recorded value with this number was made: from which value (-1: it is a
+        predicate), negated or not, with which cubes, and whether it is in FLAG."""
         at = bisect_right(self._recorded, number, key=lambda entry: entry[0]) - 1
         first, values, in_flag = self._recorded[at]
         i = number - first
@@ -379,10 +417,12 @@ class Search:
     def _read(
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
-        """Return the planes that a link reads besides its cubes, and the points left undecided.
+        """Return the numbers, ascending, of the planes that a link reads besides its cubes, and the
+        points of `on` left undecided.
 
-        A link is one gate of the cascade. `on` and `off` are the points at which it must be 1 and
-        0; at most `room` planes may be read."""
+        A link is one gate of the cascade. `on` and `off` are the sets of points at which it must be
+        1 and 0; `cubes` are masks of planes. At most `room` planes are read, chosen greedily; one
+        that decides no point besides the cubes and earlier planes is left out."""
         target = on
         table = self._table.planes
         pure = disjoint(table, off[None])

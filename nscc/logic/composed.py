@@ -40,12 +40,13 @@ _SUBMASK_BITS = (13, 4)
 
 
 def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solutions of a composed rule; raise GaveUp for a rule that is not composed, or if
-    registers do not suffice.
+    """Yield the solutions of a composed rule, from the shortest script for each number of submask
+    bits.
 
     A rule is composed if it joins conditions on different fields by `and`, `or` or `xor`. `steps`
     is the number of search steps (`Budget`) for the gates of each solution; a solution that needs
-    more is left out."""
+    more is left out. Raises GaveUp for a rule that is not composed, or if no solution is left,
+    usually because registers do not suffice."""
     rule = composition(problem)
     if rule is None:
         raise GaveUp("the rule is not composed from parts with different fields")
@@ -76,7 +77,8 @@ _Code = Literal["values", "gray", "binary"]
 
 @dataclass
 class _Covered:
-    """A part whose values are ORs of `cubes` at each demand, or inverses of an OR if `inverted`."""
+    """A part whose values are ORs of `cubes[i]` at demand i, or the inverse of that OR if
+    `inverted[i]`. An empty list is 0."""
 
     cubes: list[list[Cube]]
     inverted: list[bool]
@@ -122,9 +124,10 @@ class _Writer:
 
     def script(self, rule: Rule) -> Script:
         """Return the script that computes a rule at each demand: planes, state updates and the
-        gates of the rule.
+        gates of the rule. Call it once; it fills the writer's planes and states.
 
-        Raises GaveUp if no register is left for intermediate results."""
+        Raises GaveUp if no register is left for intermediate results, or if a part takes too many
+        cubes."""
         planned = self._planned(rule, inverse=False)
         scratch = self.machine.registers - len(self.planes) - len(self.states)
         if scratch < 1:
@@ -155,7 +158,9 @@ class _Writer:
         rule with its parts replaced.
 
         A part that only opens or only closes becomes a state that counts to its time of change; any
-        other part is covered by cubes. With `inverse`, the gates will read the rule's inverse."""
+        other part is covered by cubes. With `inverse`, the gates will read the rule's inverse, so a
+        state in the masked register is stored inverted. Raises GaveUp if a part takes too many
+        cubes."""
         if isinstance(rule, RulePart):
             for closes in (True, False):
                 if only_opens(~rule.open if closes else rule.open):
@@ -176,9 +181,12 @@ class _Writer:
         return rule.operator, first, second
 
     def _state(self, part: RulePart, closes: bool, inverse: bool) -> _State:
-        """Return a new state for a part, with planes that hold the number of a shutter's change.
+        """Add a state for a part, with planes that hold the number of a shutter's change, and
+        return it.
 
-        The first state goes into the masked register, where both polarities take one word."""
+        `closes`: the part only closes, else it only opens. `inverse`: its gates read the inverse.
+        The first state goes into the masked register, if there is one, where both polarities take
+        one word."""
         base = len(self.planes)
         # A shutter changes after as many demands as it keeps its first value.
         changed_at, numbers = np.unique(
@@ -198,7 +206,11 @@ class _Writer:
         return state
 
     def _part_planes(self, part: RulePart) -> range:
-        """Add the planes of a part that cubes cover, and return their numbers."""
+        """Add the planes of a part that cubes cover, in the writer's `code`, and return their
+        numbers.
+
+        The part's values at the demands are stored as they are, whatever the code, if that takes no
+        more planes than numbers of its kinds of shutters."""
         base, name = len(self.planes), " and ".join(part.fields)
         # Kinds of shutters are numbered in the order of field values, the first field first:
         # `lexsort` takes the most significant key last.
@@ -231,10 +243,12 @@ class _Writer:
         return range(base, len(self.planes))
 
     def _covered(self, predicates: Sequence[int], planes: Sequence[int]) -> _Covered:
-        """Return for each predicate the cheaper cover by cubes of some planes: of itself, or of its
-        complement.
+        """Return for each predicate (a truth vector) the cheaper cover by cubes: of itself, or of
+        its complement; of itself if both are equal.
 
-        Raises GaveUp if a predicate needs more than `_MOST_CUBES`."""
+        Cubes read the planes with the numbers `planes`. Raises GaveUp if these do not distinguish a
+        predicate's shutters from the others, if a predicate needs more than `_MOST_CUBES`, or if
+        the search takes too many steps."""
         vectors, everything = [self.planes[p][0] for p in planes], self.problem.everything
         budget = Budget(20_000 * len(predicates))
         known: dict[int, tuple[list[Cube], bool]] = {}
@@ -254,8 +268,11 @@ class _Writer:
         return _Covered([cubes for cubes, _ in chosen], [inverted for _, inverted in chosen])
 
     def _disjoint(self, predicates: list[int], planes: Sequence[int]) -> tuple[_Covered, ...]:
-        """Return parts of one cube at each demand, or its inverse, whose exclusive or is open in
-        `predicates`."""
+        """Return parts whose exclusive or is open in `predicates`, each with at most one cube, or
+        its inverse, at each demand; none if all predicates are empty.
+
+        `predicates` are truth vectors, one for each demand; `planes` are the numbers of the planes
+        that cubes may read."""
         parts: list[_Covered] = []
         while any(predicates):
             part = self._covered(predicates, planes)
@@ -270,12 +287,14 @@ class _Writer:
         return tuple(parts)
 
     def _vector(self, cube: Cube) -> int:
-        """Return the truth vector of a cube."""
+        """Return the truth vector of a cube, from the planes as stored at the start. The empty cube
+        is 1 everywhere."""
         zeros = union(self.planes[p][0] ^ (self.problem.everything * value) for p, value in cube)
         return self.problem.everything ^ zeros
 
     def _advance(self, state: _State, index: int) -> None:
-        """Append the gates that update a state before demand `index`."""
+        """Append the gates that update a state before demand `index`: first the inversions where
+        its second part changes, then the change of its own shutters, if any."""
         for step in state.steps:
             if step.cubes[index] or step.inverted[index]:
                 inverse = self._direct(step, index)
@@ -329,8 +348,13 @@ class _Writer:
             self.segments.append(pending)
 
     def _load_flag(self, sources: Sequence[str]) -> None:
-        """Add the gates that set FLAG to the OR of registers."""
+        """Add the gates that set FLAG to the OR of the registers `sources`, of which FLAG may be
+        one.
+
+        Raises GaveUp if WHERE takes fewer sources and no scratch register is free to gather
+        them."""
         limit = self.machine.where_sources
+        # FLAG as a source of WHERE is not possible on every chip, so a register takes the OR first.
         if "FLAG" in sources:
             sources = [self._joined("OR", sources)]
         spare = next((name for name in (*sources, *self.free) if name[0] == "t"), None)
@@ -395,7 +419,8 @@ class _Writer:
         return ["FLAG", *(name for name in names if name not in scratch)]
 
     def _needs_scratch(self, planned: _Planned, index: int, inverse: bool) -> bool:
-        """Return whether `_sources` adds a gate."""
+        """Return whether the gates that `_sources` adds for a rule at demand `index`, inverted if
+        `inverse`, write a scratch register."""
         if self._direct(planned, index) != inverse:
             return True
         if isinstance(planned, tuple):
@@ -412,18 +437,20 @@ class _Writer:
         return planned[0] == "and"
 
     def _is_low(self, cubes: Sequence[Cube]) -> bool:
-        """Return whether cubes are the inverse of an OR of planes: a single cube is, unless it is a
-        plane itself."""
+        """Return whether the registers that are read for `cubes` hold the inverse of their OR. They
+        do for one cube of several planes (a NOR is still to come), and for a single plane whose
+        register holds the inverse of the literal; not for several cubes, nor for none."""
         if len(cubes) != 1 or len(cubes[0]) > 1:
             return len(cubes) == 1
         ((plane, value),) = cubes[0]
         return bool(self.standing.inverted[plane] == value)
 
     def _cubes(self, covered: _Covered, index: int, inverse: bool) -> list[str]:
-        """Add gates for a part that is an OR of cubes, or its inverse, at demand number `index`.
+        """Add gates for a part at demand number `index`, and return registers whose OR is the value
+        of the part, or with `inverse` its inverse.
 
-        Return registers whose OR is the value of the part, or with `inverse` its inverse. A cube is
-        the NOR of its planes."""
+        The part is an OR of cubes, or the inverse of one; a cube is the NOR of its planes. Planes
+        are inverted first where needed. Raises GaveUp if no register is left."""
         cubes, low = covered.cubes[index], self._is_low(covered.cubes[index])
         inverse ^= covered.inverted[index]
         names = self._literals(cubes[0]) if len(cubes) == 1 else []

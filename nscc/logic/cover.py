@@ -19,10 +19,11 @@ from nscc.truth import union
 
 
 class Nor(NamedTuple):
-    """A cube NOR(sources): its truth vector, and `life`, the number of demands that it serves from
-    now on.
+    """A cube NOR(sources): its truth vector, and `life`, the number of consecutive demands, from
+    the present one on, inside which it lies (at least 1).
 
-    `words` is its cost, more than one if it has more sources than one word accepts."""
+    `sources` are indices of the values that it reads. `words` is its cost, more than one if it has
+    more sources than one word accepts."""
 
     sources: tuple[int, ...]
     vector: int
@@ -69,8 +70,9 @@ class Covers(NamedTuple):
         """Return a cheap cover of ahead[0] by values and at most `most_cubes` cubes; None if not
         found.
 
-        `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR.
-        Cubes that the further predicates in `ahead` can reuse are preferred."""
+        `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR
+        (cubes may read all values). `ahead` are the predicates of this demand and the next ones;
+        cubes that the next ones can reuse are preferred. Raises GaveUp if the budget is used up."""
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
@@ -93,8 +95,10 @@ class Covers(NamedTuple):
     def _candidates(
         self, values: Sequence[int], ahead: Sequence[int], uncovered: int
     ) -> list[Nor] | None:
-        """Return cubes inside ahead[0] that cover `uncovered`; None if a shutter cannot be
-        covered."""
+        """Return cubes of `values` inside ahead[0] that together cover the shutters `uncovered`;
+        None if they cannot, or would take more than _MOST_SEEDS rounds.
+
+        Of equal cubes, the one with the fewest sources is kept."""
         nor_by_vector: dict[int, Nor] = {}
         unreached = uncovered
         outside = [self.everything & ~ahead[0]]
@@ -127,11 +131,13 @@ class Covers(NamedTuple):
     def _prime(
         self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
-        """Return a prime cube over the literals `zeros` that avoids `outside`; None if there is
-        none.
+        """Return (sources, truth vector) of a prime cube over the literals `zeros` that avoids
+        `outside`; None if even all literals together do not avoid it.
 
-        It starts with all literals and drops one after another, each time the literal whose removal
-        adds most of `uncovered`. A cube is prime if no literal can be dropped."""
+        `zeros` are indices into `values`, `outside` and `uncovered` are truth vectors. The cube
+        starts with all literals and drops one after another, each time the literal whose removal
+        adds most of `uncovered`, the first of equal ones. A cube is prime if no literal can be
+        dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
         # A literal that alone keeps out a part of `outside` can never be dropped.
@@ -177,7 +183,8 @@ def life(vector: int, ahead: Sequence[int]) -> int:
 
 
 def _fewest(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
-    """Return a small set of values, chosen greedily, whose OR contains `uncovered`."""
+    """Return the indices, ascending, of a small set of `values` whose OR contains `uncovered`,
+    chosen greedily among the indices `positive`, whose OR must contain it."""
     chosen: list[int] = []
     while uncovered:
         best = max(positive, key=lambda i: (values[i] & uncovered).bit_count())
@@ -187,9 +194,11 @@ def _fewest(positive: Sequence[int], values: Sequence[int], uncovered: int) -> t
 
 
 def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
-    """Return the cheapest set of at most `most` cubes that covers `uncovered`, by branch and
-    bound. The cost is the number of words; None if no such set exists. `uncovered` is a truth
-    vector."""
+    """Return the cheapest set of at most `most` cubes that covers the shutters `uncovered`, a truth
+    vector, by branch and bound; None if it finds no such set.
+
+    The cost of a cube is its words per served demand. After 2000 visits the best set so far
+    counts."""
     ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")

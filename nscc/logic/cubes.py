@@ -47,12 +47,13 @@ class Budget:
 
 
 def cover(on: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
-    """Return prime cubes whose union is `on`, which the planes must distinguish from the other
-    shutters.
+    """Return prime cubes whose union is the predicate `on`, a truth vector; none if it is empty.
 
-    Codes without a shutter are don't-cares. With 13 planes there are too many primes to enumerate
-    (Quine, McCluskey). Each cube starts as the code of one uncovered shutter and is expanded
-    greedily by newly covered shutters (like Espresso, Brayton et al., 1984)."""
+    `planes` are truth vectors, `everything` that of all shutters. Codes without a shutter are
+    don't-cares. With 13 planes there are too many primes to enumerate (Quine, McCluskey). Each cube
+    starts as the code of one uncovered shutter and is expanded greedily by newly covered shutters
+    (like Espresso, Brayton et al., 1984). Raises GaveUp if a shutter in `on` and one outside have
+    the same code, or if the budget is used up."""
     literals = [(everything & ~plane, plane) for plane in planes]
     cubes: list[Cube] = []
     uncovered, off = on, everything & ~on
@@ -78,8 +79,12 @@ def _expand(
     everything: int,
     budget: Budget,
 ) -> list[tuple[int, int]]:
-    """Drop literals of a cube, each time the one whose removal adds most of the points
-    `uncovered`, while the cube avoids the points `off`."""
+    """Drop literals of `cube`, in place, each time the one whose removal adds most of the shutters
+    `uncovered`, while the cube avoids the shutters `off`; return it.
+
+    `literals[plane]` are the truth vectors of the plane's literals with value 0 and 1; the other
+    vectors are of shutters, too. Of equal literals the first is dropped. Raises GaveUp if the
+    budget is used up."""
     while cube:
         budget.spend(len(cube) * (1 + everything.bit_length() // 512))
         # The cube without each literal: the product of those before and after it.
@@ -102,8 +107,10 @@ def _expand(
 
 
 def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
-    """Return the gates of an encoding; raise GaveUp if there is no free register. Raises GaveUp
-    if there are more planes than registers."""
+    """Return the solution whose gates compute an encoding's cubes in FLAG, demand by demand.
+
+    Raises GaveUp if there are more planes than registers, or too few registers for intermediate
+    results."""
     planes = len(encoding.planes)
     free_registers = machine.registers - planes
     if free_registers < 0:
@@ -121,7 +128,8 @@ def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
 
 
 def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: int) -> Solution:
-    """Return the solution of an encoding with `scratch` registers for intermediate results.
+    """Return the solution of an encoding with `scratch` registers for intermediate results, of
+    which `Solution.scratch` counts those that are used.
 
     Raises GaveUp if these are too few."""
     emitter = _Emitter(machine, len(encoding.planes), scratch)
@@ -144,17 +152,21 @@ class Standing:
         self.inverted = [0] * planes
 
     def flip(self, plane: int) -> Segment:
-        """Invert a plane in place; return the segment, which includes pending gates."""
+        """Invert a plane (by number) in place, and record its new polarity; return the segment,
+        which begins with the gates that wait in the list."""
         self.inverted[plane] ^= 1
         self._gates.invert(f"p{plane}")
         return self._gates.take()
 
     def turn(self, cube: Cube) -> list[Segment]:
-        """Invert the planes of `cube` that have the wrong polarity for a NOR."""
+        """Invert the planes of `cube` so that their NOR is the cube, that is, so that each holds 0
+        where its literal is met. Return the segments of the inversions, one for each plane; none if
+        all have the right polarity."""
         return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
 
     def restore(self) -> tuple[Segment, ...]:
-        """Restore the polarity of every plane."""
+        """Give every plane its polarity at the start of the frame, and return the segments that do
+        so."""
         return tuple(self.turn(tuple((plane, 0) for plane in range(len(self.inverted)))))
 
 
@@ -170,7 +182,10 @@ class _Emitter:
         self.used = 0
 
     def answer(self, cubes: Sequence[Cube], inverted: bool) -> tuple[Segment, ...]:
-        """Return segments that compute the OR of `cubes`, or its complement, in FLAG."""
+        """Return segments that compute the OR of `cubes`, or its complement, in FLAG.
+
+        Without cubes the OR is 0. The polarities of planes may change. Raises GaveUp if the
+        registers do not suffice."""
         segments: list[Segment] = []
         single = [cube[0] for cube in cubes if len(cube) == 1]
         wide = [cube for cube in cubes if len(cube) != 1]
@@ -219,8 +234,9 @@ class _Emitter:
     def _make_room(self, terms: list[str]) -> list[str]:
         """Return terms whose OR is unchanged and which leave a scratch register free.
 
-        The terms in scratch registers are combined by an OR, or in FLAG if there is only one.
-        Raises GaveUp if no scratch register exists."""
+        `terms` are names of registers. If all scratch registers hold terms, these are combined by
+        an OR, or are kept in FLAG if there is only one. Raises GaveUp if no scratch register
+        exists."""
         scratch_terms = [name for name in terms if name in self._scratch]
         if len(scratch_terms) < len(self._scratch):
             return terms
@@ -236,12 +252,12 @@ class _Emitter:
         return [scratch_terms[0], *stored_terms]
 
     def _negate(self, plane: int, terms: list[str], segments: list[Segment]) -> list[str]:
-        """Make the inverse of a plane readable, and return the terms with the register that holds
-        it.
+        """Make the inverse of a plane (by number) readable, and return the terms with the register
+        that holds it.
 
-        The inverse is computed in a scratch register. Without scratch registers, the plane is
-        inverted in place, and the gates so far are appended to `segments` first. Raises GaveUp if
-        the plane itself is a term."""
+        `terms` are names of registers. The inverse is computed in a scratch register. Without
+        scratch registers, the plane is inverted in place, and the gates so far are appended to
+        `segments` first. Raises GaveUp if the plane itself is a term."""
         name = f"p{plane}"
         if name in terms:
             raise GaveUp("a plane is needed both ways round at once")
@@ -255,8 +271,10 @@ class _Emitter:
         return [*terms, target]
 
     def _load_flag(self, terms: list[str]) -> None:
-        """Append the gates that load FLAG with the OR of `terms`, one of which may be FLAG
-        itself."""
+        """Append the gates that load FLAG with the OR of the registers `terms`, one of which may be
+        FLAG itself.
+
+        Raises GaveUp if this needs a scratch register and none is free."""
         spare = next((name for name in self._scratch if name in terms), None)
         limit = self._machine.where_sources
         if spare is None and limit is not None and len(terms) > limit:
@@ -270,7 +288,11 @@ class _Emitter:
         self._gates.load_flag(terms, spare)
 
     def _finish(self, terms: list[str], inverted: bool) -> None:
-        """Load FLAG with the OR of the terms, or with their NOR if `inverted`."""
+        """Append the gates that load FLAG with the OR of the registers `terms`, or with their NOR
+        if `inverted`.
+
+        The NOR overwrites a term if no scratch register is free. Raises GaveUp if there is no
+        scratch register."""
         if not inverted:
             self._load_flag(terms)
             return

@@ -20,14 +20,17 @@ Numbers = TypeVar("Numbers", int, NDArray[np.int64])
 
 
 def gray(number: Numbers) -> Numbers:
-    """Return the reflected binary Gray code of a number."""
+    """Return the reflected binary Gray code of a number, or of each number of an array. Codes of
+    successive numbers differ in one bit."""
     return number ^ (number >> 1)
 
 
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
-    """Return a Gray code whose last or second last code is a neighbour of the first.
+    """Return a Gray code of `groups` different codes of `bits` bits, whose last or second last code
+    is a neighbour of the first.
 
-    Few bits must then be restored at the end."""
+    Few bits must then be restored at the end. The caller ensures 1 <= `bits` and `groups` <=
+    2^`bits`."""
     # Count up without the top bit and down with it, which is a cycle. An odd number adds one code
     # after the last.
     half = groups // 2
@@ -49,10 +52,11 @@ def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
 
 
 def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
-    """Return the `bits` lowest binary digits of numbers (shutters,), lowest first: `name 0`, ..."""
+    """Return the `bits` lowest binary digits of numbers (shutters,), as planes, lowest digit first.
+    They are described as `name` and the number of the digit: `name 0`, `name 1`, and so on."""
     return [(plane, f"{name} {i}") for i, plane in enumerate(number_planes(numbers, bits))]
 
 
 def turned_over(planes: Iterable[int]) -> tuple[Segment, ...]:
-    """Return segments that invert planes in place, one for each plane."""
+    """Return segments that invert these planes (by number) in place, one for each plane."""
     return tuple((Gate("NOT", f"p{plane}", (f"p{plane}",)),) for plane in planes)

@@ -33,7 +33,8 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
 
 
 def describe_demand(demand: Demand) -> str:
-    """Return a demand in words."""
+    """Return a demand in words, such as `open in slot 3` or `fall at boundary 4`. The bucket is not
+    named."""
     if demand.edge == "open":
         return f"open in slot {demand.boundary - 1}"
     return f"{demand.edge} at boundary {demand.boundary}"
@@ -60,7 +61,8 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return event times in Gray code, stored as time XOR now: an event is a test for 0, one NOR.
 
     The times of the k-th events of one kind (rise or fall of a bucket) form a field. Its planes
-    hold the Gray code of the event number. One in-place NOT before each event updates "now"."""
+    hold the Gray code of the event number. One in-place NOT before each event updates "now". Raises
+    GaveUp if the planes leave no register for intermediate results. The budget is not used."""
     planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
@@ -83,7 +85,10 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
-    """Return the name of a field of events, such as `fall time`, with rank and bucket if needed."""
+    """Return the name of a field of events, such as `fall time`.
+
+    `edge` is "rise", "fall" or "open", `rank` counts the events of one shutter from 0. Rank and
+    bucket are named only if `fields` (the result of `event_fields`) has several."""
     rank_text = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
     bucket_text = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
     return f"{edge} time{rank_text}{bucket_text}"
@@ -100,8 +105,10 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 def event_fields(problem: Problem, most: int) -> Events:
     """Return for each kind and rank of events the pairs (demand, shutters) in time order.
 
-    Demands that FLAG already meets are omitted. Raises GaveUp if there are more than `most` fields.
-    """
+    A key is (edge, bucket, rank): the first events of the shutters have rank 0, the next 1, and so
+    on; keys are sorted. A pair holds the index of a demand and the numbers of the shutters,
+    ascending. Demands that FLAG already meets are omitted. Raises GaveUp if there are more than
+    `most` fields."""
     event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
@@ -138,7 +145,8 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return shutter numbers in Gray code; each shutter of a predicate is one test for equality.
 
     This takes many words and much time, but few stored words: one kernel serves all equality tests,
-    and one kernel inverts each plane."""
+    and one kernel inverts each plane. Raises GaveUp if the planes leave no register for
+    intermediate results, or if the budget is too small."""
     budget.spend(_STEPS_A_MEMBER * sum(demand.predicate.bit_count() for demand in problem.demands))
     planes = _index_planes(problem, machine)
     cubes = tuple(
@@ -152,14 +160,20 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return shutter numbers in Gray code; each predicate is covered by cubes."""
+    """Return shutter numbers in Gray code; each predicate is covered by cubes.
+
+    Raises GaveUp if the planes leave no register for intermediate results, or if the budget is used
+    up."""
     planes = _index_planes(problem, machine)
     return _covered(problem, "shutter number in Gray code", planes, budget)
 
 
 def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding of `covered_gray_index` with both polarities of every bit, without
-    inversions. Raises GaveUp if there are too few registers."""
+    inversions.
+
+    Raises GaveUp if both polarities and two scratch registers need more registers than there are,
+    or if the budget is used up."""
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
@@ -186,7 +200,9 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     """Return the values of the code's fields in Gray code; each predicate is covered by cubes.
 
     Rules are written in fields, so events of one field are equality tests. Shutters that differ
-    otherwise, for example those that never open, cost a few cubes at a few boundaries."""
+    otherwise, for example those that never open, cost a few cubes at a few boundaries. Raises
+    GaveUp for fewer than two fields, if the planes leave no register for intermediate results, if
+    the fields do not distinguish the shutters of a predicate, or if the budget is used up."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []
@@ -202,7 +218,8 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     """Return the encoding whose planes are the shutters open in each slot; an opening or closing
     edge is one cube of two neighbouring slots.
 
-    Raises GaveUp if there are too few registers."""
+    Raises GaveUp if the different levels leave no register for intermediate results, if they do not
+    distinguish the shutters of a predicate, or if the budget is used up."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:
@@ -215,7 +232,8 @@ def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Enc
     """Return the encoding that stores `planes` and computes each predicate by the cheaper cover.
 
     The complement of a predicate is covered instead if this saves more than the gate that inverts
-    the result."""
+    the result. Raises GaveUp if the planes do not distinguish the shutters of a predicate from the
+    others, or if the budget is used up."""
     predicates = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
     covers: dict[int, tuple[tuple[Cube, ...], bool]] = {}

@@ -77,7 +77,11 @@ _MOST_KINDS = 24
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Yield solutions with groups and places for every field; spare registers store the last
-    demands directly. Raises GaveUp if the demands are not the opening and closing of shutters."""
+    demands directly.
+
+    `steps` limits the search for the gates of each solution. Yields nothing if no layout fits or no
+    search succeeds. Raises GaveUp if the demands are levels (what is open in each slot), if there
+    are too many kinds of events, or if numbers cannot distinguish the events of one kind."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -104,10 +108,11 @@ _Events = list[tuple[int, int]]
 
 
 def _events(problem: Problem) -> list[tuple[str, _Events]]:
-    """Return the events of each field, by name.
+    """Return the events of each field, as (name, events).
 
-    There is one field for each kind and rank of events; fields are merged if their events imply
-    each other."""
+    There is one field for each kind and rank of events. A field is merged with the first earlier
+    one if numbers can serve the events of both, that is, if their shutters are equal, disjoint or
+    unions of each other. Raises GaveUp if there are more than _MOST_KINDS kinds."""
     kinds = event_fields(problem, _MOST_KINDS)
     merged: list[tuple[str, _Events]] = []
     for key, demand_shutters in kinds.items():
@@ -124,11 +129,11 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
 
 
 def _field(name: str, events: _Events, shutters: int) -> _Field:
-    """Return the field that numbers the shutters by their event, so that a demand is an equality
-    with one number.
+    """Return the field that numbers the shutters by their event, so that a demand is a test for
+    equality with one number.
 
-    `events` are pairs of a demand and its predicate. Raises GaveUp if numbers cannot distinguish
-    them."""
+    `events` are pairs of a demand and the truth vector of its shutters; `shutters` is the number of
+    all shutters. Raises GaveUp if numbers cannot distinguish the events."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
         raise GaveUp("the remaining events are not unions of each other")
@@ -141,10 +146,11 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
 
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
-    """Return the smallest disjoint `vectors` whose unions are all other vectors, in their order.
+    """Return the smallest disjoint `vectors` whose unions are all other vectors, in the order of
+    `vectors`; None if there are no such vectors.
 
-    None if there are no such vectors. One field then serves all events: an atom is a number, and a
-    union of atoms is several equality tests."""
+    One field then serves all events: an atom is a number, and a union of atoms is several equality
+    tests. Of an empty list the result is empty. No vector may be 0."""
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
@@ -158,8 +164,8 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 
 def _forms(field: _Field, room: int) -> list[_Form]:
-    """Return ways to store a field's number in at most `room` planes, as a group and a place in
-    it, fewest planes first."""
+    """Return ways to store a field's number in at most `room` planes, as a group and a place in it,
+    most digits of the group first; an empty list if none fits."""
     forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         form = _Form(bits, 0, 0)
@@ -173,10 +179,11 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """Return segments that invert group bits before each demand and, at key -1, after the last
-    demand. `base` is the number of the first plane of the group.
+    demand. Demands without an inversion have no key.
 
-    Four shutters that rise at the boundaries 0 to 3 have the groups 00, 01, 11 and 10 (bits 1 and
-    0). One inversion before each demand makes the code of the present group 00:
+    `base` is the number of the first plane of the group. Four shutters that rise at the boundaries
+    0 to 3 have the groups 00, 01, 11 and 10 (bits 1 and 0). One inversion before each demand makes
+    the code of the present group 00:
 
         >>> numbers = np.array([0, 1, 2, 3])
         >>> field = _Field("rise time", numbers, ((0, 0), (1, 1), (2, 2), (3, 3)), count=4)
@@ -197,7 +204,8 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
 
 
 def _groups(field: _Field, form: _Form) -> tuple[int, ...]:
-    """Return the code of each group; the first event needs no inversion."""
+    """Return the code of each group of `form.size` numbers; the first code is 0, so the first event
+    needs no inversion. Without group bits there is one group."""
     return cycle(-(-field.count // form.size), form.bits) if form.bits else (0,)
 
 
@@ -207,7 +215,9 @@ def _script(
     """Return the script that stores the events of each field in its chosen layout, and updates the
     groups before demands.
 
-    The last `stored` demands have planes of their own."""
+    `events` are the fields as (name, events), `chosen` the layout of each. The last `stored`
+    demands that FLAG does not already meet have planes of their own, and their events are left out
+    of the fields. Raises GaveUp if numbers cannot distinguish the other events of a field."""
     # The numbers of the demands whose predicates are stored as they are.
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]

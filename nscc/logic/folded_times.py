@@ -26,7 +26,10 @@ _COVER_STEPS = 20_000_000
 def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding of shutters that have one rise and a later fall, or no event.
 
-    Raises GaveUp for other shutters, and for more shutters than the square has cells."""
+    A shutter that is open from the start rises at boundary 0. `budget` is not used; covers have a
+    budget of their own. Raises GaveUp for other shutters, for more shutters than the square has
+    cells, and where folding gains nothing: one time follows from the other, or each time has enough
+    planes of its own."""
     events = event_fields(problem, 2)
     if [edge for edge, _, _ in events] != ["fall", "rise"]:
         raise GaveUp("the events are not one rise and one fall")
@@ -62,11 +65,12 @@ def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding
 
 
 def _cells(pairs: Sequence[tuple[int, int]], side: int) -> list[Cell]:
-    """Return a cell for each pair of points; (-1, -1) is a shutter without events.
+    """Return a cell (row, column) for each of `pairs` of points in time (start, stop), in order;
+    (-1, -1) is the pair of a shutter without events.
 
-    A frame of four slots has five points in time, one more than the rows of a square with two
-    planes a side. The bump from 0 to 1 begins at the point without a row, so its cell is below the
-    diagonal:
+    The square has `side` rows. Raises GaveUp if a pair finds no free cell. A frame of four slots
+    has five points in time, one more than the rows of a square with two planes a side. The bump
+    from 0 to 1 begins at the point without a row, so its cell is below the diagonal:
 
         >>> _cells([(0, 1), (1, 3), (2, 4), (0, 4)], side=4)
         [(3, 0), (0, 2), (1, 3), (3, 3)]
@@ -85,15 +89,18 @@ def _cells(pairs: Sequence[tuple[int, int]], side: int) -> list[Cell]:
 
 
 def _order(start: int, stop: int, moved: int, side: int) -> tuple[bool, bool, bool]:
-    """Return the sort key of a pair: pairs that have only one good cell come first."""
+    """Return the sort key of a pair: pairs that have only one good cell come first. The arguments
+    are those of `_choices`: the pair's points, the number of points without a row, and the rows."""
     return stop < moved, start < 0, 0 <= start < moved and stop - moved > side - 1 - start
 
 
 def _choices(start: int, stop: int, moved: int, side: int) -> Iterator[Cell]:
-    """Yield cells of the square for a bump from `start` to `stop`, best first.
+    """Yield cells of the square for a bump from `start` to `stop`, best first; coordinates below 0
+    mean that there is no such cell.
 
     The square has `side` rows. The first `moved` points in time have no row of their own, so their
-    pairs go to cells below the diagonal that are otherwise empty."""
+    pairs go to cells below the diagonal that are otherwise empty. The last cells are all those on
+    and below the diagonal, for pairs without a good cell."""
     row, column = side - 1 - start, stop - moved
     if start >= moved:
         yield start - moved, column  # above the diagonal

@@ -82,7 +82,8 @@ class Generator(Record):
 
     @property
     def least_level(self) -> int:
-        """The lowest optimization level that uses this generator."""
+        """The lowest optimisation level that uses this generator: its own `from_level`, or its
+        kind's default."""
         return FROM_LEVEL[self.kind] if self.from_level is None else self.from_level
 
 
@@ -123,7 +124,8 @@ _GROUP: Group = "nscc.encodings"
 def added_generators() -> dict[str, Generator]:
     """Return the generators that other distributions add, by name.
 
-    Raises Rejected (NS0905) for an invalid generator or declaration."""
+    Raises Rejected (NS0905) if one is not a Generator, has an unknown `kind`, a `solve` that cannot
+    be called, or a `from_level` outside LEAST_ADDED..3, and for an invalid declaration."""
     generators: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, generator in generators.items():
         if not isinstance(generator, Generator):
@@ -161,9 +163,10 @@ class GeneratorFault(Record):
 def note_fault(
     error: Exception, name: str, level: int, faults: list[GeneratorFault] | None
 ) -> None:
-    """Add an exception of the generator `name` to `faults`.
+    """Add an exception of the generator `name`, at this optimisation level, to `faults`.
 
-    The exception is raised again if `faults` is None, or if it is a diagnostic or a MemoryError."""
+    The exception is raised again if `faults` is None, or if it is a diagnostic or a MemoryError.
+    The message is cut to 200 characters."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
     message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
@@ -175,9 +178,12 @@ def solutions(
 ) -> Iterator[Solution]:
     """Yield solutions of a problem from different generators; none if every generator gives up.
 
-    They are computed lazily, usually the cheapest first. The caller computes their costs, because
-    these depend on the surrounding words. If a generator raises an unexpected exception, it is
-    added to `faults` and the search continues; without `faults` it propagates."""
+    `level` is the optimisation level, 0 to 3. Solutions are computed lazily, usually the cheapest
+    first. The caller computes their costs, because these depend on the surrounding words. If a
+    generator raises an unexpected exception, it is added to `faults` and the search continues;
+    without `faults` it propagates, and diagnostics (Rejected) always do. A problem without demands
+    has one solution, without planes and gates. If a generator of the kind "direct" succeeds, only
+    the direct solution with the fewest planes is yielded."""
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
@@ -215,9 +221,12 @@ def solutions(
     yield from counted(solve_kinds("family"))
     close = fewest <= _CLOSE * least
     yield from counted(solve_kinds("equality"))
+    # Covers are tried if nothing else worked, or if they may be better and are not too expensive.
     if fewest == inf or not (close or problem.shutters > MOST_COVERED):
         yield from counted(solve_kinds("cover"))
     count = len(problem.demands)
+    # Shutters without structure: even the best solution takes more than a word for so many shutters
+    # at each demand.
     random = fewest * _SHUTTERS_A_WORD > problem.shutters * count
     random &= all(demand.edge == "open" for demand in problem.demands)
     worth = fewest >= _WORTH_CASCADES.get(level, inf) * least
@@ -232,10 +241,10 @@ def solutions(
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """Yield the solutions of one generator until it gives up.
+    """Yield the solutions of one generator until it ends or gives up.
 
-    Solutions of added generators are checked: raises Rejected (NS0905) for one that does not meet
-    its demands."""
+    `name` is the generator's name in the table; `steps` limits its search. Solutions of added
+    generators are checked: raises Rejected (NS0905) for one that does not meet its demands."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
@@ -250,8 +259,11 @@ def _checked_solutions(
 
 
 def solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """Return why a `solution` of another package is invalid for `problem` and `machine`; None if it
-    is valid."""
+    """Return why a `solution` of another package is invalid for `problem` and `machine`, in words;
+    None if it is valid.
+
+    Raises TypeError if a part of the solution is not hashable; other exceptions of malformed parts
+    may also come through."""
     if not isinstance(solution, Solution):
         return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises an exception if a part is not hashable: solutions are used as keys

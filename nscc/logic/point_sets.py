@@ -20,11 +20,13 @@ class Planes:
     tuples of words, cubes (M, W) and masks of planes (M,)."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
-        """Compute all different cubes of these planes, in groups of equal cost in words.
+        """Compute all different cubes of these planes, in groups of equal cost in words, cheapest
+        first.
 
-        `planes`: packed sets (planes, W) of `points` points. Each group holds its cost, the cubes
-        as sets, and the mask of planes that each cube's NOR reads. Of equal cubes, the one that
-        reads fewest planes is kept."""
+        `planes`, uint64 (planes, words of 64 points), are sets of `points` points. Each group holds
+        its cost, the cubes as sets, and the mask of planes that each cube's NOR reads. Of equal
+        cubes, the one that reads fewest planes is kept; empty cubes are left out. There may be
+        2^planes cubes, so the caller keeps the number of planes small."""
         self.planes = planes
         self.everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
         # The union of every subset of the planes, doubled for each plane: row m belongs to mask m.
@@ -48,7 +50,8 @@ class Planes:
 
 
 def packed(bits: NDArray[np.bool_]) -> Points:
-    """Return the rows of `bits` (n, points) as sets of points (n, W)."""
+    """Return the rows of `bits` (n, points) as sets of points, uint64 (n, W), W words of 64 points.
+    The bits of the last word behind the last point are 0."""
     width = -(-bits.shape[1] // 64) * 8
     raw = np.packbits(bits, axis=1, bitorder="little")
     padded = np.zeros((len(bits), width), dtype=np.uint8)
@@ -57,21 +60,24 @@ def packed(bits: NDArray[np.bool_]) -> Points:
 
 
 def sizes(sets: Points) -> Indices:
-    """Return the number of points in each set of (.., W)."""
+    """Return the number of points in each set of an array (.., W), as int64 (..)."""
     counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
     return counts
 
 
 def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
     """Return whether each set of `first_sets` (.., W) is disjoint from its partner in
-    `second_sets`."""
+    `second_sets`, as bool (..). The arrays are broadcast; the empty set is disjoint from every
+    set."""
     none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
     return none
 
 
 def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
-    """Return the number of points of `on` in each cube, 0 if it contains a point of `off`:
-    (n, M)."""
+    """Return the number of points of each set of `on` in each cube, 0 if the cube contains a point
+    of `off`, as int32 (n, M).
+
+    `cubes` are M sets (M, W); `on` and `off` are n sets each (n, W), in pairs."""
     gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
     excluded = np.zeros(gain.shape, dtype=np.bool_)
     for word in range(cubes.shape[1]):

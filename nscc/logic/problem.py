@@ -52,7 +52,10 @@ class Gate:
         return (*self.sources, MASK, self.destination) if self.masked else self.sources
 
     def result(self, contents: Mapping[str, int], everything: int) -> int:
-        """Return the truth vector of the destination after the gate, from those of `reads`."""
+        """Return the truth vector of the destination after the gate.
+
+        `contents` has the truth vectors of at least the registers in `reads`, by name; `everything`
+        is that of all shutters. A gate without sources is 0 (CLR) or 1 (SET) where it writes."""
         value = union(contents[name] for name in self.sources)
         if self.name in ("NOR", "NOT", "SET"):
             value ^= everything
@@ -120,7 +123,8 @@ class Problem(Record):
         return (1 << self.shutters) - 1
 
     def answered(self, index: int) -> bool:
-        """Return whether FLAG already holds the predicate of demand `index`."""
+        """Return whether FLAG already holds the predicate of demand `index`, so that it needs no
+        gates. Demand 0 is never answered, if its `flag_kept` is False, as it must be."""
         demand = self.demands[index]
         return demand.flag_kept and demand.predicate == self.demands[index - 1].predicate
 
@@ -129,7 +133,9 @@ class Machine(Record):
     """The costs and limits of gates on a target.
 
     `registers` is the number of one-bit registers of a pixel. `masked` means that one of them (R12
-    on SCAMP-5) is written only where another (R0) is 1."""
+    on SCAMP-5) is written only where another (R0) is 1. `or_sources` and `where_sources` are the
+    most sources of one OR or NOR, and of one WHERE; None for any number. `where_reads_flag` means
+    that FLAG may be a source of WHERE."""
 
     registers: int
     masked: bool
@@ -153,9 +159,11 @@ class Machine(Record):
 class Solution(Record):
     """Gates and encoding that solve a problem.
 
-    `planes` are the truth vectors of p0, p1, .. at the start of a frame; `holders` describe them in
-    words. `answers` has one entry for each demand; `opening` runs at boundary 0 before any demand
-    and `closing` at boundary N after the last."""
+    `encoding` names the encoding. `planes` are the truth vectors of p0, p1, .. at the start of a
+    frame; `holders` describe them in words. `states` and `scratch` are the numbers of registers s0,
+    s1, .. and t0, t1, .. that the gates use. `answers` has one entry for each demand, empty if FLAG
+    already holds its predicate; `opening` runs at boundary 0 before any demand and `closing` at
+    boundary N after the last."""
 
     encoding: str
     planes: tuple[Annotated[int, HEX], ...]
@@ -177,23 +185,28 @@ class Solution(Record):
 
     def masked_state(self) -> str | None:
         """Return the state that masked gates write, which must be in the masked register; None if
-        there is none."""
+        no gate is masked. Only one state may be written so; the first is returned."""
         gates = chain.from_iterable(self.segments())
         return next((gate.destination for gate in gates if gate.masked), None)
 
     def in_masked_register(self, registers: int) -> str | None:
-        """Return the virtual register that the masked register holds on a chip of so many
-        registers: the masked state, or the plane with the fewest writes if all registers are used.
-        """
+        """Return the virtual register that the masked register holds on a chip with `registers`
+        one-bit registers, of which one is masked.
+
+        It is the masked state, or the plane with the fewest writes if all registers are used; None
+        if the masked register is left empty."""
         used = len(self.planes) + self.states + self.scratch
         full = used >= registers and self.planes
         return self.masked_state() or (f"p{quietest(self.writes())}" if full else None)
 
 
 def quietest(writes: Sequence[int]) -> int:
-    """Return the index of the plane to put in the masked register if all registers are needed.
+    """Return the index of the plane to put in the masked register if all registers are needed: the
+    one with the fewest writes.
 
-    `writes[i]` is how often a frame writes plane i: each write costs the mask and one more word."""
+    `writes[i]` is how often a frame writes plane i, for at least one plane. Each write costs the
+    mask and one more word. Of equal planes, the first in the order of their names as text is taken
+    (p10 before p2)."""
     return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 
@@ -202,10 +215,11 @@ class GaveUp(Exception):
 
 
 def words_of(sources: int, fan_in: int | None) -> int:
-    """Return the words of a NOR or OR of `sources` registers into another register.
+    """Return the words of a NOR or OR of `sources` registers into another register; at least 1.
 
-    The first word reads `fan_in` sources. Each further pair of words is in place and reads one
-    source less, because the partial result is also a source."""
+    The first word reads `fan_in` sources (None: any number). Each further pair of words is in place
+    and reads one source less, because the partial result is also a source. So `fan_in` must be 2 or
+    more if `sources` exceeds it."""
     if fan_in is None or sources <= fan_in:
         return 1
     return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
@@ -226,7 +240,8 @@ class Gates:
         return gates
 
     def add(self, gate: Gate) -> None:
-        """Add a gate that does not exceed the machine's fan-in."""
+        """Add a gate as it is; the caller ensures that it does not exceed the machine's limits on
+        sources."""
         self._gates.append(gate)
 
     def nor(self, destination: str, sources: Sequence[str], masked: bool = False) -> None:
@@ -243,7 +258,10 @@ class Gates:
         self._gates.append(Gate("NOT", register, (register,)))
 
     def load_flag(self, sources: Sequence[str], scratch: str | None) -> None:
-        """Add FLAG := OR(sources); may overwrite `scratch`, even if it is a source."""
+        """Add FLAG := OR(sources); `sources` must not be empty.
+
+        If WHERE takes fewer sources, some are first gathered in the register `scratch`, which may
+        be one of the sources. Raises ValueError if that is needed and `scratch` is None."""
         limit = self._machine.where_sources
         if limit is not None and len(sources) > limit:
             if scratch is None:
@@ -258,10 +276,10 @@ class Gates:
 
     def _gather(self, name: str, destination: str, sources: Sequence[str], masked: bool) -> None:
         """Append the OR or NOR (`name`) of any number of sources, as several gates if the machine
-        limits them.
+        limits them; without sources a CLR or SET.
 
         Excess sources are gathered by OR in the destination first, so only the last gate inverts.
-        """
+        The destination may be a source, and is overwritten."""
         if not sources:
             self.add(Gate("SET" if name == "NOR" else "CLR", destination, (), masked))
             return
@@ -279,7 +297,8 @@ class Gates:
         self._append(name, destination, [destination] * in_place + other_sources, masked)
 
     def _append(self, name: str, destination: str, sources: Sequence[str], masked: bool) -> None:
-        """Append a gate; one with a single source becomes NOT or MOV."""
+        """Append the OR or NOR (`name`) of one or more sources, as many as the machine allows; one
+        with a single source becomes NOT or MOV."""
         if len(sources) == 1:
             name = {"NOR": "NOT", "OR": "MOV"}[name]
         self._gates.append(Gate(name, destination, tuple(sources), masked))

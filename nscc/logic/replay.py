@@ -26,7 +26,11 @@ class _Wrong(Exception):
 
 
 def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
-    """Return why `solution` does not solve `problem` on `machine`, in words; None if it does."""
+    """Return why `solution` does not solve `problem` on `machine`, in words; None if it does.
+
+    Only the first fault is named: numbers of registers, planes and answers are checked first, then
+    each gate, then the frame. A solution whose fields have wrong types may raise other
+    exceptions."""
     try:
         planes, states, scratch = len(solution.planes), solution.states, solution.scratch
         # Only a plane or a masked state may be in the masked register.
@@ -58,8 +62,10 @@ def _names(kind: str, count: int) -> list[str]:
 
 
 def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
-    """Return whether the machine has this gate: known name, legal registers and number of
-    sources."""
+    """Return whether the machine has this gate: known name, legal registers and number of sources.
+
+    `registers` are the names of the solution's registers, without FLAG. FLAG is written by WHERE
+    only, and WHERE reads it only if the machine can."""
     if gate.name not in _SOURCES:
         return False
     is_where = gate.name == "WHERE"
@@ -109,8 +115,8 @@ class _Frame:
                 raise _Wrong(f"{name} does not hold its code when the frame ends")
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
-        """Make FLAG unknown unless it is kept until the next demand, and likewise the scratch
-        registers."""
+        """Make FLAG unknown unless it is kept until the next demand, and the scratch registers
+        unless they are kept."""
         if not flag_kept:
             self._forget(("FLAG",))
         if not scratch_kept:
@@ -121,16 +127,16 @@ class _Frame:
         self.contents |= dict.fromkeys(registers)
 
     def _known(self, name: str, gate: Gate) -> int:
-        """Return the contents of a register; raise _Wrong if they are unknown, with the gate that
-        reads it."""
+        """Return the content of the register `name`, a truth vector; raise _Wrong if it is unknown.
+        The message names `gate`, which reads it."""
         content = self.contents[name]
         if content is None:
             raise _Wrong(f"{gate} reads {name}, whose contents are unknown")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        """Run gates on the truth vectors of all registers. Writing the masked register makes t0
-        unknown.
+        """Run the gates of `segments`, in order, on the truth vectors of all registers. Writing the
+        masked register by a gate that is not masked makes t0 unknown.
 
         Raises _Wrong if a gate reads unknown contents, or no register is free for the mask."""
         contents, everything, masked = self.contents, self.problem.everything, self.masked

@@ -47,8 +47,10 @@ Rule = RulePart | Composition
 
 
 def composition(problem: Problem) -> Composition | None:
-    """Return the parts of the rule of `problem`; None for events, and for a rule that is not
-    composed."""
+    """Return the parts of the rule of `problem`.
+
+    None for events, for problems without demands, for fewer than two or more than _MOST_FIELDS
+    fields, and for a rule that is not composed."""
     levels_only = all(demand.edge == "open" for demand in problem.demands)
     if not (levels_only and problem.demands and 2 <= len(problem.values) <= _MOST_FIELDS):
         return None
@@ -63,7 +65,8 @@ def composition(problem: Problem) -> Composition | None:
 
 
 def _restricted(rule: Rule, codes: NDArray[np.intp]) -> Rule:
-    """Return a rule for some of the codes."""
+    """Return a rule for some of the codes: row i of the result is row `codes[i]` of `rule`, in all
+    parts."""
     if isinstance(rule, Composition):
         parts = _restricted(rule.first, codes), _restricted(rule.second, codes)
         return Composition(rule.operator, *parts)
@@ -71,13 +74,19 @@ def _restricted(rule: Rule, codes: NDArray[np.intp]) -> Rule:
 
 
 def decomposed(is_open: Open, fields: Fields) -> Rule:
-    """Return a rule as a composition of parts with different fields, as deep as possible."""
+    """Return a rule as a composition of parts with different fields, as deep as possible; a single
+    part if no operator joins parts.
+
+    `is_open`, bool (shutters, demands), is what the rule opens; `fields` gives for each field its
+    value in every shutter (shutters,). The smallest groups of fields are tried first, and the first
+    division that works is taken."""
     names = sorted(fields)
     for size in range(1, len(names)):
         for chosen in combinations(names, size):
             first = {name: fields[name] for name in chosen}
             second = {name: fields[name] for name in names if name not in chosen}
             if _number(first).max() < _number(second).max():
+                # `_splits` makes its first group a part that only opens or closes, if it can.
                 first, second = second, first
             splits = [*_splits(is_open, _number(first), _number(second))]
             # A part that only opens or closes is the cheapest.
@@ -88,7 +97,8 @@ def decomposed(is_open: Open, fields: Fields) -> Rule:
 
 
 def _number(fields: Fields) -> NDArray[np.intp]:
-    """Return the number of each shutter's values among all values of these fields (shutters,)."""
+    """Return the number of each shutter's combination of values among all combinations that occur
+    in these fields, (shutters,), from 0."""
     _, number = np.unique(np.stack([*fields.values()]), axis=1, return_inverse=True)
     return number.reshape(-1)
 
@@ -96,9 +106,12 @@ def _number(fields: Fields) -> NDArray[np.intp]:
 def _splits(
     is_open: Open, first: NDArray[np.intp], second: NDArray[np.intp]
 ) -> Iterator[tuple[Operator, Open, Open]]:
-    """Yield the operators that join a function of `first` and one of `second` to `is_open`.
+    """Yield (operator, a, b) such that the operator joins a, which depends on `first` only, and b,
+    which depends on `second` only, to `is_open`; nothing if there are none.
 
-    `first` has the most values; it is a part that only opens or closes if that is possible."""
+    `first` and `second`, (shutters,), number the combinations of values of two groups of fields.
+    `first` has at least as many; it is a part that only opens or closes if that is possible. An
+    exclusive or is found only if all pairs of numbers occur."""
     for operator, bits in (("and", is_open), ("or", ~is_open)):
         a, b = _any_of(bits, first), _any_of(bits, second)
         if np.array_equal(a & b, bits):
@@ -121,12 +134,16 @@ def _splits(
 
 
 def only_opens(bits: Open) -> bool:
-    """Return whether shutters, bool (shutters, slots), never close again after they open."""
+    """Return whether no shutter closes again after it has opened. `bits` is bool (shutters,
+    demands); the demands are in time order."""
     return not np.any(bits[:, :-1] & ~bits[:, 1:])
 
 
 def _any_of(bits: Open, number: NDArray[np.intp]) -> Open:
-    """Return for each shutter whether a bit is set in any shutter of the same number."""
+    """Return for each shutter, at each demand, whether a bit is set in any shutter of the same
+    number.
+
+    `bits` is bool (shutters, demands), as is the result; `number` is (shutters,)."""
     order = np.argsort(number, kind="stable")
     starts = np.flatnonzero(np.diff(number[order], prepend=-1))
     joined: Open = np.logical_or.reduceat(bits[order], starts, axis=0)[number]
@@ -137,7 +154,8 @@ def _filled(bits: Open, unknown: Open) -> Open:
     """Return `bits`, bool (shutters, demands), with other values where `unknown` is true, so that
     each shutter's bits only fall over the demands, or else only rise.
 
-    If neither is possible, return `bits` unchanged."""
+    All shutters fall or all rise; falling is tried first. If neither is possible, return `bits`
+    unchanged."""
     # Accumulated backwards in time: 1 until the last demand with a 1, so the bits only fall.
     later = np.logical_or.accumulate(bits[:, ::-1], axis=1)[:, ::-1]
     earlier = np.logical_or.accumulate(bits, axis=1)

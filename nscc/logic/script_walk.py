@@ -56,8 +56,10 @@ _AHEAD = 64
 
 
 def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
-    """Yield the solution of a script, found in `steps` of search; none if a demand cannot
-    be met."""
+    """Yield the solution of a script, found in `steps` of search.
+
+    Nothing is yielded if the script leaves too few registers, if a demand cannot be met, or if the
+    steps are used up."""
     scratch = machine.registers - len(script.planes) - script.states
     if scratch >= 0:
         script = _within_fan_in(script, machine)
@@ -104,7 +106,11 @@ def _all_gates(script: Script) -> Iterator[Gate]:
 
 @dataclass
 class _Walker:
-    """One run through a script's demands."""
+    """One run through a script's demands; make a new one for each run.
+
+    `scratch` is the number of scratch registers. `values` are the known truth vectors of registers
+    by name, now. `quiet` is the name of the register that is in the masked register, empty if none
+    is. `used` is the number of scratch registers used so far."""
 
     problem: Problem
     machine: Machine
@@ -116,8 +122,10 @@ class _Walker:
     used: int = 0
 
     def solution(self) -> Solution:
-        """Run the script and return the gates for every demand. Raises GaveUp if the scratch
-        registers do not suffice."""
+        """Run the script and return the gates for every demand.
+
+        Raises GaveUp if a demand has no cover within the scratch registers, if the script reads an
+        unknown value or does not restore its planes, or if the steps are used up."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
@@ -181,10 +189,11 @@ class _Walker:
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
-        """Return the gates for demand `index`, from the cheapest cover found.
+        """Return the gates for demand `index`, from the cheapest cover for which registers suffice;
+        update the values.
 
         Covers use all registers, then planes and states only, which frees scratch registers; one
-        value may be inverted first."""
+        value may be inverted first. Raises GaveUp if there is no cover."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]
@@ -212,8 +221,10 @@ class _Walker:
     def _covers(
         self, names: list[str], turned: str | None, ahead: Sequence[int], against: Sequence[int]
     ) -> Iterator[_Choice]:
-        """Yield covers of a demand and of its complement by the values of `names` and the inverse
-        of `turned`."""
+        """Yield a cover of a demand and one of its complement, where there is one, by the values of
+        the registers `names` and, unless `turned` is None, the inverse of the register `turned`.
+
+        `ahead` are the predicates of this and the next demands, `against` their complements."""
         values = [self.values[name] for name in names]
         scratch = self.scratch
         if turned is not None:
@@ -233,11 +244,12 @@ class _Walker:
                 )
 
     def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
-        """Append the gates of a cover for one demand; its cubes overwrite the values that are
-        needed last.
+        """Append the gates of a cover for one demand, which load FLAG; its cubes overwrite the
+        scratch values that are needed last.
 
         `ahead` are the predicates of this and the next demands (inverted, if the cover is), which
-        decide what is needed."""
+        decide what is needed. Raises GaveUp if no register is free; the gates and values are then
+        incomplete, and the caller restores them."""
         names = list(choice.names)
         # Cubes that read scratch come first, because later ones may overwrite it; then those with
         # most sources, whose registers are most likely overwritten.
@@ -284,12 +296,15 @@ class _Walker:
         self._load_flag([free])
 
     def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
-        """Return a scratch register that is free or whose value serves the fewest later demands.
+        """Return the scratch register, not in `busy`, whose value serves the fewest of the next
+        demands; a register that holds nothing serves none.
 
-        None if all scratch registers are in `busy`."""
+        `ahead` are the predicates of this and the next demands. Of equal registers the lowest is
+        taken. None if all scratch registers are in `busy`."""
 
         def missed(name: str) -> int:
-            """Return for how long the value of a register is still needed; 0 if it holds none."""
+            """Return how many of the next demands, one after the other, can still use the value of
+            a register; 0 if it holds none."""
             vector = self.values.get(name)
             return life(vector, ahead[1:]) if vector else 0
 
@@ -305,7 +320,8 @@ class _Walker:
         self._use(destination)
 
     def _or(self, sources: Sequence[str], inverted: bool) -> int:
-        """Return the truth vector of the OR, or the NOR, of registers."""
+        """Return the truth vector of the OR of the registers `sources`, or of their NOR if
+        `inverted`. All their values must be known."""
         value = union(self.values[name] for name in sources)
         return self.problem.everything & ~value if inverted else value
 
@@ -324,6 +340,7 @@ class _Walker:
         value = self._or(sources, False)
         self.gates.load_flag(sources, spare)
         if spare is not None:
+            # It may hold an OR of some sources now, which is not followed.
             self.values.pop(spare, None)
             self._use(spare)
         self.values["FLAG"] = value

@@ -39,8 +39,10 @@ def problem_of(
 ) -> tuple[Problem, tuple[Before, ...]]:
     """Return the demands that gates must meet for a plan, and how every step obtains FLAG.
 
-    A demand says that FLAG must equal a predicate at a boundary. `opens` are the open shutters by
-    bucket and slot."""
+    A demand says that FLAG must equal a predicate at a boundary; there is one for each step with a
+    predicate, in order. `plan` and `time` belong to `program`. `opens` are the open shutters by
+    bucket and slot, as truth vectors. The actions are one for each step, with or without a
+    predicate."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
@@ -77,9 +79,10 @@ def problem_of(
 
 
 def _code_of_shutter(table: DecodeTable) -> NDArray[np.intp]:
-    """Return the number of a row of `table.codes` for each shutter.
+    """Return the number of a row of `table.codes` for each shutter, (shutters,).
 
-    Of several codes, one whose values other shutters also need is chosen."""
+    Of several codes, one whose values other shutters also need is chosen, because fields with fewer
+    values need fewer bits; else, and of several such codes, the first."""
     if len(table.codes) == len(table.shutters):
         return np.argsort(table.shutter_of_code)
     code_counts = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
@@ -94,10 +97,11 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.intp]:
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """Return for each step of a plan whether FLAG is loaded, set in all pixels, or kept from the
-    step before.
+    """Return for each step of a plan whether FLAG is loaded, set in all pixels, kept from the step
+    before, or does not matter (`Before`).
 
-    FLAG is lost at refreshes, and with time (`time.keep_us`)."""
+    FLAG is lost at refreshes, and with time (`time.keep_us`). A step for all pixels needs FLAG only
+    if it has words that obey it: bus words and, on some targets, resets of PIX."""
     actions: list[Before] = []
     flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None
@@ -108,6 +112,7 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
         obeying_flag.add(WordEffect.RESET_PIX)
     for step in plan.steps:
         now_us = time.boundary_us[step.boundary]
+        # The refresh at a boundary runs before the steps there.
         crossed = any(boundary < n <= step.boundary for n in time.refresh_at or ())
         if crossed or now_us - since_us > time.keep_us:
             flag_state = "unknown"

@@ -53,7 +53,10 @@ class Timeline(Record):
 
 def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeline:
     """Return when the boundaries of a frame are, how long its `buckets` readouts take, and where
-    registers are refreshed."""
+    registers are refreshed.
+
+    `slot_us` are the lengths of the slots in microseconds. The readouts are one after the other. If
+    no refresh suffices, `refresh_at` is None and nothing is raised."""
     boundary_us = (0.0, *accumulate(slot_us))
     between_us = target.readout_us * buckets
     keep_us = RETENTION_SHARE * target.digital_retention_us
@@ -64,9 +67,11 @@ def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeli
 def _refresh_boundaries(
     boundary_us: tuple[float, ...], between_us: float, keep_us: float
 ) -> tuple[int, ...] | None:
-    """Return the fewest boundaries that keep every gap, including the readout, within keep_us.
+    """Return the fewest boundaries that keep every gap, including the readout, within keep_us;
+    empty if no refresh is needed.
 
-    None if a single slot or the readout is too long."""
+    `boundary_us` are the times of the boundaries 0..N, from 0 on, and `between_us` is the time from
+    boundary N to the next frame. None if a single slot or the readout is too long."""
     if between_us > keep_us:
         return None
     refresh_at: list[int] = []
@@ -81,8 +86,10 @@ def _refresh_boundaries(
 
 
 def fades(written_at: Collection[int], time: Timeline) -> bool:
-    """Return whether a register written at these boundaries of every frame exceeds the retention
-    time."""
+    """Return whether a register that is written at these boundaries of every frame exceeds the
+    retention time between two writes; True if it is never written.
+
+    `written_at` are numbers of boundaries, in any order."""
     if not written_at:
         return True
     times_us = [time.boundary_us[n] for n in sorted(written_at)]
@@ -172,7 +179,10 @@ class Planned(Record):
 
 
 def plan_exposures(program: Program, option: LoweringOption) -> Planned:
-    """Return the exposure plans of `program` for one lowering, or for all of them."""
+    """Return the exposure plans of `program` for one lowering, or with the option "auto" for all of
+    them.
+
+    There may be no plan; the reasons are then in `misfits`."""
     opens = levels(program)
     plans: list[ExposurePlan] = []
     misfits: dict[Lowering, Misfit] = {}
@@ -192,13 +202,14 @@ def frame_time(program: Program) -> Timeline:
 
 
 def levels(program: Program) -> Opens:
-    """Return the open shutters of every bucket and slot."""
+    """Return the open shutters of every bucket and slot, as truth vectors: item [bucket][slot]."""
     shutters = program.table.shutters
     return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
 
 
 def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
-    """Return the plan of `lowering`, or why there is none; `opens` is `levels(program)`."""
+    """Return the plan of `lowering`, or why there is none: too few analog registers, or for `latch`
+    a shutter that does not open in slot 0 and close once. `opens` is `levels(program)`."""
     free = len(program.target.analog_available)
     # `edges` can do without the reset level: shutters that open in slot 0 then subtract PIX, too.
     reference = lowering != "edges" or len(program.buckets) < free
@@ -216,7 +227,8 @@ def analog_registers(
 ) -> AnalogRegisters | Misfit:
     """Return the registers of a lowering, with one for the reset level if it needs a `reference`.
 
-    Returns a Misfit if the chip has too few registers."""
+    Registers are taken in the order of the target: buckets first, then the reset level. Returns a
+    Misfit if the chip has too few; a lowering without a `reference` may still fit."""
     target, buckets = program.target, program.buckets
     free = target.analog_available
     required = len(buckets) + reference
@@ -238,8 +250,8 @@ def analog_registers(
 
 
 def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
-    """Return the fewest and the most analog words that a pixel executes in these steps, over the
-    shutters that ever open."""
+    """Return the fewest and the most analog words (`bus`) that a pixel executes in these steps for
+    its buckets, over the shutters that ever open; (0, 0) if none opens."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
     for step in steps:
@@ -305,7 +317,8 @@ class _Builder:
     def _step(
         self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
     ) -> None:
-        """Add a step unless its predicate is empty."""
+        """Add a step for the pixels of `predicate` unless it is empty. If it contains all shutters,
+        the step is for every pixel (a predicate of None), which needs no gates."""
         if predicate:
             taking_part = None if predicate == self.everywhere else predicate
             self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
@@ -319,7 +332,8 @@ class _Builder:
         return op("bus", (self.scratch,), first_sources), op("bus", (register,), second_sources)
 
     def _subtract(self, register: str) -> tuple[Op, ...]:
-        """Return words for register -= PIX - reference."""
+        """Return words for register -= PIX - reference, that is, register = -(scratch + PIX) with
+        scratch = -(register + reference)."""
         before, after = (register, *self.zero), (self.scratch, "PIX")
         return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
@@ -336,7 +350,8 @@ class _Builder:
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
     def _latch(self) -> None:
-        """Add copies at boundaries where a shutter closes; only a pixel's last copy counts."""
+        """Add copies of PIX at boundaries where a shutter closes, in the pixels that were open
+        before; a pixel that stays open copies again later, and only its last copy counts."""
         assert self.reference is not None
         sample = op("bus", (self.scratch,), ("PIX",))
         copies = [
@@ -365,7 +380,10 @@ class _Builder:
 
     def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
         """Yield the boundaries where shutters change, with each bucket's open shutters before and
-        after."""
+        after, as truth vectors.
+
+        Before slot 0 and after the last slot all are closed. Boundaries at which no bucket changes
+        are left out."""
         closed = (0,) * len(self.opens)
         states = (closed, *zip(*self.opens, strict=True), closed)
         for boundary, (before, after) in enumerate(pairwise(states)):

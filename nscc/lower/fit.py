@@ -23,8 +23,11 @@ _LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
 
 
 def ledger(holders: Mapping[str, str]) -> str:
-    """Return the contents of registers as text, with equal ones joined: `R1-R4 fall at boundary
-    4, 16, 64, 256; R0 scratch`."""
+    """Return the contents of registers as text, with equal ones joined: `R1-R4 fall at boundary 4,
+    16, 64, 256; R0 scratch`.
+
+    `holders` maps registers to their contents in words. Contents are equal if they differ in their
+    last number only. Without registers the text is empty."""
     groups: dict[tuple[str, str], list[tuple[str, str | None]]] = {}
     for register, holder in holders.items():
         match = _LAST_NUMBER.match(holder)
@@ -39,8 +42,10 @@ def ledger(holders: Mapping[str, str]) -> str:
 
 
 def _with_runs(names: Sequence[str]) -> str:
-    """Join registers or numbers by commas, with three or more in sequence as a range: `R0-R3,
-    R7`."""
+    """Join registers or numbers by commas, with three or more in sequence as a range: `R0-R3, R7`.
+
+    A name whose last number is 1 more than that of the name before it, with the same beginning,
+    follows in sequence; the order is not changed. Without names the text is empty."""
     runs: list[list[str]] = []
     following = ""
     for name in names:
@@ -54,10 +59,10 @@ def _with_runs(names: Sequence[str]) -> str:
 
 
 def capacity_fault(program: Program) -> Diagnostic | None:
-    """Return the error (NS0412) if there are more shutters than states of a pixel's registers, else
-    None.
+    """Return the error (NS0412) if there are more shutters than a pixel's digital registers have
+    states, else None.
 
-    The error is proved."""
+    The error is proved: no encoding can distinguish the shutters."""
     target = program.target
     shutters = len(program.table.shutters)
     available = len(target.digital_registers)
@@ -99,8 +104,10 @@ def capacity_fault(program: Program) -> Diagnostic | None:
 def plan_fault(
     program: Program, misfits: Mapping[Lowering, Misfit], lowering: LoweringOption
 ) -> Diagnostic:
-    """Return the error (NS0413 or NS0414) that no plan exists for the requested `lowering`, which
-    is proved."""
+    """Return the error that no plan exists for the requested `lowering`, which is proved.
+
+    `misfits` has the reason for each lowering that was tried, at least one. NS0413 is returned if
+    all lack analog registers, else NS0414."""
     reasons = _reasons(misfits)
     short = [m for m in misfits.values() if m.resource is not None]
     if len(short) < len(misfits):
@@ -141,7 +148,9 @@ def plan_fault(
 
 def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: int) -> Diagnostic:
     """Return the error (NS0502) that the search at this `level` found no gates for any plan, which
-    is not proved. `misfits` has the reason of each."""
+    is not proved.
+
+    `misfits` has the reason of each lowering that was tried, at least one."""
     available = len(program.target.digital_registers)
     return Diagnostic(
         "NS0502",
@@ -170,7 +179,9 @@ def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
 
 
 def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
-    """Return all errors of the best lowering of `choice`; empty if it fits."""
+    """Return all errors of the best lowering of `choice`, compiled at this `level`: retention,
+    slots that are too short, too many words at a boundary, too many stored words. The list is empty
+    if it fits."""
     lowered = choice.best
     diagnostics = []
     if not lowered.retained:
@@ -185,9 +196,11 @@ def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
 
 
 def has_ways_out(diagnostic: Diagnostic) -> bool:
-    """Return whether similar programs may avoid this error.
+    """Return whether similar programs (fewer codes, rows or slots, a simpler class) may avoid this
+    resource error. Other diagnostics have no way out.
 
-    They cannot if the words that read the light already take too long."""
+    Too little time or too many words at a boundary can be avoided only if gates take part in it: if
+    the error is proved, the words that read the light alone take too long."""
     short_of = diagnostic.data.get("resource")
     if short_of in ("slot_us", "words_per_slot"):
         return only_search_can_tell(diagnostic)
@@ -200,8 +213,9 @@ def only_search_can_tell(diagnostic: Diagnostic) -> bool:
 
 
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
-    """Return the note (NS0503) that `nscc check` shows instead of the unproved error
-    `diagnostic`."""
+    """Return the note (NS0503) that `nscc check` shows instead of the unproved error `diagnostic`.
+
+    It has a help of its own, and no second places."""
     return replace(
         diagnostic,
         code="NS0503",
@@ -239,8 +253,10 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
 
 
 def _fewer_codes(program: Program) -> str:
-    """Return the help to compile only the used codes of `program`, or if done already, to use fewer
-    codes."""
+    """Return the help to compile only the used codes of `program`, or to use fewer codes if it does
+    so already.
+
+    If the program declares no codes of pixels, these must be added first."""
     if program.mode == "fixed":
         return "use fewer different codes, or shutters with fewer edges"
     if program.pixel_codes is None:
@@ -255,7 +271,9 @@ def _field_span(program: Program) -> Span:
 
 def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagnostic:
     """Return the error (NS0502) that the search at this `level` found no encoding of codes and
-    states, for these `reasons`, which is not proved."""
+    states, which is not proved.
+
+    `reasons` are sentences on why searches failed; they become notes of the error."""
     available = len(program.target.digital_registers)
     states = ", ".join(state.name for state in program.machine.states)
     return Diagnostic(

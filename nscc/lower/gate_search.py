@@ -49,15 +49,18 @@ class GateSearch:
         return Machine.of(self.program.target)
 
     def priced(self, solution: Solution) -> Lowered:
-        """Lay out the words of a solution, which gives its costs."""
+        """Lay out the words of a solution, which gives its costs. The caller ensures that it solves
+        the problem; it may take too many words."""
         decoding = Decoding(self.plan, self.problem, self.actions, solution)
         return lay_out(self.program, decoding, self.time, self.most_words)
 
     def best(self, level: int) -> Lowered | None:
-        """Return the cheapest solution of a level and the levels below; None if none was found.
+        """Return the cheapest solution of a level and the levels below, whether it fits or not;
+        None if none was found.
 
         More steps change where generators stop, so the result of a level is not always better than
-        that of the level below. Level 0 is only searched if nothing fits."""
+        that of the level below. Level 0 is only searched if nothing fits, or if `level` is 0. A
+        problem without demands needs one level only."""
         known: list[Lowered] = []
         for searched in range(level, -1, -1):
             known += self._of_level(searched)
@@ -67,8 +70,12 @@ class GateSearch:
         return min(known, key=_PRICE, default=None)
 
     def _of_level(self, level: int) -> list[Lowered]:
-        """Return the best solutions of the generators at a level of optimisation, with the
-        improved best one first."""
+        """Return the best solutions of the generators at a level of optimisation, one for each
+        encoding, cheapest first; at levels with ROUNDS, the improved best one before them. Empty if
+        every generator gave up.
+
+        If the improvement raises an exception, it is noted in `faults` (raised if that is None),
+        and the unimproved solutions are returned."""
         by_encoding: dict[str, Lowered] = {}
         for solution in solutions(self.problem, self.machine, level, self.faults):
             candidate = self.priced(solution)
@@ -86,7 +93,9 @@ class GateSearch:
     def improved_best(self, candidates: list[Lowered], level: int) -> Lowered:
         """Improve all candidates a little, and the best of them more; return the best result.
 
-        Solutions with masked gates stay as they are."""
+        `candidates` are sorted by price, at least one. Solutions with masked gates stay as they
+        are. With more demands than the store has words, the first candidate is returned
+        unchanged."""
         from nscc.logic.improve.search import balance, improve, words_at  # `check` does not need it
 
         if len(self.problem.demands) > self.program.target.store_words:

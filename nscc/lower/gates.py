@@ -45,9 +45,11 @@ def find_gates(
 ) -> Gated:
     """Return the gates of all plans; without `price_all`, stop when no better plan can follow.
 
-    A plan with fewer analog writes is better, except if it takes far more words than a composed
-    rule, or than one with little more writes. `most_words` is the largest allowed number of words
-    at a boundary, None for any."""
+    `level` is the optimisation level, 0 to 3. A plan with fewer analog writes is better, except if
+    it takes far more words than a composed rule, or than one with little more writes. Known
+    solutions are read from `results`, and new ones stored there (None: neither). `most_words` is
+    the largest allowed number of words at a boundary, None for any. Plans without gates are in
+    `misfits`. Raises Rejected (NS0905) for an invalid generator of another package."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
@@ -90,10 +92,11 @@ def find_gates(
 
 
 def _may_win(planned: Planned, plan: ExposurePlan) -> bool:
-    """Return whether few words are worth the analog writes of a plan.
+    """Return whether few words are worth the analog writes of `plan`, one of the plans in
+    `planned`.
 
-    They are if its writes are near the fewest, or if it asks for the levels of a rule composed from
-    parts."""
+    They are if its writes are at most _MANY_WRITES times the fewest, or if it asks for the levels
+    of a rule composed from parts, which need few gates."""
     if plan.analog_writes[1] <= _MANY_WRITES * planned.plans[0].analog_writes[1]:
         return True
     from nscc.logic.rule_parts import composition  # few programs need it
@@ -112,10 +115,11 @@ def lower(
 ) -> Lowered | Misfit:
     """Return the cheapest solution of a plan, whether it fits or not; a Misfit if none was found.
 
-    `most_words` is as in Lowered. Levels 2 and 3 improve the best solutions. The solution of a
+    `most_words` is as in `Lowered`. Levels 2 and 3 improve the best solutions. The solution of a
     level is never more expensive than that of the level below, or than another solution of this
-    level. Known solutions come from `results`. `faults` is as in `nscc.logic.generate.solutions`.
-    """
+    level. Known solutions come from `results`, where new ones are stored, except after a fault of a
+    generator. `faults` is as in `nscc.logic.generate.solutions`: None lets unexpected exceptions
+    propagate."""
     program, target, time = planned.program, planned.program.target, planned.time
     problem, actions = problem_of(program, plan, time, planned.opens)
     # Improvement needs fitting solutions as input; a limit that only the final solution meets would

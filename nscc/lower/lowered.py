@@ -57,7 +57,7 @@ class Lowered(Record):
     @cached_property
     def busy_us(self) -> list[float]:
         """The time of each boundary's words in microseconds, with launches, settling of IN and the
-        loop.
+        loop, for the boundaries 0..N.
 
         At boundary 0 only the words after the start of the exposure count."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
@@ -66,6 +66,7 @@ class Lowered(Record):
             busy[boundary] += each_us[kernel]
         for boundary in self.schedule.settles():
             busy[boundary] += self.program.target.in_settle_us
+        # The frame starts at boundary 0, so the loop does not wait for it.
         for boundary in {boundary for boundary, _ in self.schedule.launches} - {0}:
             busy[boundary] += self.program.target.wait_us
         busy[0] -= self.schedule.setup_us
@@ -73,12 +74,14 @@ class Lowered(Record):
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot length, for equal slots, with which all words fit."""
+        """The shortest slot length in microseconds, for equal slots, with which all words fit. The
+        words after the last slot do not count, because no slot follows."""
         return max(self.busy_us[: self.plan.slots])
 
     @property
     def shortest_slot_launches(self) -> int:
-        """The number of kernel launches included in `shortest_slot_us`."""
+        """The number of kernel launches included in `shortest_slot_us`. Of several boundaries that
+        take equally long, the first counts."""
         boundary = self.busy_us.index(self.shortest_slot_us)
         # The first launch of the frame is before the start of the exposure.
         return sum(n == boundary for n, _ in self.schedule.launches[1:])
@@ -91,21 +94,22 @@ class Lowered(Record):
 
     @cached_property
     def late(self) -> list[int]:
-        """The slots that are shorter than the words at their start."""
+        """The numbers of the slots that are shorter than the words at their start; empty if none
+        is."""
         slots = self.program.frame.slot_us
         return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us * _ROUNDING]
 
     @cached_property
     def overfull(self) -> list[int]:
-        """The boundaries with more words than the user allows."""
+        """The boundaries with more words than the user allows; empty without a limit."""
         if self.most_words is None:
             return []
         return [n for n, words in enumerate(self.words_per_boundary) if words > self.most_words]
 
     @cached_property
     def overload(self) -> float:
-        """The words or time of the fullest boundary relative to its limit; 0 if all are within
-        limits."""
+        """The words or time of the fullest boundary relative to its limit, above 1; 0 if all are
+        within limits."""
         slots = self.program.frame.slot_us
         ratios = [self.busy_us[n] / slots[n] for n in self.late]
         ratios += [self.words_per_boundary[n] / (self.most_words or 1) for n in self.overfull]
@@ -118,7 +122,8 @@ class Lowered(Record):
 
     @property
     def retained(self) -> bool:
-        """Whether digital registers keep their content from one refresh to the next."""
+        """Whether digital registers keep their content from one refresh to the next. True if none
+        holds a code or a state: nothing must then be kept."""
         allocation = self.schedule.allocation
         kept = allocation.code_registers or allocation.state_registers
         return self.time.refresh_at is not None or not kept
@@ -187,7 +192,7 @@ class Choice(Record):
 
     @property
     def best(self) -> Lowered:
-        """The best lowering."""
+        """The best lowering. The caller ensures that there is one."""
         return self.lowerings[0]
 
     @property
@@ -211,7 +216,8 @@ def lay_out(
 ) -> Lowered:
     """Lay out the words of a decoding over the frame's boundaries.
 
-    `most_words` is the user's limit on words at a boundary, as in `Lowered`."""
+    `decoding` and `time` belong to `program`. `most_words` is the user's limit on words at a
+    boundary, as in `Lowered`; nothing is raised if it, or another limit, is exceeded."""
     laid = schedule(decoding, time, program.target, program.spared_registers)
     return Lowered(program, decoding, laid, time, most_words)
 
@@ -222,8 +228,11 @@ def _reads_pix(step: PlanStep) -> bool:
 
 
 def assemble(lowered: Lowered, level: int) -> Container:
-    """Return the container of a lowered program, with the words and the register contents of
-    each shutter."""
+    """Return the container of a lowered program, with the words and the register contents of each
+    shutter.
+
+    `level` is the optimisation level, which the container's notes name. The caller ensures that the
+    words fit the chip."""
     program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
     target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)
@@ -242,6 +251,7 @@ def assemble(lowered: Lowered, level: int) -> Container:
         ),
         launches=tuple(
             Launch(boundary, kernel, level)
+            # `levels` is empty if no launch sets IN; every launch then has None.
             for (boundary, kernel), level in zip_longest(schedule.launches, schedule.levels)
         ),
         code_registers=schedule.allocation.code_registers,

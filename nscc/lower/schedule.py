@@ -37,8 +37,10 @@ class Allocation(Record):
 
 
 def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -> Allocation:
-    """Return the allocation of a solution's virtual registers to registers of `target`. The
-    registers `spared` are the last choice for code, and the first for other bits."""
+    """Return the allocation of a solution's virtual registers to registers of `target`.
+
+    The registers `spared` are the last choice for code, and the first for other bits. The caller
+    ensures that the solution needs no more registers than there are."""
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
@@ -75,7 +77,10 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
 
 def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
     """Return which virtual register is in the masked register, and which in its mask, as virtual to
-    chip register."""
+    chip register.
+
+    Either may be missing: without scratch registers the mask is free for other bits, and the masked
+    register may stay empty. Empty if the target has no masked register."""
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
@@ -85,7 +90,8 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
-    """Return the words of a segment of gates, on the registers of `allocation`."""
+    """Return the words of a segment of gates, on the registers of `allocation`. A gate that is not
+    masked and writes the masked register is preceded by the SET of the mask."""
     out: list[Op] = []
     for gate in segment:
         in_masked = allocation.places.get(gate.destination) == allocation.masked
@@ -96,9 +102,11 @@ def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
 
 
 def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
-    """Return the words of a gate. `places` maps virtual registers to the chip's registers.
+    """Return the words of a gate. `places` maps virtual registers to the chip's registers; FLAG
+    keeps its name.
 
-    A gate that reads its own destination takes a pair of words; every other gate takes one word."""
+    A gate that reads its own destination takes a pair of words; every other gate takes one word.
+    The caller ensures that the gate reads no more sources than a word can."""
     sources = [places.get(name, name) for name in gate.sources]
     if gate.name == "WHERE":
         return (op("WHERE", (), sources),)
@@ -110,9 +118,11 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
 
 
 def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
-    """Return words that rewrite the content of all `registers`.
+    """Return words that rewrite the content of all `registers` (names of the chip's registers),
+    with the same content.
 
-    They overwrite FLAG if both the masked register and its mask contain code."""
+    They overwrite FLAG if both the masked register and its mask contain code, and the mask if only
+    the masked register does."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]
@@ -153,7 +163,8 @@ class FrameSchedule(Record):
     levels: tuple[int | None, ...] = ()
 
     def settles(self) -> list[int]:
-        """Return the boundaries at which IN changes, once for each change."""
+        """Return the boundaries at which IN changes, ascending, once for each change. Launches for
+        which IN does not matter change nothing."""
         boundaries: list[int] = []
         last: int | None = None
         levels = self.levels or (None,) * len(self.launches)
@@ -189,8 +200,11 @@ def kernel_us(kernel: Sequence[Op], target: Target) -> float:
 def schedule(
     decoding: Decoding, time: Timeline, target: Target, spared: Collection[str] = ()
 ) -> FrameSchedule:
-    """Lay out the gates of a solution and the analog words of its plan over the boundaries. The
-    digital registers `spared` are the last choice for code."""
+    """Lay out the gates of a solution and the analog words of its plan over the boundaries.
+
+    The digital registers `spared` are the last choice for code. Kernels are as large as the store
+    allows; if it has too few words even for the smallest kernels, that schedule is returned
+    nevertheless."""
     allocation = allocate(decoding.solution, target, spared)
     for size in SIZES:
         result = _scheduled(decoding, time, target, allocation, size)
@@ -206,10 +220,14 @@ def _scheduled(
     allocation: Allocation,
     size: KernelSize,
 ) -> FrameSchedule:
-    """Return the schedule of a frame whose kernels hold the words of a boundary, of a segment or
-    of a single gate (`size`)."""
+    """Return the schedule of a frame with kernels of this `size`; it may store more words than the
+    controller can.
+
+    Registers that the frame's own words do not write often enough are refreshed at the boundaries
+    of `time`, and at the end."""
     boundaries = _segments(decoding, allocation, size)
     refreshed = refreshed_registers(boundaries, allocation, time)
+    # The exposure begins with the last reset of the setup.
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is WordEffect.RESET_PIX
     )
@@ -291,10 +309,11 @@ def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> l
 def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
-    """Return the code registers that the frame's own words do not write often enough.
+    """Return the code registers that the frame's own words do not write often enough, in the order
+    of the allocation.
 
-    A write to the masked register counts only after SET of its mask, because otherwise it does not
-    reach all pixels."""
+    `boundaries` has the segments of words of each boundary 0..N. A write to the masked register
+    counts only after SET of its mask, because otherwise it does not reach all pixels."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     mask_is_set = False
     for n, segments in enumerate(boundaries):
@@ -308,7 +327,8 @@ def refreshed_registers(
 
 
 def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> list[list[Words]]:
-    """Return the segments of each boundary merged into one, except segments in `apart`."""
+    """Return the segments of each boundary merged into one, except segments in `apart`, which stay
+    alone and divide those before and after them. A boundary without segments stays empty."""
     merged: list[list[Words]] = []
     for segments in boundaries:
         run: list[Words] = []

@@ -11,7 +11,7 @@ from nscc.program.problems import counted
 
 def retention_fault(lowered: Lowered) -> Diagnostic:
     """Return the error (NS0602) that a slot or the readout exceeds the retention time, which is
-    proved."""
+    proved. It names the longest slot, and asks for a shorter readout if that is too long."""
     program = lowered.program
     longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
     slot_us = program.frame.slot_us[longest]
@@ -41,7 +41,9 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
 def late_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0601) that words take longer than the slot at whose start they run.
 
-    It is proved if in every lowering the analog words and one launch take too long."""
+    `level` is the optimisation level; the best lowering must have late slots. The error is proved
+    if in every lowering the analog words and one launch take too long. It then names the slot that
+    lacks most for these, else the slot that lacks most for all its words."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
@@ -81,7 +83,9 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0603) for more words at a boundary than `--max-words-per-slot` allows.
 
-    It is proved if in every lowering the analog words of a boundary exceed the limit."""
+    `level` is the optimisation level; the best lowering must have overfull boundaries, of which the
+    fullest is named. The error is proved if in every lowering the analog words of a boundary exceed
+    the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
@@ -113,7 +117,8 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def _where_they_go(lowered: Lowered, boundary: int) -> str:
-    """Return the words of a boundary by purpose, and the time of launches, as text."""
+    """Return the words of a boundary by purpose, and the time of launches, as text. Purposes
+    without words are left out."""
     kernels, launch_us = lowered.schedule.kernels, lowered.program.target.launch_us
     launched = [kernels[kernel] for n, kernel in lowered.schedule.launches if n == boundary]
     words = [word for kernel in launched for word in kernel]
@@ -142,7 +147,8 @@ def _times(target: Target) -> str:
 
 
 def _nothing_untried(choice: Choice) -> bool:
-    """Return whether every lowering was laid out or is impossible."""
+    """Return whether every lowering was laid out or is impossible. False if the search found no
+    gates for one, because that proves nothing."""
     return not any(misfit.searched for misfit in choice.misfits.values())
 
 
@@ -154,7 +160,8 @@ def _too_short(lowered: Lowered) -> list[int]:
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
-    """Return the minimum time at a boundary: its analog words, one launch, and the loop."""
+    """Return the minimum time in microseconds at a boundary: its analog words, one launch, and the
+    loop (not at boundary 0). 0 without analog words, because nothing need run there."""
     target = lowered.program.target
     analog = _analog_words(lowered, boundary)
     loop_us = target.launch_us + (target.wait_us if boundary else 0.0)

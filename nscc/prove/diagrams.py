@@ -57,7 +57,8 @@ class Diagrams:
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
-        """Return the diagram of the constant `value`; equal numbers give the same diagram."""
+        """Return the diagram of the constant `value`; equal numbers give the same diagram. Raises
+        TooLarge if it would be a node too many, as all methods that make nodes do."""
         key = value.as_integer_ratio()  # hashing a Fraction is slow
         number = self._number.get(key)
         if number is None:
@@ -69,8 +70,8 @@ class Diagrams:
         """Return the diagram of a new answer, a bit that is unknown; `at` (column, row) is the
         pixel that asks.
 
-        Answers of nearby pixels are close in the order of variables, so that planes computed from
-        neighbours' bits have small diagrams."""
+        Answers of nearby pixels are close in the order of variables (by row, column, then age), so
+        that planes computed from neighbours' bits have small diagrams."""
         x, y = at
         self._order.append((y, x, len(self._order)))
         return self._node(len(self._order) - 1, self.zero, self.one)
@@ -80,7 +81,8 @@ class Diagrams:
         return self._values.get(node)
 
     def first_value(self, node: int) -> Fraction:
-        """Return the first number other than 0 among a diagram's leaves; 0 for the zero diagram.
+        """Return the first number other than 0 among a diagram's leaves, those where answers are 0
+        first; 0 for the zero diagram.
 
         Equal diagrams give the same number, which `Forms.positive` uses to scale forms."""
         stack = [node]
@@ -110,27 +112,28 @@ class Diagrams:
         return variables
 
     def add(self, a: int, b: int) -> int:
-        """Return the sum of two numbers."""
+        """Return the diagram of the sum of two numbers, given as diagrams."""
         return self._apply("+", a, b)
 
     def times(self, a: int, b: int) -> int:
-        """Return the product of two numbers; for bits this is `and`."""
+        """Return the diagram of the product of two numbers, given as diagrams; for bits this is
+        `and`."""
         return self._apply("*", a, b)
 
     def either(self, a: int, b: int) -> int:
-        """Return `or` of two bits."""
+        """Return the diagram of `or` of two bits, given as diagrams."""
         return self._apply("|", a, b)
 
     def differs(self, a: int, b: int) -> int:
-        """Return `xor` of two bits."""
+        """Return the diagram of `xor` of two bits, given as diagrams."""
         return self._apply("^", a, b)
 
     def inverse(self, bit: int) -> int:
-        """Return `not` of a bit."""
+        """Return the diagram of `not` of a bit, given as a diagram."""
         return self._apply("^", bit, self.one)
 
     def scaled(self, factor: Fraction, node: int) -> int:
-        """Return the diagram of a number times `factor`."""
+        """Return the diagram of `factor` times the number whose diagram is `node`."""
         known = self.multiples(factor)
         product = known.get(node)
         if product is None:
@@ -138,12 +141,13 @@ class Diagrams:
         return product
 
     def multiples(self, factor: Fraction) -> dict[int, int]:
-        """Return the known products with a fraction, by node of a decision diagram; callers may add
-        to the mapping."""
+        """Return the known products with the fraction `factor`, by node: the key is the diagram of
+        a number, the value that of its product. Callers may add to the mapping, which is kept."""
         return self._multiples.setdefault(factor.as_integer_ratio(), {})
 
     def chosen(self, bit: int, then: int, otherwise: int) -> int:
-        """Return the number `then` where the bit is 1 and `otherwise` where it is 0."""
+        """Return the diagram of the number `then` where the bit is 1 and of `otherwise` where it is
+        0; all three are diagrams."""
         return self.add(self.times(bit, then), self.times(self.inverse(bit), otherwise))
 
     def _apply(self, name: str, a: int, b: int) -> int:
@@ -178,10 +182,11 @@ class Diagrams:
         return result
 
     def _node(self, variable: int, low: int, high: int) -> int:
-        """Return the node of a decision diagram that branches to `low` where the variable is 0 and
-        to `high` where it is 1.
+        """Return the node of a decision diagram that branches to `low` where the variable number
+        `variable` is 0 and to `high` where it is 1.
 
-        Equal branches need no node, and an existing node with the same branches is used again."""
+        Equal branches need no node, and an existing node with the same branches is used again.
+        Raises TooLarge beyond `MOST_NODES`."""
         if low == high:
             return low
         key = (variable, low, high)
@@ -189,9 +194,10 @@ class Diagrams:
         return self._add(key, key) if number is None else number
 
     def _add(self, key: object, node: tuple[int, int, int]) -> int:
-        """Append a node of a decision diagram, which can be found by `key`, and return its number.
+        """Append a node (variable, low, high) of a decision diagram, which can be found by `key`,
+        and return its number. The caller ensures that the key is new.
 
-        Raises TooLarge beyond `MOST_NODES`."""
+        Raises TooLarge if there are `MOST_NODES` nodes already."""
         if len(self._nodes) >= MOST_NODES:
             raise TooLarge
         self._nodes.append(node)
@@ -263,8 +269,8 @@ class Forms:
         return self._kept[key]
 
     def propagated(self, bit: int, mask: int, at: tuple[int, int]) -> int:
-        """Return the bit at the pixel `at` after a propagation of `bit` under `mask`, as an
-        unknown.
+        """Return the bit at the pixel `at` (x, y) after a propagation of `bit` under `mask`,
+        diagrams of that pixel, as an unknown.
 
         The same bits and masks in all pixels give the same result. As the proof compares all
         pixels, a bit and a mask that are equal in one pixel may share the unknown there."""
@@ -276,10 +282,10 @@ class Forms:
         return self._propagated[key]
 
     def counted(self, bit: int, steps: Fraction) -> Form:
-        """Return `steps` of IN (the value that all pixels receive) where a bit is 1, else 0, as a
-        weighted sum.
+        """Return `steps` of IN (the value that all pixels receive) where a bit, given as a diagram,
+        is 1, else 0, as a weighted sum.
 
-        A bit and its inverse share an unknown."""
+        A bit and its inverse share an unknown. The sum is empty for the constant 0."""
         diagrams = self.diagrams
         if bit == diagrams.zero:
             return {}
@@ -292,8 +298,8 @@ class Forms:
         return {(COUNTED, bit, 0): diagrams.leaf(steps)}
 
     def sum(self, *terms: tuple[Fraction, Form]) -> Form:
-        """Return the sum of `terms`, each a (factor, form); unknowns whose factors cancel are left
-        out."""
+        """Return the sum of `terms`, each a (factor, form), as a form; unknowns whose factors
+        cancel are left out. The forms do not change; without terms the sum is empty, which is 0."""
         diagrams, zero = self.diagrams, self.diagrams.zero
         total: dict[Unknown, int] = {}
         for factor, form in terms:
@@ -328,8 +334,9 @@ class Forms:
         return {unknown: number for unknown, number in numbers.items() if number != zero}
 
     def _steps_between(self, first: Form, second: Form) -> Fraction | None:
-        """Return `first` - `second` if that is a constant number of steps of IN (the level sent to
-        all pixels), else None."""
+        """Return the number of steps of IN (the level sent to all pixels) in `first` minus that in
+        `second`; None if they differ in anything else, or in a number of steps that depends on
+        answers."""
         if {**first, IN: 0} != {**second, IN: 0}:
             return None
         zero = self.diagrams.zero
@@ -348,6 +355,7 @@ class Forms:
         if unknowns == [IN] and (steps := diagrams.value(form[IN])) is not None:
             return diagrams.one if steps > 0 else diagrams.zero
         first = diagrams.first_value(form[unknowns[0]]) if form else Fraction(1)
+        # Divided by it, forms that differ by a factor are equal.
         scale = 1 / first
         key = tuple((u, diagrams.scaled(scale, form[u])) for u in unknowns)
         answer = self._answers.get(key)
@@ -366,7 +374,7 @@ class Forms:
 
     def compares_equal(self, value: Form | int) -> bool:
         """Return whether a form, or a bit (an int), depends on the sign of 0: on comparing equal
-        values."""
+        values, which no real comparator decides."""
         sign_of_0 = self._answers.get(())
         return sign_of_0 is not None and self._depends_on(value, self.diagrams.support(sign_of_0))
 

@@ -15,16 +15,18 @@ Bits = dict[Place, int]
 
 
 def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach]:
-    """Return the reach in one frame of every image, plane and state of the program text, by name.
+    """Return the reach in one frame of every image, plane and state of the program text, by name:
+    how far away, in pixels and four directions, it reads the light of other pixels.
 
     With `of_a_step`, the values of repeated statements count as given. The result then has the
-    reach of their start values and of one step."""
+    reach of their start values and of one step together."""
     reach_of: dict[str, Reach] = {}
     weights = pictures.weights_by_name
     states = {*pictures.stepping}
 
     def reach(node: p.Node) -> Reach:
-        """Return how far away, in pixels and four directions, an expression reads other pixels."""
+        """Return the reach of an expression, from those of the names before it. Buckets, and states
+        from before the frame, have no reach."""
         if isinstance(node, p.Source | p.Bit):
             return Reach() if node.name in states else reach_of.get(node.name, Reach())
         joined = Reach().joined(*map(reach, p.operands(node)))
@@ -47,6 +49,7 @@ def reaches(pictures: p.Pictures, *, of_a_step: bool = False) -> dict[str, Reach
         needed[name] = reach_of[name] = reach(expression.start)
         group = loops.setdefault(expression.leader, [])
         group.append(name)
+        # The statements of a loop are stepped together, so the last of them does it for all.
         if len(group) < len(pictures.loop_of(name)):
             continue
         steps = {each: pictures.repeated[each].step for each in group}
@@ -87,12 +90,15 @@ class PictureMeaning:
         self.count_steps = Fraction(pictures.count_steps)
         diagrams = forms.diagrams
         self.outside = diagrams.one if pictures.outside else diagrams.zero
+        # By `id`, because comparing expressions is slow; `pictures` keeps them alive.
         self._images: dict[tuple[int, Place], Form] = {}
         self._bits: dict[tuple[int, Place], int] = {}
 
     def value(self, name: str, at: Place) -> Form | int:
-        """Return an image, a bucket (weighted sums), a plane or the next value of a state (bits) at
-        the pixel `at` (x, y)."""
+        """Return an image or a bucket (weighted sums), a plane or the next value of a state (bits)
+        at the pixel `at` (x, y).
+
+        A name without an expression is a state from before the frame, or else taken as a bucket."""
         node = self.nodes.get(name)
         if node is None:
             if name in self.planes:

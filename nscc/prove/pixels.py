@@ -34,12 +34,13 @@ class Noise:
     numpy.random would take longer than most proofs."""
 
     def __init__(self, seed: int) -> None:
-        """Begin the sequence of random numbers that the seed determines."""
+        """Begin the sequence of random numbers that the seed, from 0 on and below 2^32, determines.
+        Different seeds have different counters for the first 2^32 numbers."""
         self._next = seed << 32
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
-        """Return the next pseudo-random values, distinct and between 1/4 and 1, as float64 (rows,
-        columns)."""
+        """Return the next `rows` x `columns` pseudo-random values, between 1/4 and 1, as float64
+        (rows, columns). None is near 0, so that no light goes unnoticed."""
         end = self._next + rows * columns
         x = np.arange(self._next, end, dtype=np.uint64)
         self._next = end
@@ -49,6 +50,7 @@ class Noise:
         x ^= x >> np.uint64(27)
         x *= np.uint64(0x94D049BB133111EB)
         x ^= x >> np.uint64(31)
+        # The upper 53 bits, which a float64 holds exactly, as a number from 0 to 1.
         unit = (x >> np.uint64(11)).astype(np.float64) * 2.0**-53
         return (0.25 + 0.75 * unit).reshape(rows, columns)
 
@@ -137,9 +139,11 @@ class ReplayPixels:
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Replace the lanes (pixels that the proof distinguishes) by those with these indices.
+        """Replace the lanes (pixels that the proof distinguishes) by those with the indices
+        `lanes`, in this order.
 
-        An index may be repeated, to follow two answers of one pixel, or left out."""
+        An index may be repeated, to follow two answers of one pixel, or left out. All registers are
+        changed in place."""
         vectors = [vector for bits in self.bits.values() for vector in bits]
         chosen = iter(columns(rows(vectors, self.lanes)[lanes]))
         self.bits = {name: (next(chosen), next(chosen)) for name in self.bits}
@@ -209,13 +213,13 @@ class ReplayPixels:
 
     def set_in(self, level: int) -> None:
         """Set the charge that IN (the level sent to all pixels) supplies to `level` steps, in all
-        lanes."""
+        lanes. All lights get it; terms of linear forms become 0."""
         self.analog["IN"][:] = 0.0
         self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
 
     def _noise(self, rows: int) -> Values:
-        """Return values for registers that were never written, float64 (rows, parts), for all lanes
-        (simulated pixels) alike.
+        """Return values for registers that were never written, float64 (rows, parts), a row for
+        each register, for all lanes (simulated pixels) alike.
 
         Lights are random, or zero with `quiet`; terms are zero."""
         values = np.zeros((rows, self.parts))
@@ -236,6 +240,7 @@ class ReplayPixels:
                 unsure = None
                 if self.target.reset_honours_flag != "no":
                     lanes, unsure = self._flagged("rpix")
+                # The reset may or may not happen in every pixel whose FLAG is not surely 1.
                 if self.target.reset_honours_flag == "unknown":
                     unflagged = self.everything & ~self.read("FLAG")[0]
                     unsure = members(unflagged, self.lanes) if unflagged else None
@@ -256,14 +261,15 @@ class ReplayPixels:
                 self._digital(word)
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
-        """Store an analog value, float64 (lanes, parts), in the pixels `lanes`; in those of
-        `unsure` it becomes unknown."""
+        """Store an analog value, float64 (lanes, parts) or (1, parts) for all, in the register
+        `name` of the pixels `lanes`; in those of `unsure` (None: no pixel) it becomes unknown."""
         self.analog[name][lanes] = value
         if unsure is not None:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
 
     def total(self, word: Op, lanes: Lanes = slice(None)) -> Values:
-        """Return the sum of a word's analog sources in `lanes`, float64 (lanes, parts)."""
+        """Return the sum of a word's analog sources in `lanes`, float64 (lanes, parts), without the
+        change of sign that bus words make; zeros (1, parts) without sources."""
         if not word.sources:
             return np.zeros((1, self.parts))
         first, *further_sources = (self.analog[name][lanes] for name in word.sources)
@@ -314,9 +320,11 @@ class ReplayPixels:
             self.write(name, value, mask if name == masked else None)
 
     def read(self, name: str) -> Bits:
-        """Return the bits of a digital register or of FLAG (the bit that lets a pixel act), now.
+        """Return the bits of a digital register or of FLAG (the bit that lets a pixel act), now, as
+        a pair of truth vectors.
 
-        They are unknown if they were written longer ago than the retention time; that is noted."""
+        They are unknown if they were written longer ago than the retention time; a bit that was
+        known is noted as a doubt."""
         value = self.bits[name]
         if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
             return value
@@ -327,7 +335,7 @@ class ReplayPixels:
 
     def _or_sources(self, word: Op) -> Bits:
         """Return the OR of a word's digital sources in all pixels, as a pair of truth vectors
-        (known 1, known 0)."""
+        (known 1, known 0). Without sources it is 0 everywhere."""
         known_1, known_0 = 0, self.everything
         for name in word.sources:
             ones, zeros = self.read(name)
@@ -339,7 +347,8 @@ class ReplayPixels:
         """Write the bits of a register, now.
 
         With the register `mask`, only lanes (simulated pixels) where it is 1 change, and the
-        content counts as old as before."""
+        content counts as old as before, unless it is 1 in all lanes. A lane whose mask is unknown
+        keeps only a bit that is equal before and after."""
         on, off = (self.everything, 0) if mask is None else self.read(mask)
         if on == self.everything:
             self.bits[name] = value

@@ -55,11 +55,12 @@ class Replay(ReplayPixels):
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Run one frame and return the exposure of each bucket by name, float64 (lanes, lights), in
-        electrons.
+        """Run one frame and return the exposure of each bucket that is read out, by name, float64
+        (lanes, lights), in electrons.
 
         A lane is the pixel of one shutter. `light` float64 (N, lights) are the electrons of each
-        slot; each column is exposed on its own."""
+        slot; each column is exposed on its own, and the replay must have as many lights as there
+        are columns."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -74,10 +75,12 @@ class Replay(ReplayPixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light`, float64 (N,), in electrons per slot.
+        """Run one frame in `light`, float64 (N,), in electrons per slot, with a replay of one
+        light.
 
-        Raises ReplayError if an exposure differs from the sum of light over the open slots of the
-        decode table, or if the code registers do not hold the code at the end."""
+        Raises ReplayError if a bucket is not read out, if an exposure differs from the sum of light
+        over the open slots of the decode table, or if the code registers do not hold the code at
+        the end. The first shutter with an error is named."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
@@ -104,7 +107,8 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
     `container.encoding`.
 
     The light of slot n is 4^n, so that the base-4 digits of an exposure are the weights of the
-    slots. Return None if a weight is neither 0 nor 1."""
+    slots. Return None if a weight is neither 0 nor 1, or unknown. Raises KeyError if a bucket is
+    not read out."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))
@@ -137,10 +141,11 @@ _TOLERANCE = 1e-9
 
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
-    """Return the first bucket that is not read out as the target defines, and the reason; None if
-    all are.
+    """Return the first bucket that is not read out as the target defines, and the reason in words;
+    None if all are.
 
-    One replay with random values suffices, because the words are linear."""
+    One replay with random values suffices, because the words are linear. If the target lacks a word
+    before the readout, the first bucket is named."""
     preparation = preparation_of(container)
     buckets = converted_buckets(container)
     for word in preparation.words:
@@ -164,7 +169,7 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 
 def _converter_input_e(container: Container, exposure_e: float) -> float:
     """Return the converter input, in electrons, whose code means an exposure of `exposure_e`
-    electrons.
+    electrons. Codes need not be whole numbers here.
 
     The converter's codes are symmetric around an empty register."""
     target = converter_of(container)
@@ -233,8 +238,9 @@ def prove(
     """Prove that `kernels`, the decoded words of the container, match its decode table.
 
     `replay_of` makes the pixels that run the words for two frames. `after_frame` returns the first
-    error of the words that follow a frame. The result holds the first failure; with `frames` 0, the
-    target does not support a word."""
+    error of the words that follow a frame, None if they are right; it is asked only if both frames
+    hold. The result holds the first failure, None if there is none; with `frames` 0, the target
+    does not support a word, and nothing was replayed."""
     codes, slots = len(container.table.codes), container.slots
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
@@ -261,11 +267,11 @@ ALWAYS_EQUAL = "it compares values that are always equal"
 def unproved_error(
     failure: Failure, source: Source | None = None, span: Span | None = None
 ) -> Diagnostic:
-    """Return the error for an image or a plane without a proof.
+    """Return the error for an image or a plane without a proof; `failure.unproved` is its name.
 
-    It is NS0533 if the image or plane compares values that are always equal, and NS0544 if its
-    proof needs too many nodes. `span` is the place of its statement in `source`; without them the
-    error has no place."""
+    It is NS0533 if the image or plane compares values that are always equal, else NS0544: its proof
+    needs too many nodes. `span` is the place of its statement in `source`; without them the error
+    has no place."""
     from nscc.prove.diagrams import MOST_NODES
 
     name = failure.unproved

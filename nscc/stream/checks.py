@@ -26,9 +26,10 @@ def check_route(sending: Sending) -> None:
 
 def check_loadings(sending: Sending) -> None:
     """Check that every bit plane is loaded before it takes effect, in its own slot, and before the
-    next plane loads.
+    next plane loads. There must be one loading for each slot.
 
-    Raises Inconsistent, which is a fault of nscc."""
+    Raises Inconsistent, which is a fault of nscc; a program whose slots are too short must have
+    been refused before."""
     load_us, begin_us = sending.program.target.plane_load_us, 0.0
     ended_us = -inf
     for slot_us, loading in zip(sending.program.frame.slot_us, sending.loadings, strict=True):

@@ -48,9 +48,10 @@ class NoRoute(Record):
 def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
     """Return how bits send the light of `shutters`, bool (shutters, buckets, N), to the taps.
 
-    Bucket b is collected by tap b. Light that no bucket collects goes to the drain, or else to a
-    tap without a bucket. Return NoRoute if the chip has too few taps, if two buckets are open at
-    once, or if a slot needs more than two destinations."""
+    Bucket b, named `buckets[b]`, is collected by tap b. Light that no bucket collects goes to the
+    drain, or else to a tap without a bucket. Return NoRoute if the chip has too few taps, if two
+    buckets are open at once, or if a slot needs more than two destinations or a drain that is not
+    there; the first of these that is true, in its first slot."""
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"
@@ -155,7 +156,10 @@ class Sending(Record, eq=False):
 
 
 def late_fault(sending: Sending) -> Diagnostic | None:
-    """Return the error (NS0508) if a slot is too short to load its bit plane, else None."""
+    """Return the error (NS0508) if a slot is too short to load its bit plane, else None.
+
+    The shortest slot is named. Where the light waits for the plane (no pipeline), a slot must be
+    longer than the load time; else it may be equal."""
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
     # If light waits for the plane, a slot as short as the load time has no light.
@@ -197,7 +201,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
 
 
 def with_planes_of_route(container: Container, way: Route) -> Container:
-    """Return a container with the bit planes of its pixel codes, which it replaces.
+    """Return a container with the bit planes of its pixel codes, in place of any that it had.
 
     `way` has the destination of the light of each shutter. Without pixel codes the container gets
     no planes."""
@@ -226,7 +230,7 @@ def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) 
     """Return the error (NS0509) that a chip cannot route the light as the program requires.
 
     `chip` is its name. `program` gives the place in the source; None if only a compiled file is
-    known."""
+    known, whose error has no place."""
     message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
     help_text = (missing_route.help,)
     if program is None:
@@ -247,7 +251,8 @@ def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) 
 def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
     """Return the program with its route, without errors; or NoRoute and the error (NS0509).
 
-    Options that only apply to words (a lowering, a limit on words) are refused with NS0510."""
+    Options that only apply to words (a lowering, a limit on words) are refused with NS0510; the
+    NoRoute is then empty."""
     lowering = job.options.lowering
     word_options = [f"--lowering {lowering}"] * (lowering != "auto")
     word_options += ["--max-words-per-slot"] * (job.options.max_words_per_slot is not None)

@@ -38,7 +38,8 @@ class BitPlanes(ProgramKind):
         return container_of(layout), ()
 
     def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
-        """Prove that the bit planes open the shutters of the program."""
+        """Prove that the bit planes open the shutters of the program. `kernels` are not used: there
+        are no words."""
         return prove_planes(container)
 
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:

@@ -14,7 +14,8 @@ def prove_planes(container: Container) -> Proof:
 
     Planes must be completely loaded before they take effect, one at a time. The proof does not use
     the code that made the planes. Without pixel codes there are no planes, and only the times are
-    proved. The result holds the first failure."""
+    proved; `pixels` of the result is then 0, as after a failure of the times. The result holds the
+    first failure."""
     table, target = container.table, container.target
     failure = _times(container)
     sent, pixels = container.stream, container.pixel_codes

@@ -54,8 +54,8 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
 
 
 def cost_text(sending: Sending) -> str:
-    """Return two lines: number and size of the bit planes of a frame, and the shortest possible
-    slot."""
+    """Return two lines of text: number and size of the bit planes of a frame with their data rate,
+    and the shortest possible slot."""
     return (
         f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
         f"{rate_text(sending.bits_per_us)} while one loads\n"
@@ -64,7 +64,8 @@ def cost_text(sending: Sending) -> str:
 
 
 def rate_text(bits_per_us: float) -> str:
-    """Return a data rate as text with four digits, in kbit/s, Mbit/s or Gbit/s."""
+    """Return a data rate, given in bits per microsecond, as text with four digits, in kbit/s,
+    Mbit/s or Gbit/s."""
     if bits_per_us >= 1e3:
         return f"{bits_per_us / 1e3:.4g} Gbit/s"
     return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"

@@ -42,7 +42,8 @@ _OPEN = _SIDE - 1
 @dataclass(frozen=True, slots=True, order=True)
 class Match:
     """An address pattern: all pixels whose address equals (row, col) in the bits that the masks do
-    not ignore."""
+    not ignore. A 1 in `row_mask` or `col_mask` ignores that bit. Addresses have ADDRESS_BITS bits;
+    columns count from the right."""
 
     row: int
     col: int
@@ -63,7 +64,9 @@ def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
     """Return a bit plane, bool (rows, cols), as address patterns; None if it depends on more than
     `MOST_BITS` address bits.
 
-    The chip sets all pixels of a pattern at once. Addresses outside the array may get any value."""
+    The chip sets all pixels of a pattern at once. Addresses outside the array may get any value.
+    The array must have at most 2^ADDRESS_BITS rows and columns. A plane of zeros has no
+    patterns."""
     rows, cols = plane.shape
     # Pixels that must be 1, and that must be 0, by address. Columns are reversed: the devkit counts
     # them from the right.
@@ -92,8 +95,9 @@ def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, l
     """Return two truth tables over the address bits on which a plane depends, and these bits,
     lowest first.
 
-    `on` and `off`, bool by address, mark the pixels that must be 1 and 0. A bit on which neither
-    depends is left out; the tables are integers."""
+    `on` and `off`, bool (256, 256) by address, mark the pixels that must be 1 and 0; no pixel is
+    both. A bit on which neither depends is left out. A table is an integer: bit i is the value at
+    address i."""
     cube = (2,) * (2 * ADDRESS_BITS)
     on, off = on.reshape(cube), off.reshape(cube)
     bits: list[_Bit] = []
@@ -109,7 +113,8 @@ def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, l
 
 
 def _table(plane: NDArray[np.bool_]) -> int:
-    """Return a small plane as an integer, row by row, the first bit lowest."""
+    """Return a plane of any shape as an integer: its elements in C order, the first as the lowest
+    bit."""
     return int.from_bytes(np.packbits(plane.ravel(), bitorder="little").tobytes(), "little")
 
 
@@ -117,8 +122,9 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
     """Return a union of cubes that contains `needed` and lies in `allowed`, and the union's truth
     table.
 
-    Truth tables of `bits` variables are integers. No cube can be left out. The method is the
-    algorithm of Minato and Morreale."""
+    All three are truth tables of `bits` variables as integers; `allowed` must contain `needed`. No
+    cube can be left out. Without `needed` there is no cube. The method is the algorithm of Minato
+    and Morreale."""
     if not needed:
         return [], 0
     if allowed == (1 << (1 << bits)) - 1:
@@ -143,10 +149,10 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
 
 
 def _match(cube: _Cube, bits: list[_Bit]) -> Match:
-    """Return the address pattern of a cube.
+    """Return the address pattern of a cube, which is one pattern for rows and columns together.
 
     Bit i of a cube belongs to `bits[i]`: whether it is an address bit of the column, and the value
-    of that bit."""
+    of that bit. Bits that the cube does not name are ignored."""
     named, ones = cube
     value, mask = [0, 0], [_OPEN, _OPEN]
     for index, (column, bit) in enumerate(bits):
@@ -161,7 +167,8 @@ _HEADER = 14 + 40
 
 
 def bitmap(plane: NDArray[np.bool_]) -> bytes:
-    """Return a 24-bit Windows bitmap that is white where a bit plane, bool (rows, cols), is 1.
+    """Return a 24-bit Windows bitmap that is white where a bit plane, bool (rows, cols), is 1 and
+    black elsewhere.
 
     The width is rounded up to a multiple of 8 with black pixels, because the devkit packs eight
     pixels of a row into a byte."""
@@ -174,6 +181,7 @@ def bitmap(plane: NDArray[np.bool_]) -> bytes:
     # metre).
     sizes = (40, width, rows, 1 | 24 << 16, 0, len(data), 2835, 2835, 0, 0)
     info = b"".join(size.to_bytes(4, "little") for size in sizes)
+    # The length of the file, a reserved 0, and where the pixels begin.
     start = (_HEADER + len(data), 0, _HEADER)
     return b"BM" + b"".join(size.to_bytes(4, "little") for size in start) + info + data
 
@@ -240,10 +248,12 @@ class CodeLoading:
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """Return the library calls that write every code register again, before it loses its bits.
+        """Return the library calls that write every code register again, before it loses its bits;
+        none if there is no code.
 
         The masked register is written back while its mask is 1; the mask's own code is kept in FLAG
-        (the bit that lets a pixel act) meanwhile."""
+        (the bit that lets a pixel act) meanwhile. If the mask holds no code, it is simply
+        overwritten."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
@@ -266,7 +276,9 @@ class CodeLoading:
         return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """Return the library calls that add one pattern to the register of a load."""
+        """Return the library calls that add the pattern in a load's scratch register to its own
+        register, and clear the scratch register for the next. The load must have a scratch
+        register."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
@@ -284,9 +296,11 @@ class CodeLoading:
 
 
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
-    """Choose how to load bit planes, which are given by register in loading order.
+    """Choose how to load bit planes, bool (rows, cols), which are given by register in loading
+    order.
 
-    The file names of images start with `stem`."""
+    The file names of images start with `stem`. The scratch register of a plane is an unused
+    register, or one that is loaded later; None if there is neither."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -309,7 +323,9 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
 
 
 def loading_lines(loading: CodeLoading) -> Iterator[str]:
-    """Yield the C++ tables and functions that load the codes; the last function is `load_codes`."""
+    """Yield the C++ tables and functions that load the codes; the last function is `load_codes`.
+
+    `loading` must have at least one load."""
     rows, cols = loading.target.rows, loading.target.cols
     yield from template_lines("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
@@ -344,7 +360,8 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     """Yield the C++ function that loads one register, with its table of patterns if it needs one.
 
     The register is loaded from an image, from patterns drawn at once, from patterns gathered in a
-    scratch register, or by a call for each pattern."""
+    scratch register, or by one call if there is a single pattern. A plane of zeros is only
+    cleared."""
     register, patterns = load.register, load.patterns
     name = register.lower()
     if load.gathered:
@@ -382,8 +399,8 @@ def _operands(match: Match) -> str:
 
 
 def loading_rate(target: Target) -> int:
-    """Return the rate in Hz of the loop that waits for images.
+    """Return the rate in Hz of the loop that waits for images, at least 1.
 
-    It refreshes registers several times within the retention time."""
+    It refreshes registers _REFRESHES_IN_A_LIFE times within the retention time."""
     life_us = RETENTION_SHARE * target.digital_retention_us
     return max(1, ceil(_REFRESHES_IN_A_LIFE * 1e6 / life_us))

@@ -24,7 +24,7 @@ def _templates() -> dict[str, str]:
 
 def template_lines(name: str, **values: object) -> list[str]:
     """Return the lines of the section `name` of `parts.cpp`, with each `@KEY@` replaced by the
-    value of `key`."""
+    value of `KEY` in `values`. Other marks stay. Raises KeyError if there is no such section."""
     text = _templates()[name]
     for key, value in values.items():
         text = text.replace(f"@{key}@", str(value))
@@ -32,7 +32,7 @@ def template_lines(name: str, **values: object) -> list[str]:
 
 
 def safe(text: str) -> str:
-    """Return `text` for a `//` comment: one line of printable ASCII.
+    """Return `text` for a `//` comment: one line of printable ASCII, other characters as `?`.
 
     Backslashes and `??/` are replaced, because they would continue the comment on the next line."""
     shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
@@ -40,13 +40,16 @@ def safe(text: str) -> str:
 
 
 def comment(text: str, indent: str = "") -> list[str]:
-    """Return the lines of a `//` comment, wrapped to WIDTH columns."""
+    """Return the lines of a `//` comment, wrapped to WIDTH columns, each beginning with `indent`.
+    An empty text gives one empty comment."""
     head = f"{indent}// "
     return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
 
 
 def entry(title: str, text: str) -> list[str]:
-    """Return the lines of an entry of the header comment: a title column and wrapped text."""
+    """Return the lines of an entry of the header comment: `title` in a column of 11 characters,
+    then the wrapped text; further lines begin below the text."""
+    # The text is wrapped beside the column: 11 characters and the mark `// ` are cut off as [14:].
     first, *following_lines = comment(text, " " * 11)
     return [
         f"// {title:<11}{first[14:]}",
@@ -55,7 +58,8 @@ def entry(title: str, text: str) -> list[str]:
 
 
 def literal(text: str) -> str:
-    """Return `text` as a C string literal, in UTF-8."""
+    """Return `text` as a C string literal, in UTF-8. Quotes, backslashes, question marks and all
+    but printable ASCII are escaped; lone surrogates become `?`."""
     # Three octal digits: a following digit cannot belong to them.
     shown = (
         f"\\{byte:03o}" if byte in b'"\\?' or not 0x20 <= byte <= 0x7E else chr(byte)
@@ -82,7 +86,8 @@ def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
 
 
 def remarked(lines: Sequence[tuple[str, str]], column: int = 44) -> Iterator[str]:
-    """Yield lines of code, each with its comment (or "") in a common column, at least `column`."""
+    """Yield lines of code, each with its comment in a common column, at least `column`. `lines` are
+    pairs of code and comment; a line with the comment "" gets none."""
     # Very long lines do not move the comments of the others.
     at = max([column, *(len(text) + 2 for text, remark in lines if remark and len(text) < 76)])
     for text, remark in lines:

@@ -49,15 +49,17 @@ DEVKITS = (
 
 
 def devkit_of(target: Target) -> Devkit:
-    """Return the first devkit whose library has all registers of the target, else the last
-    devkit."""
+    """Return the first devkit whose library has all registers of the target, else the last devkit,
+    for which `devkit_fault` then names the missing registers."""
     registers = {*target.analog_registers, *target.digital_registers}
     return next((devkit for devkit in DEVKITS if registers <= devkit.registers), DEVKITS[-1])
 
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
     """Return why the devkit cannot run the container, as the end of "the target ..."; None if it
-    can."""
+    can. Of several reasons the first is named.
+
+    It checks what the host must do, registers, words, the size of the array and the range of IN."""
     target, pictures = container.target, container.pictures
     if any(plane.is_open for plane in pictures.inputs):
         return "has no C++ for input planes that the host loads"

@@ -56,7 +56,8 @@ class Row:
 
     @property
     def times(self) -> int:
-        """The number of moments at which this row of the schedule runs."""
+        """The number of launches in this row, or for a row without a kernel, of moments that it
+        waits for."""
         return len(self.instants)
 
 
@@ -101,8 +102,8 @@ def schedule_of(container: Container, steered: Sequence[SteeredLaunch] = ()) -> 
     """Return the times of all launches (starts of kernels) of a frame.
 
     Launches at equal intervals with the same kernel (list of words) and level are one row. Rows
-    that only wait divide long intervals. `steered`: the last launches, as parameters change
-    them."""
+    that only wait divide long intervals, and the last row is not before the end of the last slot.
+    `steered` belong to the container's last launches, in order: how parameters change them."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -127,7 +128,8 @@ def exact(value: float) -> Fraction:
 
 
 def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
-    """Return the time of one launch of a kernel (list of words), in microseconds."""
+    """Return the time of one launch of a kernel (list of words), in microseconds, exactly: the
+    launch and all its words."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (
@@ -139,7 +141,7 @@ def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
 
 def _setup_us(container: Container) -> Fraction:
     """Return the time in microseconds from a frame's first word to the end of the reset that begins
-    the exposure."""
+    the exposure: the last reset at boundary 0. 0 if boundary 0 has no reset."""
     target = container.target
     elapsed = setup = Fraction(0)
     for launch in container.launches:
@@ -155,7 +157,7 @@ def _setup_us(container: Container) -> Fraction:
 
 def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
     """Yield rows that only wait, between launches (starts of kernels) at `before` and `at`
-    microseconds, so that no interval exceeds LONGEST_GAP_US.
+    microseconds, so that no interval exceeds LONGEST_GAP_US; none if the interval is shorter.
 
     `instant` is the boundary of the second launch."""
     while at - before > LONGEST_GAP_US:
@@ -167,7 +169,8 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
     """Yield the rows, with launches of the same kernel (list of words) and level at equal intervals
     merged into one.
 
-    A row has at most `MOST_TIMES` launches."""
+    `rows` have one launch each, in the order of time. A row of the result has at most `MOST_TIMES`
+    launches; `interval_us` is 0 if it has one."""
 
     def shared(number: int) -> Any:
         """Return what launches in one row have in common."""
@@ -198,7 +201,10 @@ def kernel_name(number: int) -> str:
 
 def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
     """Yield the C++ table of kernels (lists of words), the table of launches, and the function that
-    runs a frame."""
+    runs a frame.
+
+    Up to _COMMENTED_ROWS rows have a comment with their boundaries each; more are written several a
+    line."""
     count = len(container.kernels)
     if schedule.waits:
         yield "void rest() {}                      // no kernel: a moment to wait for"
@@ -250,8 +256,10 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
 
 
 def _change_lines(schedule: LaunchSchedule, params: Sequence[HostParam]) -> Iterator[str]:
-    """Yield the variables of parameters, and the function that changes the schedule to their
-    values before a frame."""
+    """Yield the variables of parameters, and the function that changes the schedule to their values
+    before a frame; nothing if no row of the schedule changes.
+
+    The variable of parameter number i is `param_i`."""
     if not schedule.changed:
         return
     names = {param.name: f"param_{number}" for number, param in enumerate(params)}
@@ -274,11 +282,13 @@ def _change_lines(schedule: LaunchSchedule, params: Sequence[HostParam]) -> Iter
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
     """Return a row of the schedule as C++, with times in microseconds.
 
-    If not all times are whole, each has a second number: its fraction in units of 2^-32 us.
-    `rest_kernel` is the number that stands for a row without a kernel (list of words)."""
+    If not all times are whole, each has a second number: its fraction in units of 2^-32 us, rounded
+    up so that no launch is early. `rest_kernel` is the number that stands for a row without a
+    kernel (list of words)."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)
+        # The clock of 32 bits begins again at 0, and differences of its times stay right.
         numbers.append(fixed // _PART % _US)
         if not schedule.in_whole_us:
             numbers.append(fixed % _PART)

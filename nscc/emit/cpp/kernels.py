@@ -79,8 +79,9 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
 
 
 def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """Yield words that write `kind` (OR or NOR) of `sources` to a register that is not one of
-    them."""
+    """Yield words that write `kind` (OR or NOR) of `sources` to a register that is not one of them.
+
+    At most MOST_SOURCES["OR"] sources take one word; each further one takes a pair of words."""
     most = MOST_SOURCES["OR"]
     if len(sources) <= most:
         yield op(kind, (register,), sources)
@@ -91,7 +92,7 @@ def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
 
 def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
     """Yield words that write `kind` (OR or NOR) of a register and `sources` to the register, one
-    source at a time."""
+    source at a time. `sources` must not be empty; only the last pair is a NOR."""
     for source in sources[:-1]:
         yield from pair("OR", register, (register, source))
     yield from pair(kind, register, (register, sources[-1]))
@@ -117,9 +118,10 @@ _MOST_OPERANDS = 4
 
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
-    """Return the library calls that record exactly these words, each with its words.
+    """Return the library calls that record exactly these words, in order, each with its words; of
+    several possible calls the longest.
 
-    Return None if a word has no call."""
+    Return None if a word has no call. No words need no call."""
     recorded: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
@@ -148,7 +150,8 @@ def kernel_lines(
     """Yield the C++ function `name`, which runs a kernel of the words `ops`.
 
     `narrow` are equivalent words that all have calls, or None. They replace words without a call in
-    the simulator, and on chips whose devkit has no public `tables` of words."""
+    the simulator, and on chips whose devkit has no public `tables` of words. If there are none, the
+    C++ has an `#error` in their place."""
     recorded = calls(ops)
     if recorded is not None:
         yield from _recorded(name, recorded)
@@ -217,7 +220,8 @@ def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
 
 @lru_cache(maxsize=1 << 14)
 def _macro(window: tuple[Op, ...]) -> Call | None:
-    """Return the library's macro call that expands to exactly these words, or None."""
+    """Return the library's macro call (name, operands) that expands to exactly the words `window`;
+    None if there is none. Of several, the first in _MACROS is taken."""
     registers = list(dict.fromkeys(r for o in window for r in (*o.destinations, *o.sources)))
     for name, count in _shapes().get(tuple(operation.name for operation in window), []):
         usable = [r for r in registers if r not in MNEMONICS[name].scratch]

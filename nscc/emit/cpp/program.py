@@ -61,7 +61,8 @@ def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator
     """Yield the C++ function `report` and, for each report, the margins of its plane.
 
     A margin is how far from each side of the array pixels depend on light beyond it. `film` has the
-    reach of every plane by frame: the last entry holds from that frame on."""
+    reach of every plane (by name) by frame: the last entry holds from that frame on; there is at
+    least one entry."""
     pictures, target = container.pictures, container.target
     yield "#ifdef __LPC43XX__"
     for number, report in enumerate(pictures.reports):
@@ -150,7 +151,8 @@ _DATA = "add `pixels FIELD = ...` for every field"
 def _no_cpp(
     program: Program, devkit: Devkit, reason: str, way_out: str, code: str = "NS0520"
 ) -> Diagnostic:
-    """Return the error that C++ cannot be written, for `reason`; `way_out` is its help."""
+    """Return the error `code` that C++ cannot be written, for `reason` (the end of a sentence);
+    `way_out` is its help. It points to the statement that chooses the chip, if there is one."""
     span = program.target_span
     return Diagnostic(
         code,
@@ -200,8 +202,8 @@ def _header(
     loading: CodeLoading,
     devkit: Devkit,
 ) -> Iterator[str]:
-    """Yield the comment above the C++ program: class, slots, registers, words, times, readout,
-    digests."""
+    """Yield the lines of the comment above the C++ program: class, slots, registers, words, times,
+    readout, digests. Titles without a text are left out."""
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
@@ -319,9 +321,10 @@ def _kernels(
     """Yield the C++ functions of all kernels (lists of words), with comments on their times and
     rules.
 
-    `exposure` is the container without the words of images and planes. Words without a library call
-    are replaced by words with fewer operands, which are proved again, or become tables if the
-    devkit allows that. Raises Rejected (NS0521) if neither is possible."""
+    `exposure` is the container without the words of images and planes, whose kernels come first in
+    `container`. Words without a library call are replaced by words with fewer operands, which are
+    proved again, or become tables if the devkit allows that. Raises Rejected (NS0521) if neither is
+    possible."""
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):

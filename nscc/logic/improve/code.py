@@ -85,8 +85,9 @@ class FrameContext:
         return self.planes + self.states
 
     def words(self, item: Item) -> int:
-        """Return how many words an operation takes: one, one more in place, and one more to set
-        the mask of the masked register."""
+        """Return how many words an item takes: one for an operation, one more in place, and one
+        more to set the mask of the masked register; 0 for a check. A WHERE that reads FLAG is not
+        in place."""
         if isinstance(item, Check):
             return 0
         in_place = item.destination != self.flag and item.destination in item.sources
@@ -100,14 +101,19 @@ class FrameContext:
     def op(
         self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
     ) -> GateOp:
-        """Return an operation; the sources may be in any order."""
+        """Return an operation; the sources (numbers of registers) may be in any order and repeat.
+
+        `inverted` is True for a NOR, False for an OR; without sources these are 1 and 0. `place`
+        and `segment` are those of `GateOp`."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
         return GateOp(inverted, destination, sources, place, segment, reads)
 
     def value(self, item: GateOp, state: Sequence[Content]) -> Content:
-        """Return the content of the destination after an operation; None if unknown. `state`
-        holds the content of each register before it."""
+        """Return the content of the destination after an operation; None if a source is unknown.
+
+        `state` holds the content of each register before it. The masked register is treated like
+        any other, because its mask is set in all shutters."""
         disjunction = 0
         for source in item.sources:
             content = state[source]
@@ -133,7 +139,8 @@ class FrameContext:
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
     def apply(self, item: Item, state: list[Content]) -> None:
-        """Update the contents in `state`, in place, by an operation or a check."""
+        """Update the contents in `state`, in place, by an operation or a check. A check makes
+        registers unknown; whether its demand is met is not looked at."""
         if isinstance(item, Check):
             for register in set_bits(item.forgets):
                 state[register] = None
@@ -141,7 +148,7 @@ class FrameContext:
         state[item.destination] = self.value(item, state)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """Return how often the items write each plane."""
+        """Return, for each plane by its number, how often the items write it."""
         times = [0] * self.planes
         for item in items:
             if isinstance(item, GateOp) and item.destination < self.planes:
@@ -159,7 +166,9 @@ def flatten(
 ) -> tuple[FrameContext, list[Item]]:
     """Return a solution as items, with as many scratch registers as the machine allows.
 
-    A write to the masked register first overwrites its mask, which the items forget before it."""
+    A write to the masked register first overwrites its mask, which the items forget before it.
+    Masked gates are taken as gates that write in all shutters: their words are right, the contents
+    of their states are not."""
     planes, states = len(solution.planes), solution.states
     scratch, masked = _room(solution, machine)
     everything = problem.everything
@@ -180,8 +189,9 @@ def flatten(
     def add(segments: Sequence[Segment], place: int) -> None:
         """Append the gates of segments to `items` as operations on numbered registers.
 
-        `place` is the number of the demand that they belong to. A write of the masked register is
-        preceded by a check that its mask, the first scratch register, is free."""
+        `place` is the number of the demand that they belong to, OPENING or CLOSING. A write of the
+        masked register is preceded by an item that makes its mask, the first scratch register,
+        unknown."""
         for index, segment in enumerate(segments):
             for gate in segment:
                 inverted = gate.name in ("NOR", "NOT", "SET")
@@ -201,11 +211,11 @@ def flatten(
 
 
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
-    """Return the number of possible scratch registers, and the plane that goes into the masked
-    register or None.
+    """Return the number of possible scratch registers, and the number of the plane that goes into
+    the masked register, or None.
 
-    The masked register is written only where its mask is 1, so it suits a plane that is rarely
-    written."""
+    The number is at least that which the solution uses. The masked register is written only where
+    its mask is 1, so it suits a plane that is rarely written."""
     planes, scratch = len(solution.planes), solution.scratch
     room = machine.registers - planes - solution.states
     if not machine.masked or not planes:
@@ -220,7 +230,8 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
 
 
 def _forgotten(frame: FrameContext, coming: int) -> int:
-    """Return the registers whose contents are unknown when answer number `coming` begins."""
+    """Return the bit mask of the registers whose contents are unknown when answer number `coming`
+    begins; after the last answer, when the closing gates begin."""
     demands = frame.problem.demands
     last = coming == len(demands)
     flag = 0 if not last and demands[coming].flag_kept else 1 << frame.flag
@@ -230,7 +241,10 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
 
 
 def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
-    """Return the solution of these items; raise Illegal if a demand's segment has no answer."""
+    """Return the solution of these items, with the encoding of the frame's solution.
+
+    Empty segments are left out. A gate gets the name for its number of sources, such as NOT for a
+    NOR of one. The caller checks the result: items that do not meet the demands raise nothing."""
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))

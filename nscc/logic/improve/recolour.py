@@ -32,15 +32,21 @@ class _Value:
 
 
 def recoloured(frame: FrameContext, items: Sequence[Item]) -> list[Item] | None:
-    """Return the same operations with other registers; None if there are too few registers.
+    """Return the same operations with other registers, and copies of planes to their homes at the
+    end; None if there are too few registers.
 
-    Every result must be read."""
+    `items` are those of one frame, in order. The caller ensures that the result of every operation
+    is read. The result may have more words than `items`, and may be illegal on the machine."""
     return _Painter(frame, items, *_values(frame, items)).paint()
 
 
 def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
-    """Return all values that registers hold while `items` run, initial ones first, and for each
-    item the index of its result (-1 for checks)."""
+    """Return all values that registers hold while `items` run, and for each item the index of its
+    result (-1 for checks).
+
+    The first values are the initial contents, one for each register by number, the others the
+    results in order. A value that nothing reads, nor needs at the end, has `last` equal to
+    `first`."""
     values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
     holds = list(range(frame.flag + 1))
     written = []
@@ -95,8 +101,10 @@ class _Painter:
                 self.homing[value.home] = value.first
 
     def paint(self) -> list[Item] | None:
-        """Return the items with new registers and copies of planes to their homes; None if that
-        fails."""
+        """Return the items with new registers and copies of planes to their homes; None if an
+        operation finds no register, or if copies need one and none is free.
+
+        Copies of a register to itself are left out."""
         out: list[Item] = []
         for k, item in enumerate(self.items):
             if isinstance(item, Check):
@@ -122,15 +130,18 @@ class _Painter:
         """Return the cheapest free register for the result of operation `k`, or None if there is
         none.
 
-        `value` is the result with its lifetime and its banned registers; `sources` are registers it
-        is made of. A value of the masked register stays there."""
+        `value` is the result with its lifetime and its banned registers; `sources` are the new
+        registers that the operation reads. A register is free if its value is not read after item
+        k, so it may be a source. A value of the masked register stays there. Of equal registers the
+        lowest is taken."""
         masked = self.frame.masked
         if item.destination == masked:
             return masked
 
         def price(register: int) -> tuple[int, bool, bool, int]:
-            """Return the sort key of a register: extra words first, then conflicts with homes of
-            planes."""
+            """Return the sort key of a register: extra words first, then whether it blocks the home
+            of a plane, then a change of register; then registers without a plane, or whose plane
+            comes home late."""
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # no operation
@@ -157,8 +168,8 @@ class _Painter:
         return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
-        """Append copies of all displaced planes to their homes; return None if a register is
-        missing.
+        """Append copies of all displaced planes to their homes to `out`, in place, and return it;
+        None if a register is missing.
 
         This is a parallel move. A plane is copied after the plane in its home has left, which is a
         topological order of the graph "plane -> plane in its home". For each cycle of this graph,

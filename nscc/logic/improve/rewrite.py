@@ -28,11 +28,11 @@ from nscc.truth import union
 def cover(
     target: int, sources: Sequence[tuple[int, int]], limit: int | None
 ) -> tuple[int, ...] | None:
-    """Return a small set of `sources` (register, content) that covers `target`, at most `limit` of
-    them.
+    """Return the registers, ascending, of a small set of `sources` (register, content) that covers
+    the truth vector `target`, at most `limit` of them (None: any number).
 
-    None if all sources together do not cover it. Of equally good sources, earlier ones are taken.
-    """
+    None if all sources together do not cover it, or no `limit` of them do. An empty target takes no
+    source. Of equally good sources, earlier ones are taken."""
     reachable = 0
     for _, content in sources:
         reachable |= content
@@ -61,10 +61,11 @@ def cover(
 
 
 def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
-    """Return at most `limit` sources that cover `target`, by exhaustive search; None if there are
-    none.
+    """Return the registers of at most `limit` of `sources` (register, content) that cover the truth
+    vector `target`, by exhaustive search; None if there are none.
 
-    Each step tries the sources that contain the first uncovered shutter."""
+    Each step tries the sources that contain the first uncovered shutter. The registers are in the
+    order of the steps."""
     if not target:
         return ()
     if limit == 0:
@@ -89,10 +90,13 @@ def gate(
     fewest: int = 0,
 ) -> tuple[bool, tuple[int, ...]] | None:
     """Return a gate over `readable` registers that is 1 on `ones` and 0 on `zeros`, as (inverted,
-    sources).
+    sources); None if there is no such gate.
 
-    None if there is no such gate. With `fewest` 1 at least one source is read, as WHERE requires.
-    """
+    `inverted` in the result is True for a NOR; the argument lists the kinds that are allowed, and
+    of two with equally many sources the first is taken. `ones` and `zeros` are truth vectors.
+    `state` holds the content of every register by number; unknown ones (None) are not read. At most
+    `limit` sources are read (None: any number). With `fewest` 1 at least one source is read, as
+    WHERE requires; 1 is the largest value that is allowed."""
     best: tuple[bool, tuple[int, ...]] | None = None
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)
@@ -116,11 +120,12 @@ def inner(
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
 ) -> list[tuple[bool, int, int]]:
-    """Return gates that would be 1 on `ones` and 0 on `zeros` if they had one additional source.
+    """Return gates that would be 1 on `ones` and 0 on `zeros` if they had one additional source,
+    one for each kind in `inverted`.
 
     Each item is (inverted, ones', zeros'). `inverted` means a NOR, otherwise the gate is an OR. The
-    additional source must be 1 on ones' and 0 on zeros'. The gate also reads all other registers
-    that it may read."""
+    additional source must be 1 on ones' and 0 on zeros'. The gate also reads all `readable`
+    registers that it may read; `state` holds the content of every register by number."""
     ways = []
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)
@@ -133,7 +138,8 @@ def inner(
 def _avoiding(
     avoid: int, state: Sequence[Content], readable: Sequence[int]
 ) -> list[tuple[int, int]]:
-    """Return the `readable` registers, with their contents, that are 0 in all of `avoid`."""
+    """Return the `readable` registers, as (register, content), whose known content is 0 in all
+    shutters of `avoid`. `state` holds the contents by register, None if unknown."""
     return [
         (register, content)
         for register in readable
@@ -142,8 +148,11 @@ def _avoiding(
 
 
 def shrink(run: TrackedRun, span: int) -> None:
-    """Drop from `run`, in place, each operation and each pair at most `span` apart that can be
-    dropped with a repair that saves words."""
+    """Drop from `run`, in place, each operation, and each pair of operations at most `span` items
+    apart, if the repair of the code after it saves words.
+
+    Single operations are tried first, from the end to the start; then pairs. Raises GaveUp if the
+    budget of `run` is used up; what was dropped before stays so."""
     for k in reversed(range(len(run.items))):
         if k < len(run.items):
             _drop(run, k)
@@ -158,8 +167,8 @@ def shrink(run: TrackedRun, span: int) -> None:
 
 
 def _drop(run: TrackedRun, *dropped: int) -> bool:
-    """Drop these operations from `run`, in place, if a repair of the code saves words; return
-    whether it was possible."""
+    """Drop the items with the indices `dropped` (ascending) from `run`, in place, if a repair of
+    the code saves words; return whether it did. A check is never dropped."""
     if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
     rewriting = Rewriter(run, dropped[0], least=1, deepen=True).rewrite((), dropped)
@@ -193,10 +202,11 @@ class Rewriter:
         deepen: bool = False,
         order: Sequence[int] | None = None,
     ) -> None:
-        """Begin a rewrite of the code of `run` at index `start`.
+        """Begin a rewrite of the code of `run` at the index `start` of an item. The run itself is
+        not changed.
 
         `least` is the number of words that the rewrite must gain; `deepen` also allows repairs that
-        need new gates; `order` is the order in which registers are tried as sources (by default
+        need new gates; `order` is the order in which registers are tried as sources (None:
         ascending)."""
         self.run, self.frame, self.start = run, run.frame, start
         self.least, self.deepen = least, deepen
@@ -207,8 +217,12 @@ class Rewriter:
         self.out: list[Item] = []
 
     def rewrite(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
-        """Insert `lead` before item `start`, drop the items `dropped`, and repair the code after
-        them; return None if that does not save enough words."""
+        """Insert the operations `lead` before item `start`, drop the items with the indices
+        `dropped`, and repair the code after them; return None if that does not save enough words,
+        or if it cannot be repaired within HORIZON items.
+
+        No index of `dropped` may be below `start`. Call it once. Raises GaveUp if the budget is
+        used up."""
         run, frame, items = self.run, self.frame, self.run.items
         run.budget.spend(run.step)
         self.gain = sum(frame.words(items[k]) for k in dropped)
@@ -241,7 +255,10 @@ class Rewriter:
         return Rewrite(self.start, k, self.out, gain)
 
     def _compare(self, reference: Sequence[Content], register: int) -> None:
-        """Update `changed` after a possible write to `register` (-1: any register)."""
+        """Update `changed`, the bit mask of registers that differ from `reference`, after a
+        possible write to `register` (-1: any register).
+
+        `reference` holds the contents at this point of the unchanged run."""
         if register < 0:
             self.changed = 0
             for i, content in enumerate(self.state):
@@ -253,8 +270,8 @@ class Rewriter:
             self.changed |= 1 << register
 
     def _insert(self, item: GateOp) -> bool:
-        """Append the operation `item` and update the contents; return False, without a change, if
-        its result is unknown."""
+        """Append the operation `item`, update the contents, and subtract its words from the gain.
+        Return False, without a change, if its result is unknown."""
         value = self.frame.value(item, self.state)
         if value is None:
             return False
@@ -269,7 +286,10 @@ class Rewriter:
         self.state[item.destination] = value
 
     def _follow(self, k: int, item: GateOp) -> bool:
-        """Keep, drop or repair operation k in the current state; return whether that succeeded."""
+        """Keep, drop or repair operation `item`, which has index k in the run, in the current
+        state; return whether that succeeded.
+
+        After a failure the gain is wrong, so the rewrite must end."""
         target = item.destination
         # In order: drop if the register already holds the result; keep if the result is equal; drop
         # if the old content is equivalent; keep if the new result is equivalent; find other
@@ -295,13 +315,15 @@ class Rewriter:
         ones, zeros = required & matters, matters & ~required
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
+        # Two gates, or one in place, take two words.
         if new is None and self.gain - 2 < self.least:
             return False
         new = new or self._single(item, ones, zeros, in_place=True)
         return self._insert(new) if new else self.deepen and self._double(k, item, ones, zeros)
 
     def _readable(self, target: int) -> list[int]:
-        """Return the registers with known contents that an operation writing `target` may read."""
+        """Return the registers with known contents that an operation writing the register `target`
+        may read, in the order of preference. It may be `target` itself."""
         frame = self.frame
         banned = -1
         if target == frame.flag and not frame.machine.where_reads_flag:
@@ -309,10 +331,11 @@ class Rewriter:
         return [r for r in self.order if self.state[r] is not None and r != banned]
 
     def _single(self, item: GateOp, ones: int, zeros: int, *, in_place: bool) -> GateOp | None:
-        """Return one gate that replaces `item` and is 1 on `ones` and 0 on `zeros`, or None.
+        """Return one gate that replaces `item` and is 1 on `ones` and 0 on `zeros`; None if there
+        is no such gate, or the machine lacks it.
 
         `ones` and `zeros` are truth vectors; other shutters do not matter. With `in_place`, the
-        gate may read its own destination."""
+        gate may read its own destination, which takes a word more; a WHERE is never in place."""
         frame, target = self.frame, item.destination
         readable = self._readable(target)
         if target == frame.flag:
@@ -330,10 +353,11 @@ class Rewriter:
         return new if frame.legal(new) else None
 
     def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Replace operation k by two gates, one of them in a free register; return whether that was
-        possible.
+        """Replace operation `item`, which has index k in the run, by two gates, the first into a
+        free register; append them and return whether that was possible.
 
-        `item` is the operation; its result must be 1 on `ones` and 0 on `zeros`."""
+        The result must be 1 on the truth vector `ones` and 0 on `zeros`. The first pair found is
+        taken."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]

@@ -37,8 +37,11 @@ SPAN = 12
 
 
 def wander(run: TrackedRun, seed: int, steps: int) -> int:
-    """Change the code of `run` at random without adding words, for at most `steps` steps of the
-    budget; return the number of words saved."""
+    """Change the code of `run` at random, in place, without adding words, for `steps` steps of the
+    budget or until none are left; return the number of words saved.
+
+    `seed` determines the random sequence. Raises GaveUp if the budget is used up within a change,
+    which is then not made."""
     choose = random.Random(seed)
     until = max(run.budget.left - steps, 0)
     gained = 0
@@ -51,11 +54,11 @@ def wander(run: TrackedRun, seed: int, steps: int) -> int:
 
 
 def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
-    """Choose one random change of the code and repair it; return None unless the repaired code
-    costs no more words.
+    """Choose one random change of the code and repair it; return None if there is no such change,
+    if the repaired code costs more words, or if it is equal to the old code.
 
-    `choose` is the random generator. The caller applies the change. Spends one step of the budget.
-    """
+    `choose` is the random generator. The caller applies the change. Spends one step of the budget,
+    and those of the repair; raises GaveUp if none are left."""
     k = choose.randrange(len(run.items))
     item = run.items[k]
     run.budget.spend(1)
@@ -116,8 +119,8 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
 
 
 def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
-    """Return the operations at most `SPAN` before or after operation k that compute the same
-    demand, without k."""
+    """Return the indices of the operations less than `SPAN` items before or after operation k that
+    belong to the same demand, without k: those before it first, each side nearest first."""
     operations: list[int] = []
     for indices in (
         range(k - 1, max(-1, k - SPAN), -1),
@@ -140,10 +143,12 @@ PATIENCE = 6
 
 
 def improve(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Return a solution of the same problem with at most as many words per frame.
+    """Return a solution of the same problem with at most as many words per frame; `solution` itself
+    if it is not legal or nothing is gained.
 
     The encoding is unchanged. The result is deterministic: steps of `budget` are used until nothing
-    is gained. Equal segments may become different."""
+    is gained. Equal segments may become different, so a frame of fewer words may take more stored
+    words."""
     frame, items = flatten(solution, problem, machine)
     try:
         items = _exhausted(TrackedRun(frame, items, budget))
@@ -153,10 +158,10 @@ def improve(solution: Solution, problem: Problem, machine: Machine, budget: Budg
 
 
 def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
-    """Return the solution of `items` if it is valid and shorter than the frame's solution, else the
-    latter.
+    """Return the solution of `items` if it is valid and has fewer words than the frame's solution,
+    else the latter.
 
-    With `as_long`, an equally long solution is returned too."""
+    With `as_long`, a solution with equally many words is returned too."""
     solution = frame.solution
     try:
         candidate = unflatten(frame, items)
@@ -218,10 +223,12 @@ def balance(
     budget: Budget,
     other_words: Sequence[int],
 ) -> Solution:
-    """Move gates to earlier boundaries without adding words to the frame.
+    """Return a solution in which gates have moved to earlier boundaries, without more words in the
+    frame.
 
     `other_words` are the words at each boundary 0..N besides the solution's gates. The words of the
-    largest boundary decrease. Returns `solution` if no gate can move."""
+    largest boundary decrease, as far as gates can move and the budget lasts. Returns `solution` if
+    no gate can move, or if it is not legal."""
     frame, items = flatten(solution, problem, machine)
     try:
         run = TrackedRun(frame, items, budget)
@@ -241,7 +248,8 @@ def balance(
 
 
 def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
-    """Return the words of a solution's gates at each boundary 0..slots."""
+    """Return the words of a solution's gates at each boundary 0..slots, as a list of slots + 1
+    numbers, without refresh of planes."""
     frame, items = flatten(solution, problem, machine)
     return _Loads(frame, items, [0] * (slots + 1)).words
 
@@ -260,7 +268,8 @@ class _Loads:
         self.words = self.counted(items)
 
     def boundary(self, place: int) -> int:
-        """Return the boundary of a place."""
+        """Return the boundary of a place: 0 for OPENING, N for CLOSING, else that of the demand
+        with this number."""
         if place == OPENING:
             return 0
         return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
@@ -274,9 +283,12 @@ class _Loads:
 
 
 def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
-    """Move one operation from `boundary` to an earlier one; return whether this was possible.
+    """Move one operation of `run`, in place, from `boundary` to an earlier one; return whether this
+    was possible.
 
-    No boundary may then have more than `most` words."""
+    `boundary` then has fewer than `most` words, and no other boundary grows to `most` or more;
+    `loads` is updated. The first operation that can move is taken; those that write FLAG or the
+    masked register stay."""
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue
@@ -292,8 +304,11 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
 
 
 def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
-    """Return (item, place, segment) at the ends of earlier answers with room for another word.
-    `loads` are the words at each boundary, of which none may have more than `most`."""
+    """Return the ends of the next REACH earlier answers with room for another word, as (index of an
+    item, place, segment), latest first; item k may move before that item.
+
+    `loads` are the words at each boundary, of which none may grow to `most`. Answers at the
+    boundary of item k are left out."""
     places = []
     own_boundary = loads.boundary(run.items[k].place)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))

@@ -35,7 +35,8 @@ class TrackedRun:
         self.restart(items)
 
     def restart(self, items: Sequence[Item]) -> None:
-        """Replace all items; raise Illegal without a change if they are not a valid run."""
+        """Replace all items, and compute all states again; raise Illegal without a change if they
+        are not a valid run. Operations whose result is not read are dropped."""
         frame = self.frame
         self.before = states_before(frame, items)
         self.items = list(items)
@@ -50,8 +51,11 @@ class TrackedRun:
         return self.frame.total(self.items)
 
     def care(self, k: int) -> int:
-        """Return the shutters in which the result of operation k matters, as a truth vector; it
-        is computed when first needed."""
+        """Return the shutters in which the result of operation k matters, as a truth vector; it is
+        computed when first needed.
+
+        Item k must not be a check. The result may contain too many shutters, never too few. Raises
+        GaveUp if the budget is used up."""
         known = self._cares[k]
         if known is None:
             known = self._cares[k] = self._follow(k)
@@ -64,19 +68,24 @@ class TrackedRun:
         return [r for r in range(self.frame.flag) if r not in busy and not self.live[k] >> r & 1]
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
-        """Return the additional refresh words if `new` replaces `old`."""
+        """Return the additional refresh words if the items `new` replace the items `old`, negative
+        if there are fewer: planes that a frame does not write need a refresh."""
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
 
     def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
-        """Return how often each plane is written after `new` replaces `old`."""
+        """Return how often each plane is written after the items `new` replace the items `old` of
+        the run."""
         written = self.frame.writes
         changes = zip(self._writes, written(old), written(new), strict=True)
         return [count - removed + added for count, removed, added in changes]
 
     def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
-        """Replace items[start:end]; live contents after them must stay equal. The state is
-        computed again only where it may have changed."""
+        """Replace items[start:end] by `new`; the caller ensures that live contents after them stay
+        equal.
+
+        The state is computed again only where it may have changed. Operations whose result is no
+        longer read are dropped, also before `start`."""
         self._writes = self._after(self.items[start:end], new)
         self.items[start:end] = new
         self.before[start:end] = [self.before[start]] * len(new)
@@ -91,9 +100,10 @@ class TrackedRun:
         self._settle(min(first, start), tail)
 
     def _settle(self, first: int, last: int) -> None:
-        """Recompute states from item `first` to `last`, and further while they change.
+        """Recompute the states before the items `first` to `last` and after the last one, and
+        further while they change.
 
-        Contents that are not live may differ."""
+        Contents that are not live may differ, so the change may go on behind `last`."""
         if first:
             state = list(self.before[first - 1])
             self.frame.apply(self.items[first - 1], state)
@@ -108,9 +118,11 @@ class TrackedRun:
                 self.frame.apply(self.items[k], state)
 
     def _revive(self, start: int, end: int) -> int:
-        """Recompute liveness backwards from `end`, beyond `start` while it changes.
+        """Recompute liveness backwards from item `end`, and before `start` for as long as it
+        changes.
 
-        Operations whose result is not live are dropped. Returns the first changed place."""
+        Operations whose result is not live are dropped. Returns the index of the first dropped
+        item, `end` if there is none."""
         frame = self.frame
         dead: list[int] = []
         for k in range(end - 1, -1, -1):
@@ -133,8 +145,11 @@ class TrackedRun:
         return dead[-1] if dead else end
 
     def _follow(self, k: int) -> tuple[int, int]:
-        """Return the shutters in which operation k's result matters, and the number of items it
-        influences."""
+        """Return the shutters in which operation k's result matters, as a truth vector, and the
+        number of items after it that were looked at.
+
+        All shutters matter if the influence does not end within HORIZON items. Raises GaveUp if the
+        budget is used up."""
         frame, items, before = self.frame, self.items, self.before
         everything, flag = frame.everything, frame.flag
         source = items[k]
