@@ -35,9 +35,10 @@ Content = tuple[int, Offset, Offset]
 class Added(Record):
     """A word that adds the multiple of a neighbour, of the pixel itself, or of both to a sum.
 
-    `content` is what NEWS (the register that neighbours can read) holds when the word runs, or None
-    if the word adds no neighbour. `step` is the offset of the pixel whose NEWS it reads. `centre`
-    is the multiple of the pixel itself, or 0."""
+    `content` is what NEWS (the register that neighbours can read) holds when the word runs: a
+    multiple of the halved input, the offset of its pixel, and a further step. It is None if the
+    word adds no neighbour. `step` is the offset of the pixel whose NEWS it reads, (0, 0) for its
+    own. `centre` is the multiple of the pixel itself, or 0."""
 
     content: Content | None
     step: Offset
@@ -46,7 +47,10 @@ class Added(Record):
 
 def halvings_of(taps: Taps) -> int:
     """Return how often the input must be halved so that all weights of a convolution kernel become
-    integers."""
+    integers; 0 if they are integers.
+
+    `taps` are the weights by offset, in units of 1 / UNIT, without zeros; there must be at least
+    one."""
     lowest = min((weight & -weight).bit_length() for weight in taps.values())
     return max(0, UNIT.bit_length() - lowest)
 
@@ -55,10 +59,12 @@ def additions(taps: Taps, forms: WordForms, beam: int = BEAM) -> list[Program]:
     """Return programs that add the neighbours of a convolution kernel one by one, the shortest
     first.
 
-    `taps` are the weights by offset, in units of 1 / UNIT; `beam` is the number of partial orders
-    that the search keeps. If NEWS (the register that neighbours can read) does not keep its value,
-    each word that reads NEWS follows a word that writes NEWS."""
+    There is at least one program, and at most `_MOST_PROGRAMS`. `taps` are the nonzero weights by
+    offset, in units of 1 / UNIT, at least one. `forms` are the words that the chip allows. `beam`
+    is the number of partial orders that the search keeps. If NEWS (the register that neighbours can
+    read) does not keep its value, each word that reads NEWS follows a word that writes NEWS."""
     halvings = halvings_of(taps)
+    # A halving word also inverts: the input is (-2)^halvings times the halved input.
     weights = {at: weight * (-2) ** halvings // UNIT for at, weight in taps.items()}
     orders = _orders(weights, halvings, forms, beam)
     programs = [forms.allowed(_program(order, halvings, forms.news_keeps)) for order in orders]
@@ -75,10 +81,12 @@ are read, and the number of words that follow."""
 def _orders(
     weights: dict[Offset, int], halvings: int, forms: WordForms, width: int
 ) -> list[list[Added]]:
-    """Return orders in which words add the neighbours of a convolution kernel, best first.
+    """Return orders in which words add the neighbours of a convolution kernel, best first, at most
+    `_MOST_PROGRAMS`.
 
-    `weights` are integers by offset, after `halvings` halvings of the input. The search runs from
-    the last word to the first, and keeps at most `width` partial orders after each word."""
+    `weights` are nonzero integers by offset, as multiples of the input after `halvings` halvings.
+    The search runs from the last word to the first, and keeps at most `width` partial orders after
+    each word. Each order uses another set of multiples of the input."""
     ready = frozenset(((-2) ** number, (0, 0)) for number in range(halvings + 1))
     beam: dict[_Node, list[Added]] = {(0, frozenset(weights), None, ready, 0): []}
     finished: dict[frozenset[tuple[int, Offset]], tuple[int, list[Added]]] = {}
@@ -101,8 +109,10 @@ def _orders(
 
 
 def _rank(node: _Node) -> tuple[object, ...]:
-    """Return the key by which unfinished orders are sorted: fewest words first, and one more for
-    each neighbour left."""
+    """Return the key by which unfinished orders are sorted: fewest words first, where each
+    neighbour that is left counts as one word.
+
+    Ties are broken by the other members of the node, so that the search is deterministic."""
     cost, left, content, used, _ = node
     return cost + len(left), sorted(left), content or (), sorted(used)
 
@@ -110,10 +120,12 @@ def _rank(node: _Node) -> tuple[object, ...]:
 def _predecessors(
     node: _Node, weights: dict[Offset, int], forms: WordForms
 ) -> list[tuple[_Node, Added]]:
-    """Return all ways to put one more word before the words of an unfinished order, with that word.
+    """Return all ways to put one more word before the words of an unfinished order, each as the new
+    order and the word.
 
     A `_Node` describes an unfinished order: its cost, the neighbours left, the content of NEWS (the
-    register that neighbours can read), the multiples used, and the number of words."""
+    register that neighbours can read), the multiples used, and the number of words. `weights` are
+    the integer weights by offset."""
     cost, left, content, used, follow = node
     # Every word inverts the sum so far, so the sign of a weight depends on how many words follow.
     sign = -1 if follow % 2 else 1
@@ -122,10 +134,10 @@ def _predecessors(
     centre = -sign * weights[0, 0] if (0, 0) in left else 0
 
     def add(offsets: frozenset[Offset], words: int, word: Added) -> None:
-        """Record an order with the `added` word in front.
+        """Record the order that has `word` in front.
 
-        `offsets` are the neighbours that the word adds, and `words` the number of words that it
-        takes. New multiples of the input cost further words."""
+        `offsets` are the pixels whose values the word adds. `words` is 1, or 2 if a word that
+        writes NEWS comes before it. New multiples of the input cost further words."""
         multiples = {(word.centre, (0, 0))} if word.centre else set()
         if word.content is not None:
             multiples.add(word.content[:2])
@@ -157,16 +169,19 @@ def _predecessors(
 
 @cache
 def _base(offset: Offset) -> Offset:
-    """Return the offset to which a multiple is copied first, at most two steps from `offset`.
+    """Return the offset to which a multiple is copied first, one or two steps before `offset` on
+    the path from (0, 0); (0, 0) if that is near enough.
 
-    Copies move by two pixels, so the path to `offset` is cut after an even number of steps."""
+    Copies move by two pixels, so the path is cut after an even number of steps. The words that
+    write and read NEWS make the steps that are left."""
     steps = _steps(offset)
     moved = steps[: 2 * max(0, (len(steps) - 1) // 2)]
     return sum(x for x, _ in moved), sum(y for _, y in moved)
 
 
 def _steps(offset: Offset) -> list[Offset]:
-    """Return the steps, each to a direct neighbour, that lead to an offset."""
+    """Return the steps, each to a direct neighbour, that lead from (0, 0) to an offset: those along
+    the row first; [] for (0, 0)."""
     x, y = offset
     return [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
 
@@ -178,8 +193,9 @@ def _program(order: Sequence[Added], halvings: int, news_keeps: bool) -> Program
     """Return the words that halve the input `halvings` times and then add the neighbours in this
     order.
 
-    `news_keeps` tells whether NEWS (the register that neighbours can read) keeps its content when
-    it is read, so that it need not be written again."""
+    The input is the register `x`, its halvings are `h1`, `h2` and so on, and the sums `s0`, `s1`
+    and so on. `news_keeps` tells whether NEWS (the register that neighbours can read) keeps its
+    content when it is read, so that it need not be written again."""
     words = [
         BusWord((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
@@ -222,16 +238,20 @@ class _Multiples:
         self.places: dict[tuple[int, Offset], str] = {}
 
     def of(self, factor: int) -> str:
-        """Return the register that holds `factor` times the halved input."""
+        """Return the register that holds `factor` (a nonzero integer) times the halved input, of
+        the pixel itself.
+
+        Words that compute it are appended if no register holds it yet."""
         if factor not in self.held:
             self._emit(factor)
         return self.held[factor]
 
     def _emit(self, factor: int) -> None:
-        """Append the words that compute `factor` times the halved input, and record the register.
+        """Append the words that compute `factor` times the halved input, and record the register,
+        which is called `m` and the factor.
 
-        One word adds up to `_MOST_SOURCES` - 1 known multiples; otherwise the factor is divided in
-        two."""
+        One word adds fewer than `_MOST_SOURCES` known multiples, if they suffice. Otherwise the
+        factor is divided into a power of two and the rest."""
         name, held = f"m{factor}", self.held
         for count in range(1, _MOST_SOURCES):
             for terms in combinations(held, count):
@@ -256,10 +276,13 @@ class _Multiples:
         """Return the register that holds `factor` times the halved input of the pixel at offset
         `base`.
 
-        It is copied two pixels at a time, by words that are appended."""
+        `base` is an even number of steps away. The multiple is copied two pixels at a time, by
+        words that are appended; each copy overwrites NEWS. With `base` (0, 0), nothing is copied.
+        """
         register = self.of(factor)
         steps = [OF_STEP[step] for step in _steps(base)]
         for number in range(0, len(steps), 2):
+            # `_base` gives an even number of steps, so each copy has two.
             first, second = steps[number : number + 2]
             name = f"{register}{first}{second}"
             if name not in self.places.values():

@@ -17,10 +17,11 @@ _MOST_MOVED = 5
 
 
 def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
-    """Yield programs of images with the same results that may need fewer words.
+    """Yield programs of images with the same results as `pictures` that may need fewer words; none
+    if there is nothing to change.
 
     In some, convolution kernels share their halvings; in others, one image is computed before all
-    others."""
+    others. `pictures` itself is not among them."""
     shared = with_shared_halvings(pictures)
     if shared is not None:
         yield shared
@@ -30,14 +31,17 @@ def alternatives(pictures: p.Pictures) -> Iterator[p.Pictures]:
         moved = replace(pictures, items=(item, *others))
         yield moved
         if shared is not None:
+            # Shared divisors do not depend on the order, so this always finds the same ones.
             yield with_shared_halvings(moved) or moved
 
 
 def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
-    """Return the images with items for divided values that several convolution kernels share.
+    """Return the images with further items: values divided by the divisor that several convolution
+    kernels share.
 
-    Return None if there are none. Such an item stands before the first item that reads it; `/` is
-    part of its name."""
+    Return None if there are none. Such an item stands before the first item that reads it, and is
+    called `NAME / DIVISOR`. The kernels then read it times the divisor. The program must have no
+    images that are kept from frame to frame."""
     divisors_by_name: dict[str, list[int]] = {}
     for expression in pictures.expressions.values():
         for name, divisor in _divisors(expression, pictures.weights_by_name):
@@ -68,10 +72,10 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
 
 
 def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[str, int]]:
-    """Yield each value that an expression reads, with the divisor by which it is read.
+    """Yield each value that an expression reads, as (name, divisor), as often as it is read.
 
-    That is the largest divisor of the weights of its convolution kernel, and 1 without one.
-    `kernels` has the convolution kernels by name."""
+    The divisor is the largest denominator of the weights of the convolution kernel that reads the
+    value, and 1 without a kernel. `kernels` has the convolution kernels by name."""
     if isinstance(node, p.Source):
         yield node.name, 1
     elif isinstance(node, p.Filtered | p.Sum):
@@ -79,6 +83,7 @@ def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[
         if isinstance(inner, p.Source):
             yield inner.name, max(weight.denominator for weight in taps.values() or [Fraction(1)])
         else:
+            # `merged` returns the node itself if it cannot merge a sum: then look at its terms.
             for operand in p.operands(node) if inner is node else (inner,):
                 yield from _divisors(operand, kernels)
     else:
@@ -87,8 +92,10 @@ def _divisors(node: p.Node, kernels: Mapping[str, p.Weights]) -> Iterator[tuple[
 
 
 def _is_kernel_of_exposure(item: p.Picture, pictures: p.Pictures) -> bool:
-    """Return whether the image `item` only applies a convolution kernel of several weights to an
-    exposure."""
+    """Return whether the image `item` only applies a convolution kernel of at least two weights to
+    an exposure.
+
+    Return False for a plane, and for a kernel of another image."""
     if isinstance(item.node, p.Condition):
         return False
     taps, inner = merged(item.node, pictures.weights_by_name)

@@ -17,10 +17,10 @@ Kept = tuple[str, str | None]
 class BitWords:
     """The digital registers while images and planes are compiled, and the words that fill them.
 
-    `planes` has the register of each plane, `uses` the number of reads that are left, and `free`
-    the free registers. The registers that choose the neighbours to read (R1 to R4) are reserved
-    until the last item that reads bits of neighbours. States are in registers that no word of the
-    exposure writes."""
+    `planes` has the register of each plane by name, `uses` the number of its reads that are left,
+    and `free` the free registers. `steered` are the directions that R1 to R4 choose now, None if
+    unknown. R1 to R4, which choose the neighbours to read, are reserved until the last item that
+    reads bits of neighbours. States are in registers that no word of the exposure writes."""
 
     def __init__(
         self,
@@ -31,10 +31,10 @@ class BitWords:
     ) -> None:
         """Assign registers to kept and input planes, and count how often each plane is read.
 
-        `registers` are the free digital registers. `unwritten` are those that the exposure's words
-        never write, which can keep planes from frame to frame. `or_sources` is the most sources of
-        an OR or NOR word, None for any number. Raises PictureRefused if there are too few
-        registers."""
+        `lowering` emits the words. `registers` are the free digital registers. `unwritten` are
+        those that the exposure's words never write, which can keep planes from frame to frame.
+        `or_sources` is the most sources of an OR or NOR word, None for any number. Raises
+        PictureRefused ("steering" or "planes") if there are too few registers."""
         self.lowering = lowering
         pictures = lowering.pictures
         expressions = pictures.expressions
@@ -65,10 +65,11 @@ class BitWords:
             self.uses[name] = self.uses.get(name, 0) + 1  # never freed
 
     def begin(self, name: str) -> None:
-        """Begin the words of the image, plane or state `name`.
+        """Begin the words of the image, plane or state `name`; items must begin in the order of the
+        program.
 
-        If it and all later items read no bits of neighbours, R1 to R4, which choose neighbours,
-        become free."""
+        If neither this item nor a later one reads bits of neighbours, R1 to R4, which choose
+        neighbours, become free."""
         if name in self.steering:
             self.steering.remove(name)
         elif not self.steering:
@@ -79,9 +80,10 @@ class BitWords:
     def declare(self, name: str, node: p.Condition) -> None:
         """Emit the words that compute the plane `name`, which then owns the register of the result.
 
-        If the result is another plane's register, it is copied. Programs of version 4 take over the
-        register instead if nothing else reads that plane; words of older programs stay as they
-        are."""
+        If the condition is only the name of another plane, its bits are copied. Programs of version
+        4 take over that plane's register instead if nothing else reads it; words of older programs
+        stay as they are. A plane that nothing reads loses its register at once. Raises
+        PictureRefused if registers run out."""
         register, owner = self.bit(node)
         taken_over = self.lowering.pictures.is_of_version_4 and owner and self.hand_over(owner)
         if owner is not None and not taken_over:
@@ -92,11 +94,12 @@ class BitWords:
         self.give((register, name))
 
     def next_bits(self, states: Sequence[p.KeptPlane]) -> dict[str, Kept]:
-        """Emit the words that compute the next values of states, and return their registers by
-        name.
+        """Emit the words that compute the next values of states, and return them by name, each as
+        (register, plane that owns it or None).
 
-        States that keep their bits are refreshed (written again), so that they do not fade, and
-        left out of the result."""
+        `step` writes them to the states' registers later. States that keep their bits are refreshed
+        (written again), so that they do not fade, and left out of the result. Raises PictureRefused
+        if registers run out."""
         names: set[str] = {state.name for state in states}
         nexts: dict[str, Kept] = {}
         for state in states:
@@ -115,13 +118,16 @@ class BitWords:
 
     def refresh(self, name: str) -> None:
         """Emit the words that write the plane `name` again, so that its register keeps the bits for
-        another frame."""
+        another frame.
+
+        `name` must have a register."""
         register = self.planes[name]
         for word in pair("REFRESH", register, [register]):
             self.lowering.word(word)
 
     def step(self, nexts: dict[str, Kept]) -> None:
-        """Emit the words that give all states their next values, whose registers are `nexts`.
+        """Emit the words that give all states their next values. `nexts` is the result of
+        `next_bits`: (register, plane that owns it or None) by state.
 
         A state is written only when no other new value is still to be copied from its register.
         Raises PictureRefused if the states wait for each other in a circle."""
@@ -143,13 +149,15 @@ class BitWords:
     def copy(self, register: str, owner: str | None) -> str:
         """Emit a word that copies a bit to a free register, and return that register.
 
-        `owner` is the plane that owns the bit, or None; the copy counts as a read."""
+        `owner` is the plane that owns the bit, or None; the copy counts as a read. Raises
+        PictureRefused if no register is free."""
         return self._emit_word("MOV", [register], [(register, owner)])
 
     def hand_over(self, name: str) -> bool:
         """Return whether the caller is the only remaining reader of the plane `name`.
 
-        If so, the plane is forgotten, and its register belongs to the caller."""
+        If so, the plane is forgotten, and its register belongs to the caller. Otherwise nothing
+        changes."""
         if self.uses[name] != 1:
             return False
         self.uses[name] = 0
@@ -157,13 +165,19 @@ class BitWords:
         return True
 
     def store(self, name: str, bit: Kept) -> None:
-        """Emit a word that writes a bit to the register of the plane `name`.
+        """Emit a word that writes a bit, (register, owner), to the register of the plane `name`;
+        the bit has then been read.
 
-        If the last word wrote the bit, that word writes this register instead."""
+        If the word before wrote the bit, and nothing else reads it, that word writes the plane's
+        register instead."""
         self.write(self.planes[name], bit)
 
     def write(self, register: str, bit: Kept) -> None:
-        """Emit a word that writes a bit to any register, as `store` does for a plane."""
+        """Emit a word that writes a bit, (register, owner), to any digital register; the bit has
+        then been read.
+
+        If the word before wrote the bit to a register without an owner, that word writes `register`
+        instead, unless it reads `register`."""
         (source, owner), words = bit, self.lowering.words
         # A comparison ends with a word that sets FLAG everywhere; the word before wrote the bit.
         index = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
@@ -195,8 +209,10 @@ class BitWords:
         return PictureRefused("planes", self.lowering.now, count + 1, count)
 
     def give(self, *bits: Kept) -> None:
-        """Note that bits, each a (register, owner), have been read; free each register that nothing
-        else reads."""
+        """Note that bits, each a (register, plane that owns it or None), have been read once; free
+        each register that nothing else reads.
+
+        A bit without an owner is read only once. A plane without further reads is forgotten."""
         for register, owner in bits:
             if owner is not None:
                 self.uses[owner] -= 1
@@ -216,7 +232,9 @@ class BitWords:
     def bit(self, node: p.Condition) -> Kept:
         """Emit the words that compute a condition; return its register and the plane that owns it.
 
-        The owner is None for an intermediate result."""
+        The owner is None for an intermediate result, whose register the caller gives back by
+        `give`. A `Bit` (the name of a plane) needs no words. Raises PictureRefused if registers run
+        out; propagations and repeated planes must not occur."""
         match node:
             case p.Bit():
                 return self.planes[node.name], node.name
@@ -249,10 +267,11 @@ class BitWords:
                 return self._near_bit(node), None
 
     def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit the word `name` with these sources; return the register of the result.
+        """Emit the word `name` with these source registers; return the register of the result.
 
-        The bits `used` have then been read. Without a free register, a pair of words replaces one
-        of them."""
+        `used` are the bits, each (register, owner), that have then been read. Without a free
+        register, two words overwrite the register of a bit of `used` with the result, if
+        `_in_place` finds one. Raises PictureRefused otherwise."""
         in_place = self._in_place(name, used)
         if in_place is not None:
             for word in pair("OR" if name == "OR" else "NOR", in_place[0], sources):
@@ -265,11 +284,12 @@ class BitWords:
         return target
 
     def _in_place(self, name: str, used: Sequence[Kept]) -> Kept | None:
-        """Return the bit of `used` that a pair of words may replace by the result of the word
-        `name`.
+        """Return the first bit (register, owner) of `used` whose register may be overwritten by the
+        result of the word `name`.
 
-        Return None if a register is free, if no bit may be replaced, or before version 4, whose
-        programs keep their words."""
+        Its owner, if any, is then forgotten. Return None if a register is free, if no bit may be
+        overwritten, if the word is not OR, NOR or NOT, or before version 4, whose programs keep
+        their words."""
         is_of_version_4 = self.lowering.pictures.is_of_version_4
         if self.free or not is_of_version_4 or name not in ("OR", "NOR", "NOT"):
             return None
@@ -286,7 +306,8 @@ class BitWords:
         then_size, otherwise_size = (
             len([*p.subexpressions(branch)]) for branch in (node.then, node.otherwise)
         )
-        # `then_0`: the condition is 1, the first bit 0. `otherwise_0`: it is 0, the second bit 0.
+        # `then_0`: the condition is 1, the first bit 0. `otherwise_0`: the condition is 0, the
+        # second bit 0.
         if otherwise_size > then_size:
             otherwise, condition = self.bit(node.otherwise), self.bit(node.condition)
             otherwise_0 = self._nor([otherwise[0], condition[0]], used=[otherwise])
@@ -303,10 +324,11 @@ class BitWords:
         return self._nor([then_0, otherwise_0], used=[(then_0, None), (otherwise_0, None)])
 
     def _operands(self, *nodes: p.Condition) -> list[Kept]:
-        """Emit the words of conditions and return their bits, for one OR or NOR word.
+        """Emit the words of conditions and return their bits, each (register, owner), as sources of
+        one OR or NOR word.
 
-        From version 4 on, an `or` of planes inside them becomes further bits of that word, as far
-        as the chip allows."""
+        From version 4 on, a condition that is an `or` of planes only gives a bit for each plane. If
+        the word would then have more sources than the chip allows, each condition gives one bit."""
         flat: list[p.Condition] = []
         for node in nodes:
             planes = _planes_of_or(node) if self.lowering.pictures.is_of_version_4 else []
@@ -315,17 +337,20 @@ class BitWords:
         return [self.bit(node) for node in (flat if most is None or len(flat) <= most else nodes)]
 
     def _nor(self, registers: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit the NOR of these registers, some of which may be equal, and return the register of
-        the result."""
+        """Emit the NOR of these registers and return the register of the result.
+
+        Some registers may be equal; if all are, the word is a NOT. `used` are the bits, each
+        (register, owner), that have then been read."""
         return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
     def compare(self, node: p.Comparison, value: Held) -> None:
         """Emit the word `where`, which sets FLAG (the bit that lets a pixel act) to whether a value
-        is above the level of `node`.
+        is above the level of the comparison `node`.
 
-        It tests whether the sum of the value and IN (the level sent to all pixels) is above 0, and
-        IN is minus the level. If the register holds minus the value, FLAG is the inverse of the
-        answer."""
+        `value` is the register of the compared value, which is not given back. The word tests
+        whether the sum of the register and IN (the level sent to all pixels) is above 0, and IN is
+        minus the level. If the register holds minus the value, FLAG is the inverse of the answer.
+        """
         lowering, param = self.lowering, ""
         match node:
             case p.Above():
@@ -333,6 +358,7 @@ class BitWords:
             case p.AboveParam():
                 steps, param = node.factor, node.param
             case p.Exceeds():
+                # `count_unit` chose the steps of a count so that this is a whole number.
                 steps = int(node.level * self.count_steps)
         lowering.everywhere()
         level = -steps * value.sign
@@ -340,7 +366,10 @@ class BitWords:
         lowering.word(op("where", [], sources), (param, level) if param else level or None)
 
     def _above(self, node: p.Comparison) -> str:
-        """Emit the comparison `node`, and return the register of its answer."""
+        """Emit the comparison `node`, and return the digital register of its answer, 1 where the
+        value is above the level.
+
+        FLAG (the bit that lets a pixel act) is 1 in all pixels afterwards."""
         lowering = self.lowering
         value = lowering.value(node.value)
         self.compare(node, value)
@@ -379,25 +408,31 @@ class BitWords:
     def _or_of_neighbours(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
         """Emit a word that gives each pixel the OR of a register's bits in some nearest neighbours.
 
-        `steps` are the offsets of these neighbours, and `outside` is the bit of pixels beyond the
-        array. Return the register of the result."""
+        `steps` are the offsets (columns right, rows down) of these neighbours, each of length 1.
+        `outside` is the bit, 0 or 1, of pixels beyond the array. Return the register of the result;
+        `register` stays occupied."""
         directions = frozenset(_OF_STEP[step] for step in steps)
         if directions != self.steered:
             self.steer(directions)
         return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], used=[])
 
     def steer(self, directions: frozenset[str]) -> None:
-        """Set R1 to R4 in every pixel, so that DNEWS reads the neighbours in these `directions`."""
+        """Emit the words that set R1 to R4 in every pixel, so that DNEWS reads the neighbours in
+        these `directions`.
+
+        `directions` are names of these registers. From version 4 on, they need not be cleared first
+        if all four are set."""
         if len(directions) < len(STEERING) or not self.lowering.pictures.is_of_version_4:
             self.lowering.word(op("CLR", list(STEERING)))
         self.lowering.word(op("SET", sorted(directions)))
         self.steered = directions
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
-        """Emit words that fetch the bit of the pixel at an offset, one pixel per word; return its
-        register.
+        """Emit words that fetch the bit of the pixel at the offset `at` (columns right, rows down),
+        one pixel per word; return its register.
 
-        `outside` is the bit of pixels beyond the array."""
+        The bit moves along the row first. `outside` is the bit, 0 or 1, of pixels beyond the array.
+        For (0, 0), the bit is copied. `register` stays occupied."""
         x, y = at
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
         moved = None
@@ -409,11 +444,12 @@ class BitWords:
         return moved or self._emit_word("MOV", [register], used=[])
 
     def places(self, register: str, offsets: Collection[Offset]) -> Iterator[tuple[Offset, str]]:
-        """Yield each offset with a register that holds the bit of the pixel at this offset.
+        """Yield each offset (columns right, rows down) with a register that holds the bit of the
+        pixel at this offset.
 
         The bits move along the row, and from there along each column. A step always leads away from
         the pixel, so that no bit is lost beyond the border of the array. A register is valid until
-        the next result."""
+        the next result. `register` holds the bits themselves, and is the result for (0, 0)."""
         for right in (1, -1):
             line = register
             # The own column (distance 0) belongs to the way to the right only.
@@ -433,7 +469,8 @@ class BitWords:
         """Yield the offsets above and below column `x` of the row, with the registers of their
         bits.
 
-        `line` is the register of the bit at (x, 0)."""
+        `x` is the number of columns to the right, and `line` the register of the bit at (x, 0).
+        Offsets of other columns are left out. A register is valid until the next result."""
         for down in (1, -1):
             cell = line
             for y in range(1, 1 + max((down * b for a, b in offsets if a == x), default=0)):
@@ -444,8 +481,10 @@ class BitWords:
                 self.give((cell, None))
 
     def _stepped(self, register: str, first: str, step: Offset) -> str:
-        """Emit a word that shifts the bit of `register` by one step; free `register` unless it is
-        `first`."""
+        """Emit a word that gives each pixel the bit of `register` in the neighbour at the offset
+        `step`; return the register of the result.
+
+        `register` is freed unless it is `first`, which holds the bits before all steps."""
         outside = self.lowering.pictures.outside or 0
         neighbour = self._or_of_neighbours(register, outside, frozenset({step}))
         if register != first:
@@ -453,10 +492,11 @@ class BitWords:
         return neighbour
 
     def _near_bit(self, node: p.Near) -> str:
-        """Emit `any` or `all` of the bits under a convolution kernel, and return the register of
-        the result.
+        """Emit `any` or `all` of a condition's bits under a convolution kernel, and return the
+        register of the result.
 
-        `any` is an OR of neighbours, and `all` the inverse of `any` of the inverses."""
+        Only the offsets of the kernel's weights count. `any` is an OR of neighbours, and `all` the
+        inverse of `any` of the inverses."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
         bit = self.bit(node.condition)
@@ -470,10 +510,11 @@ class BitWords:
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of a register's bits in the pixels at these offsets, and return its register.
+        """Emit the OR of a register's bits in the pixels at these offsets (columns right, rows
+        down), and return the register of the result.
 
-        For a rectangle, the OR along rows comes first, then that along columns. `outside` is the
-        bit of pixels beyond the array."""
+        For a full rectangle, the OR along rows comes first, then that along columns. `outside` is
+        the bit, 0 or 1, of pixels beyond the array. `register` stays occupied."""
         rows, cols = {y for _, y in offsets}, {x for x, _ in offsets}
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})
@@ -483,9 +524,12 @@ class BitWords:
         return self._line(register, outside, offsets)
 
     def _line(self, register: str, outside: int, offsets: set[Offset]) -> str:
-        """Emit the OR of a register's bits in the pixels at these offsets, and return its register.
+        """Emit the OR of a register's bits in the pixels at these offsets (columns right, rows
+        down), and return the register of the result.
 
-        One word reads all nearest neighbours; every other bit is moved here first."""
+        One word reads all nearest neighbours; every other bit is moved here first. Without offsets,
+        or with (0, 0) only, the bits are copied. `outside` is the bit, 0 or 1, of pixels beyond the
+        array."""
         nearest_offsets = frozenset(offsets & set(_OF_STEP))
         registers = (
             [self._or_of_neighbours(register, outside, nearest_offsets)] if nearest_offsets else []
@@ -505,7 +549,10 @@ class BitWords:
 
 
 def _planes_of_or(node: p.Condition) -> list[p.Condition]:
-    """Return the planes that an `or` combines, or a single plane; [] for any other condition."""
+    """Return the planes that an `or` combines, also nested ones, or a single plane; [] for any
+    other condition.
+
+    An `or` with an operand that is neither a plane nor such an `or` also gives []."""
     if isinstance(node, p.Bit):
         return [node]
     if not isinstance(node, p.Joined) or node.op != "or":

@@ -33,16 +33,17 @@ Direction = tuple[Fraction, ...]
 
 
 class CountSum(Record):
-    """A sum of counts (calls of `agree`), each with its factor, which is an image or a part of
-    one."""
+    """A sum of counts (calls of `agree`), which is an image or a part of one.
+
+    `terms` are pairs (factor, count)."""
 
     terms: tuple[tuple[Fraction, p.Agreement], ...]
 
     def weights(self, kernels: dict[str, p.Weights]) -> dict[Place, Fraction]:
-        """Return how often each bit is added (or subtracted, if negative), by plane and offset,
-        without zeros.
+        """Return how often each bit is added (or subtracted, if negative), by (plane, offset of the
+        pixel), without zeros.
 
-        `kernels` has the convolution kernels by name."""
+        `kernels` has the convolution kernels by name. Only the sign of a kernel's weight counts."""
         total: dict[Place, Fraction] = {}
         for factor, agreement in self.terms:
             for at, weight in kernels[agreement.kernel].taps.items():
@@ -52,8 +53,11 @@ class CountSum(Record):
 
 
 def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
-    """Return the counts (calls of `agree`) of an image that is a sum, and the other terms of the
-    sum."""
+    """Return the counts (calls of `agree`) of an image, and the other terms as pairs (factor,
+    image).
+
+    An image that is not a sum is a single term with the factor 1. Without counts, the first result
+    has no terms; without other terms, the second is []."""
     terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
     agreements = tuple((f, term) for f, term in terms if isinstance(term, p.Agreement))
     return CountSum(agreements), [t for t in terms if not isinstance(t[1], p.Agreement)]
@@ -61,10 +65,12 @@ def split(node: p.Value) -> tuple[CountSum, list[tuple[Fraction, p.Value]]]:
 
 @dataclass
 class Accumulator:
-    """A register to which words add the bits of neighbours, and which holds a count times `sign`.
+    """A register to which words add the bits of neighbours, and which holds a count times `sign`, 1
+    or -1.
 
-    Word number `first_word` writes its initial value, `start` counts. The count is at most `span`
-    away from 0. `variance` is that of its error, in units of the variance of one word's error."""
+    The word with the index `first_word` writes its initial value, `start` counts. The count is at
+    most `span` away from 0. `variance` is that of its error, in units of the variance of one word's
+    error."""
 
     register: str
     first_word: int
@@ -80,8 +86,9 @@ Result = TypeVar("Result")
 class CountEmitter(Emitter):
     """Emits the words of counts, for at most `most_together` images at once.
 
-    `ready` has the accumulators and their factors for each image that was counted ahead. `count_e`
-    is the number of electrons per count."""
+    `ready` has, for each image that was counted ahead, pairs (factor, accumulator), whose sum is
+    the image. `walks` is the number of walks over a neighbourhood so far, `spare` the register to
+    which an accumulator is copied next. `count_e` is the number of electrons per count."""
 
     bits: BitWords
     held: dict[str, Held]
@@ -107,23 +114,33 @@ class CountEmitter(Emitter):
     @abstractmethod
     def filtered(self, value: Held, weights: dict[Offset, Fraction]) -> Held:
         """Emit the words that apply a convolution kernel to a value, and return the register of the
-        result."""
+        result.
+
+        `weights` are by offset (columns right, rows down). The value has then been read once.
+        Raises PictureRefused if no program fits the chip."""
 
     @abstractmethod
     def added(self, signed_terms: list[tuple[int, Held]]) -> Held:
         """Emit the words that add values, each with its sign 1 or -1, and return the register of
-        the sum."""
+        the sum.
+
+        The values have then been read once. Raises PictureRefused if the sum does not fit the chip.
+        """
 
     @abstractmethod
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
         """Emit the words of the one of `ways` that has the fewest words per share, and return its
-        result."""
+        result; of equals, the first.
+
+        `shares` is a number of images for each way, by which its number of words is divided. Raises
+        PictureRefused if no way fits the chip."""
 
     def count_ahead(self, position: int) -> None:
-        """Count the item at `position`, if it is a sum of `agree`, together with later images.
+        """Count the item at index `position`, if it is a sum of `agree` and nothing else, together
+        with later images; else do nothing.
 
         Images that are counted together share the shifts of bits. Their number is the one with the
-        fewest words an image."""
+        fewest words an image. Raises PictureRefused if not even one fits the chip."""
         items = self.pictures.items[position:]
         sums = [(item.name, total) for item in items if (total := self._countable(item))]
         if not sums or sums[0][0] != items[0].name:
@@ -137,8 +154,10 @@ class CountEmitter(Emitter):
         self.do_shortest(ways, shares)
 
     def _countable(self, item: p.Picture) -> CountSum | None:
-        """Return an item's sum of `agree`; None for any other item, or if it reads something not
-        computed yet."""
+        """Return an item's sum of `agree`.
+
+        Return None for a plane, for an item that has other terms or no counts, for one counted
+        ahead already, and for one that reads something not computed yet."""
         if isinstance(item.node, p.Condition) or item.name in self.ready:
             return None
         agreements, others = split(item.node)
@@ -152,7 +171,8 @@ class CountEmitter(Emitter):
     def counted(self, agreements: CountSum) -> Held:
         """Emit the words of a sum of counts and return the register of the result.
 
-        If the image was counted ahead, only its accumulators are combined."""
+        If the image `now` was counted ahead, only its accumulators are combined. Raises
+        PictureRefused if the words do not fit the chip."""
         terms = self.ready.pop(self.now, None)
         if terms is None:
             self._count([("", agreements)], _separate)
@@ -177,9 +197,10 @@ class CountEmitter(Emitter):
         """Emit the words that count several images at once, and record their accumulators in
         `ready`.
 
-        The words shift the bits of each plane through all offsets and add them. `sums` are names of
-        images with their sums. `directions_of` chooses the combinations of images that get an
-        accumulator each."""
+        The words shift the bits of each plane through all offsets and add them. `sums` are pairs
+        (name of an image, its sum of counts). `directions_of` gets the weights of all images at
+        each place, and the number of images. It returns the factors of each accumulator in the
+        images. Raises PictureRefused if registers or their range do not suffice."""
         weights = [total.weights(self.weights) for _, total in sums]
         places = list(dict.fromkeys(offset for image in weights for offset in image))
         vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
@@ -223,8 +244,12 @@ class CountEmitter(Emitter):
 
     def _finished(self, accumulator: Accumulator, name: str) -> Held:
         """Make the accumulator's first word write its initial value, and return the count as a
-        value."""
-        # The word inverts IN, so it writes minus this level.
+        value that is called `name`.
+
+        The value's range is the span of the count. Raises PictureRefused if a register cannot hold
+        it."""
+        # The word inverts IN, so it writes minus this level. `count_unit` chose the steps of a
+        # count so that levels are whole.
         level = -int(accumulator.start * self.pictures.count_steps)
         if level:
             first = self.words[accumulator.first_word][0]
@@ -238,11 +263,12 @@ class CountEmitter(Emitter):
         )
 
     def _add(self, accumulator: Accumulator, bit: str, factor: Fraction) -> None:
-        """Emit words that add a factor where a bit is 1, and subtract it where the bit is 0.
+        """Emit words that add `factor` (in counts, may be negative) where a bit is 1, and subtract
+        it where the bit is 0.
 
         `bit` is the register of the bit. Depending on the accumulator's sign, twice the factor is
-        added where the bit is 1 or where it is 0. The initial value corrects the constant
-        difference."""
+        added where the bit is 1 or where it is 0. The initial value, which is written later,
+        corrects the constant difference."""
         level = abs(int(2 * factor * self.pictures.count_steps))
         # The level of IN is positive: it raises the count if the accumulator's sign is 1, else it
         # lowers it.
@@ -264,15 +290,19 @@ class CountEmitter(Emitter):
 
 
 def _separate(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """Return an accumulator for each of `images` images, as its factor in each image."""
+    """Return an accumulator for each of `images` images, as its factors in all images: 1 in its
+    own, else 0.
+
+    `vectors` are ignored; `_shared` needs them."""
     return [_unit(image, images) for image in range(images)]
 
 
 def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
-    """Return accumulators that images share, as their factors in each image.
+    """Return accumulators that images share, as their factors in each of the `images` images.
 
-    There is one for each ratio (1, 0 or -1) of the images' weights. Images whose weights at a place
-    have different sizes get separate accumulators."""
+    `vectors` has the weights of all images for each place, not all 0. There is an accumulator for
+    each ratio (1, 0 or -1) of the images' weights. Images whose weights at a place have different
+    sizes get separate accumulators."""
     directions: dict[Direction, None] = {}
     for vector in vectors:
         direction = _normal(vector)[1]
@@ -283,12 +313,15 @@ def _shared(vectors: Sequence[Direction], images: int) -> list[Direction]:
 
 
 def _unit(image: int, images: int) -> Direction:
-    """Return the factors of an accumulator that serves one image only: 1 for that image, else 0."""
+    """Return the factors of an accumulator that serves one of `images` images only: 1 for the one
+    with the index `image`, else 0."""
     return tuple(Fraction(number == image) for number in range(images))
 
 
 def _normal(vector: Direction) -> tuple[Fraction, Direction]:
-    """Return the first nonzero number of a vector, and the vector divided by it."""
+    """Return the first nonzero number of a vector, and the vector divided by it.
+
+    Raises StopIteration if all numbers are 0."""
     first = next(number for number in vector if number)
     return first, tuple(number / first for number in vector)
 
@@ -296,7 +329,9 @@ def _normal(vector: Direction) -> tuple[Fraction, Direction]:
 def _steps_along(vector: Direction, directions: Sequence[Direction]) -> dict[int, Fraction]:
     """Return how much is added to each accumulator so that the images get the weights `vector`.
 
-    `directions` are the accumulators' factors in each image; the keys are their indices."""
+    `vector` has a weight for each image, not all 0. `directions` are the accumulators' factors in
+    each image; the keys of the result are their indices. If no accumulator has the ratio of the
+    weights, there must be one for each image alone."""
     factor, direction = _normal(vector)
     if direction in directions:
         return {directions.index(direction): factor}

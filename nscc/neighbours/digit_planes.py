@@ -24,11 +24,12 @@ _MOST_EXCHANGES = 40_000
 
 
 def digit_plane_programs(taps: Taps, forms: WordForms) -> list[Program]:
-    """Return programs of a convolution kernel, each with five registers and with four.
+    """Return two or four programs of a convolution kernel, each with five registers and with four.
 
-    `taps` are the weights by offset, in units of 1 / UNIT. The first two programs halve the input
-    until no digit plane exceeds it, so the total may have to be doubled at the end; the last two
-    halve it no more than needed."""
+    `taps` are the nonzero weights by offset, in units of 1 / UNIT, at least one. `forms` are the
+    words that the chip allows. The first two programs halve the input until no digit plane exceeds
+    it, so the total may have to be doubled at the end. The last two halve it no more than needed;
+    they are left out if that is the same number."""
     weights = {at: weight // _common_unit(taps) for at, weight in taps.items()}
     divisor = UNIT // _common_unit(taps)
     # The divisor of all weights is a power of two.
@@ -50,13 +51,17 @@ def digit_plane_programs(taps: Taps, forms: WordForms) -> list[Program]:
 
 
 def _common_unit(taps: Taps) -> int:
-    """Return the largest power of two that divides all weights, at most UNIT."""
+    """Return the largest power of two that divides all weights, which are integers other than 0; at
+    most UNIT."""
     return min(UNIT, *(weight & -weight for weight in taps.values()))
 
 
 def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
     """Return for each place value the nonzero digits (1 or -1) of all weights by offset, lowest
-    place value first."""
+    place value first.
+
+    `weights` are integers. A place value at which no weight has a nonzero digit has an empty
+    dictionary."""
     planes: list[dict[Offset, int]] = []
     for at, weight in sorted(weights.items()):
         place_value, rest = 0, weight
@@ -75,15 +80,16 @@ def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
 
 
 def _moves(start: Offset, end: Offset) -> int:
-    """Return the number of moves, of one or two pixels each, between two places."""
+    """Return the number of moves, of one or two pixels each, between two places (column, row)."""
     return (abs(start[0] - end[0]) + abs(start[1] - end[1]) + 1) // 2
 
 
 def _path(places: list[Offset]) -> list[Offset]:
-    """Return the places in an order with few moves that ends at the centre.
+    """Return the places in an order with few moves that ends at the centre, (0, 0), which need not
+    be one of them.
 
     The path from the centre to the nearest place and so on is shortened by reversing parts of it
-    (2-opt: G. A. Croes, 1958), then reversed."""
+    (2-opt: G. A. Croes, 1958), then reversed. Without places, the path is the centre."""
     path, unvisited = [(0, 0)], set(places) - {(0, 0)}
     while unvisited:
         path.append(min(unvisited, key=lambda place: (_moves(path[-1], place), place)))
@@ -118,9 +124,10 @@ def _program(
 ) -> Program:
     """Return the program that halves the input `first` times, and then the total `last` times.
 
-    `planes` are the digits of each place value, and `paths` the orders in which they are added. A
-    negative `last` is a number of doublings. Without `keeps_negative`, the register of the negative
-    input is free while the total is computed."""
+    `planes` are the digits by offset of each place value, lowest first; `paths` are the orders in
+    which they are added, one for each plane. A negative `last` is a number of doublings. Without
+    `keeps_negative`, the register of the negative input is free while the total is computed. At
+    least one digit must be nonzero."""
     writer = _Writer(first)
     total: str | None = None
     sign = 1
@@ -132,6 +139,7 @@ def _program(
         if not keeps_negative:
             writer.forget_negative()
     assert total is not None
+    # One of these two loops is empty: a negative number of steps is none.
     for _ in range(last):
         total, sign = writer.halved(total), -sign
     for _ in range(-last):
@@ -145,7 +153,8 @@ def _program(
 class _Writer:
     """The words of a program under construction, which begin with words that halve the input.
 
-    `inputs` has the registers of the halved input times 1 and times -1, by this sign."""
+    `inputs` has the registers of the halved input times 1 and times -1, by this sign; a missing one
+    is computed when first read. `first_input` has the one that the halvings gave."""
 
     def __init__(self, halvings: int) -> None:
         """Begin with the words that halve the input `halvings` times; each of them also inverts the
@@ -163,20 +172,25 @@ class _Writer:
         self.inputs = dict(self.first_input)
 
     def summed(self, *sources: str) -> str:
-        """Add a word that writes minus the sum of the sources, and return its register."""
+        """Add a word that writes minus the sum of the source registers, and return its register."""
         self.words.append(BusWord((f"r{len(self.words)}",), sources))
         return self.words[-1].destinations[0]
 
     def halved(self, *sources: str) -> str:
-        """Add a word that writes minus half the sum of the sources, and return its register."""
+        """Add a word that writes minus half the sum of the source registers, and return its
+        register.
+
+        A halving word has two destinations; the second is NEWS, which is overwritten."""
         name = f"r{len(self.words)}"
         self.words.append(BusWord((name, "NEWS"), sources))
         return name
 
     def plane_sum(self, plane: Taps, path: Sequence[Offset], sign: int) -> str | None:
-        """Append words that compute the sum of a digit plane times `sign`; return its register.
+        """Append words that compute the sum of a digit plane times `sign` (1 or -1); return its
+        register.
 
-        `path` is the order of its places. Return None for a plane without digits."""
+        `plane` has the digits (1 or -1) by offset. `path` is the order of its places, and ends at
+        (0, 0). Return None for a plane without digits."""
         if not plane:
             return None
         start = path[0]
@@ -189,10 +203,12 @@ class _Writer:
     def _moved(
         self, place: Offset, target: Offset, moving: str, plane: Taps, sign: int
     ) -> tuple[Offset, str]:
-        """Append the two words that move the sum by at most two pixels towards `target`.
+        """Append the two words that move the sum by at most two pixels from `place` towards
+        `target`.
 
-        `moving` is the register of the sum so far, `plane` the digits, and `sign` that of the sum.
-        At the target its digit is added. Return the offset reached, and the new sum's register."""
+        `moving` is the register of the sum so far, `plane` has the digits by offset, and `sign` (1
+        or -1) is that of the sum. At the target its digit is added. Return the offset reached, and
+        the new sum's register. `place` and `target` must differ."""
         steps = [
             (step_x, step_y)
             for step_x, step_y, count in (
@@ -203,6 +219,7 @@ class _Writer:
         ][:2]
         # The sum of this pixel belongs to another pixel after the move: it is read backwards.
         names = [OF_STEP[-x, -y] for x, y in steps]
+        # With two steps, the first word moves by writing a neighbour, the second by reading one.
         written = _OPPOSITE[names[0]] if len(names) == 2 else "NEWS"
         reached = place[0] + sum(x for x, _ in steps), place[1] + sum(y for _, y in steps)
         digit = plane.get(reached, 0) if reached == target else 0
@@ -212,7 +229,8 @@ class _Writer:
         return reached, self.summed(names[-1], *added)
 
     def _input(self, sign: int) -> str:
-        """Return the register that holds the halved input times `sign`, 1 or -1."""
+        """Return the register that holds the halved input times `sign`, 1 or -1; it is computed if
+        no register holds it."""
         if sign not in self.inputs:
             self.inputs[sign] = self.summed(self.inputs[-sign])
         return self.inputs[sign]

@@ -26,10 +26,11 @@ Key = frozenset[tuple[Offset, int]]
 
 @cache
 def rows(forms: WordForms) -> dict[Key, Program]:
-    """Return the shortest program of each convolution kernel in the table, by kernel.
+    """Return the shortest program of each convolution kernel in the table, by kernel: a frozenset
+    of pairs (offset, weight in units of 1 / UNIT).
 
-    The kernels of the table also occur rotated and mirrored. `forms` are the words that the chip
-    allows."""
+    The kernels of the table also occur rotated and mirrored; of programs with equal length, the
+    first in the table counts. `forms` are the words that the chip allows."""
     shortest: dict[Key, Program] = {}
     for line in ROWS.split("\n"):
         if line:
@@ -46,9 +47,10 @@ def rows(forms: WordForms) -> dict[Key, Program]:
 class Factor(Record):
     """A convolution kernel of at least two weights that may divide other kernels, with its program.
 
-    `lead` is the offset of its last weight, ordered by column, then row. `size` are its numbers of
-    columns and rows, minus 1. `corner` is the smallest column and row. `values` are those of
-    `_values_at_signs`."""
+    `taps` are the weights by offset, in units of 1 / UNIT. `lead` is the offset of its last weight,
+    ordered by column, then row. `size` are its numbers of columns and rows, minus 1. `corner` is
+    the smallest column and row. `values` are those of the kernel as a polynomial at x and y = 1 or
+    -1, which multiply if kernels are convolved."""
 
     taps: Taps
     program: Program
@@ -59,7 +61,9 @@ class Factor(Record):
 
     @classmethod
     def of(cls, taps: Taps, program: Program) -> Factor:
-        """Return a convolution kernel as a factor, with the words that compute it."""
+        """Return a convolution kernel as a factor, with the program that computes it.
+
+        `taps` are the weights by offset, in units of 1 / UNIT, at least one."""
         corner, size = box_of(taps)
         return cls(
             taps, program, lead=max(taps), size=size, corner=corner, values=_values_at_signs(taps)
@@ -68,7 +72,9 @@ class Factor(Record):
 
 def box_of(taps: Taps) -> tuple[Offset, Offset]:
     """Return the smallest column and row of a convolution kernel, and its numbers of columns and
-    rows minus 1."""
+    rows minus 1.
+
+    Each result is (columns, rows). Raises ValueError for a kernel without weights."""
     columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
     corner = min(columns), min(rows_)
     return corner, (max(columns) - corner[0], max(rows_) - corner[1])
@@ -76,21 +82,26 @@ def box_of(taps: Taps) -> tuple[Offset, Offset]:
 
 @cache
 def factors(forms: WordForms) -> tuple[Factor, ...]:
-    """Return the convolution kernels of the table that have at least two weights, rotated and
-    mirrored, too."""
+    """Return the convolution kernels of the table that have at least two weights; rotated and
+    mirrored kernels are factors of their own.
+
+    `forms` are the words that the chip allows."""
     programs = rows(forms).items()
     return tuple(Factor.of(dict(key), program) for key, program in programs if len(key) > 1)
 
 
 @cache
 def factors_within(forms: WordForms, size: Offset) -> tuple[Factor, ...]:
-    """Return the factors with at most as many columns and rows as a kernel of this size (minus
-    1)."""
+    """Return the factors with at most as many columns and rows as a kernel of this size.
+
+    `size` is its numbers of columns and rows, each minus 1. `forms` are the words that the chip
+    allows."""
     return tuple(f for f in factors(forms) if f.size[0] <= size[0] and f.size[1] <= size[1])
 
 
 def _values_at_signs(taps: Taps) -> tuple[int, ...]:
-    """Return the values of a convolution kernel as a polynomial at x = 1, -1 and y = 1, -1.
+    """Return the values of a convolution kernel as a polynomial at (x, y) = (1, 1), (-1, 1), (1,
+    -1) and (-1, -1).
 
     If kernels are convolved, these four numbers multiply. So a factor's values divide those of the
     product."""
@@ -108,11 +119,14 @@ def _values_at_signs(taps: Taps) -> tuple[int, ...]:
 
 
 def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial]]:
-    """Yield each convolution kernel of the table that divides `taps`, with the quotient.
+    """Yield each convolution kernel of the table that divides `taps`, with the quotient; nothing if
+    none does.
 
-    The quotient is never the identity. `forms` are the words that the chip allows."""
+    `taps` and the quotient are weights by offset, in units of 1 / UNIT. The quotient is never the
+    identity. `forms` are the words that the chip allows."""
     box, values = box_of(taps), [value * UNIT for value in _values_at_signs(taps)]
     for factor in factors_within(forms, box[1]):
+        # Four divisions exclude most kernels before the long division.
         for value, divisor in zip(values, factor.values, strict=True):
             if value % divisor if divisor else value:  # only 0 is a multiple of 0
                 break
@@ -125,8 +139,10 @@ def quotients(taps: Taps, forms: WordForms) -> Iterator[tuple[Factor, Polynomial
 def _quotient_of(taps: Taps, factor: Factor, corner: Offset, size: Offset) -> Polynomial | None:
     """Return the convolution kernel whose product with `factor` is `taps`; None if there is none.
 
-    It is found by long division from the last weight. `corner` and `size` are those of `taps`
-    (`box_of`), which the product must not exceed."""
+    It is found by long division from the last weight. `corner` is the smallest column and row of
+    `taps`, and `size` its numbers of columns and rows minus 1; the quotient must stay within what
+    they leave. Weights are in units of 1 / UNIT; None also if a weight of the quotient is not a
+    whole number of these."""
     width, height = size[0] - factor.size[0], size[1] - factor.size[1]
     first_col, first_row = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
     lead_weight = factor.taps[factor.lead]

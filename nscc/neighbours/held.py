@@ -16,7 +16,8 @@ Leveled = tuple[Op, Level]
 
 
 class LoopWords(Record):
-    """The words from number `begin` up to `end`, which are executed `times` times.
+    """The words of one step of a loop: those with the indices from `begin` up to `end`, without
+    `end`, which are executed `times` times.
 
     `values` are the registers of the names that change from step to step."""
 
@@ -30,25 +31,27 @@ class PictureRefused(Exception):
     """Raised if an image or plane does not fit the chip.
 
     `kind` says what is lacking: "registers" (analog), "planes" or "steering" (digital registers),
-    "halvings", "store" (words), "range" or "steps" (of a search). `name` is the image or plane.
-    `needed` and `available` are numbers of these or, for "range", the value relative to the range.
-    """
+    "halvings", "store" (words), "range" or "steps" (of a search). `name` is the image or plane, ""
+    for "steps". `needed` and `available` are numbers of what is lacking. For "range", `needed` is
+    the largest value relative to the range, and `available` is 1."""
 
     def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
-        """Store that the image or plane `name` needs more of something than is available; see the
-        class."""
+        """Store that the image or plane `name` needs `needed` of something, but only `available`
+        are available.
+
+        `kind` says of what; the class lists its values."""
         super().__init__(kind, name, needed, available)
         self.kind, self.name, self.needed, self.available = kind, name, needed, available
 
 
 class Held(Record):
-    """A register that holds a value times `sign`, 1 or -1; the value lies in `low` to `high`
+    """A register that holds a value times `sign`, 1 or -1; the value itself lies in `low` to `high`
     electrons.
 
     `name` is the image or bucket, or None for an intermediate result that is read once. `variance`
     is the variance of the value's error, in units of the variance of one word's error. If
-    `register` is IN (the level sent to all pixels), the value is equal in all pixels, and `level`
-    is what IN has."""
+    `register` is "IN" (the level sent to all pixels), the value is equal in all pixels, and `level`
+    is what IN has; otherwise `level` is None."""
 
     register: str
     sign: int
@@ -61,7 +64,8 @@ class Held(Record):
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
         """Return the range (low, high) of the value after a convolution, in electrons.
 
-        The positive weights sum to `up`, the negative ones to -`down`."""
+        The positive weights of the convolution kernel sum to `up`, the negative ones to -`down`;
+        both are at least 0."""
         return (
             float(up) * self.low - float(down) * self.high,
             float(up) * self.high - float(down) * self.low,
@@ -69,10 +73,12 @@ class Held(Record):
 
 
 class Emitter(ABC):
-    """Words under construction, in `words`; `now` is the image or plane that they compute.
+    """Words under construction, in `words`; `now` is the name of the image or plane that they
+    compute.
 
-    `masked` tells whether FLAG (the bit that lets a pixel act) may be 0 in some pixels, where
-    analog words then have no effect."""
+    `words` are pairs (word, level of IN that it needs). `masked` tells whether FLAG (the bit that
+    lets a pixel act) may be 0 in some pixels; analog words have no effect there. `weights` are the
+    program's convolution kernels by name."""
 
     def __init__(self, pictures: p.Pictures) -> None:
         """Begin with a word that sets FLAG (the bit that lets a pixel act) in all pixels, so that
@@ -86,7 +92,10 @@ class Emitter(ABC):
     def word(self, op: Op, level: Level = None) -> None:
         """Append a word; `level` is the value of IN (the level sent to all pixels) that it needs.
 
-        Set `masked` after words that write FLAG (the bit that lets a pixel act)."""
+        `level` is a number of steps, a pair (parameter, factor) or, if the word does not read IN,
+        None. A word that writes the answer of a comparison or a register to FLAG (the bit that lets
+        a pixel act) sets `masked`, because FLAG may then be 0 in some pixels. A word that sets FLAG
+        in all pixels clears it."""
         effect = op.operation.effect
         if effect in (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL):
             self.masked = True
@@ -102,10 +111,13 @@ class Emitter(ABC):
 
     @abstractmethod
     def value(self, node: p.Value) -> Held:
-        """Emit the words that compute an image expression, and return the register that holds
-        it."""
+        """Emit the words that compute an image expression, and return the register that holds it.
+
+        Raises PictureRefused if it does not fit the chip."""
 
     @abstractmethod
     def give(self, *values: Held) -> None:
-        """Note that values have been read, so that registers which nothing else reads become
-        free."""
+        """Note that values have been read once, so that registers which nothing else reads become
+        free.
+
+        A value without a name is read only once."""

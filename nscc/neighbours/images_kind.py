@@ -27,24 +27,31 @@ class Images(ProgramKind):
         """Return the container of the exposure with the words of images and planes after it, and
         diagnostics.
 
-        After an error, the container has only the exposure."""
+        `layout` is the value of the pass `schedule`, which contains the program. If an image or
+        plane does not fit the chip, the container has only the exposure, and an error says why."""
         container, found = super().assemble(layout, job)
         program, level = layout.program, job.options.level
         container, errors = with_pictures(container, program, level, job.results)
         return container, [*found, *errors]
 
     def after_frame(self, container: Container) -> Failure | None:
-        """Return the failure of the proof of images and planes after the frame, or None."""
+        """Return the failure of the proof of the words after the frame, or None.
+
+        The other kind's failure comes first, then that of images and planes."""
         from nscc.neighbours.pictures_proof import pictures_failure
 
         return super().after_frame(container) or pictures_failure(container)
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
-        """Return the report of a program with what its images and planes cost."""
+        """Return the build report of the other kind (keys and JSON values) with what images and
+        planes cost.
+
+        Their time is added to `frame_us`."""
         report: dict[str, Any] = _REPORT.with_pictures(super().report(compiled), compiled.container)
         return report
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows of the summary, those of images and planes first."""
+        """Return the rows (label, text) of the summary, those of images and planes first; [] if the
+        other kind has no summary."""
         rows = super().rows(compiled)
         return [*_REPORT.picture_rows(compiled.container), *rows] if rows else rows

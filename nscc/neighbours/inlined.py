@@ -17,7 +17,9 @@ from nscc.words import pictures as p
 
 def without_second_names(pictures: p.Pictures) -> p.Pictures:
     """Return the same images and planes, without items that only rename another and without unread
-    items."""
+    items.
+
+    Outputs and repeated items stay, even if nothing else reads them."""
     inlined = _inlined(pictures, lambda node: isinstance(node, p.Source | p.Bit))
     read = {*pictures.outputs}
     for expression in inlined.expressions.values():
@@ -28,8 +30,10 @@ def without_second_names(pictures: p.Pictures) -> p.Pictures:
 
 
 def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
-    """Return the same images and planes, in which each reader of a shifted image shifts it
-    itself."""
+    """Return the same images and planes, in which each reader of a shifted image shifts it itself.
+
+    Items that only shift an image are left out, except outputs and what a repeated item reads in
+    every step."""
 
     def moves(node: p.Node) -> bool:
         """Return whether an expression is an image shifted by some pixels, with the weight 1."""
@@ -43,13 +47,14 @@ def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
 
 def _inlined(pictures: p.Pictures, is_inlined: Callable[[p.Node], bool]) -> p.Pictures:
     """Return the images and planes, with the expressions that `is_inlined` chooses written where
-    they are read.
+    they are read, and their items left out.
 
-    Outputs keep their names, and so do items that a repeated item reads in every step."""
+    Outputs keep their items, and so do items that a repeated item reads in every step."""
     nodes: dict[str, p.Node] = {}
 
     def changed(node: p.Node) -> Any:
-        """Return a node in which names are replaced by what they stand for."""
+        """Return a node in which names are replaced by what they stand for; names of items that
+        stay are unchanged."""
         if isinstance(node, p.Source | p.Bit):
             return nodes.get(node.name, node)
         return p.with_operands(node, changed)

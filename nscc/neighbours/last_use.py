@@ -13,11 +13,12 @@ from nscc.words import pictures as p
 
 
 def by_last_use(pictures: p.Pictures) -> p.Pictures:
-    """Return the same images and planes, each just before the first item that reads it, for few
-    registers.
+    """Return the same images and planes, each just before the first item that reads it, so that few
+    registers are occupied at once.
 
     Of the items that an item reads, the one that depends on most others comes first. Long sums and
-    conditions become items of two operands each."""
+    conditions become items of two operands each, called `NAME / NUMBER`. The program must have no
+    repeated items."""
     nodes = {
         part.name: part.node
         for item in pictures.items
@@ -32,6 +33,7 @@ def by_last_use(pictures: p.Pictures) -> p.Pictures:
         depth[name] = 1 + sum(depth[read] for read in reads[name])
     order: dict[str, None] = {}
     read_by_others = {read for names in reads.values() for read in names}
+    # Depth first, from the items that no other item reads, in the order of the text.
     stack = [name for name in reversed(nodes) if name not in read_by_others]
     while stack:
         missing = [read for read in reads[stack[-1]] if read not in order]
@@ -43,14 +45,19 @@ def by_last_use(pictures: p.Pictures) -> p.Pictures:
 
 
 def names_read(node: p.Node) -> Iterator[str]:
-    """Yield the names that an expression reads, as often as it reads them."""
+    """Yield the names of the images, planes and buckets that an expression reads, as often as it
+    reads them."""
     for part in p.subexpressions(node):
         if isinstance(part, p.Bit | p.Source):
             yield part.name
 
 
 def _taken_apart(name: str, node: p.Node) -> Iterator[p.Picture]:
-    """Yield an expression as items of two operands each; the last has the name `name`."""
+    """Yield an expression as items of two operands each, in the order in which they are computed;
+    the last is called `name`.
+
+    Only nested `and`, `or` and `xor`, and sums of more than two terms are divided. Any other
+    expression is yielded whole."""
     if isinstance(node, p.Joined):
         operands: list[p.Condition] = []
         for number, operand in enumerate((node.first, node.second), 1):

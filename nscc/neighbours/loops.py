@@ -22,7 +22,9 @@ because the next step reads it again."""
 def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
     """Emit the words of images and planes that `repeat` changes together.
 
-    These are the initial values, then one step, which is stored once and executed several times."""
+    `items` are at least one; all are repeated, and step the same number of times. The words compute
+    the initial values, then one step, which is stored once and executed several times. A flood is
+    an item of its own. Raises PictureRefused if the words do not fit the chip."""
     steps: dict[str, p.Node] = {}
     for item in items:
         if isinstance(item.node, p.RepeatedPlane) and isinstance(item.node.step, p.Propagated):
@@ -62,8 +64,9 @@ def _emit_flood(
 ) -> None:
     """Emit a flood as the plane `name`, by words that propagate bits through many pixels at once.
 
-    They change the chip's masked register, in pixels where the mask of `step` is 1. Raises
-    PictureRefused if the chip has no such register or the program's codes need it."""
+    `node` has the seed of the flood (its `start`) and the number of steps, and `step` the mask. The
+    words change the chip's masked register, in pixels where the mask is 1. Raises PictureRefused if
+    the chip has no such register or the program's codes need it."""
     bits, mask, register = lowering.bits, lowering.target.mask_register, lowering.propagating
     if mask is None or register is None:
         raise PictureRefused("planes", name, needed=2, available=0)
@@ -90,7 +93,10 @@ def _emit_flood(
 
 def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
     """Emit the initial value `node` of the repeated image or plane `name`, into a register of its
-    own."""
+    own, which the steps may overwrite.
+
+    An image that is an output is held with its own sign. Raises PictureRefused if registers run
+    out."""
     bits = lowering.bits
     if isinstance(node, p.Condition):
         register, owner = bits.bit(node)
@@ -108,10 +114,11 @@ def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
 
 
 def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p.Times) -> None:
-    """Emit one step of all names in `steps`, which is valid for every step.
+    """Emit one step of all names in `steps`, which is valid for every step; `steps` has their
+    expressions by name.
 
     The range of values that `times` steps can reach is found by repeating the step until it no
-    longer grows."""
+    longer grows. Raises PictureRefused if registers or their range do not suffice."""
     images = [name for name in steps if name in lowering.held]
     begin = len(lowering.words)
     heads = {name: lowering.held[name] for name in images}
@@ -144,9 +151,10 @@ def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p
 
 
 def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[str, Held]:
-    """Emit one step of all names in `steps`: the expressions that give their new values.
+    """Emit one step of all names in `steps`, whose expressions give their new values.
 
-    Return the new values of images by name. No value from before the step loses its register."""
+    Return the new values of images by name; planes are left out. No value from before the step
+    loses its register, because the next step reads it again."""
     bits, begin = lowering.bits, len(lowering.words)
     lowering.loop_registers = {name: bits.planes[name] for name in steps if name in bits.planes}
     locked, locked_planes = [*lowering.held], [*bits.planes]
@@ -160,6 +168,7 @@ def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[s
         lowering.word(op("all"))
     _move_flag(lowering, begin)
     for name in locked:
+        # `give` takes back the last one, and frees the register if nothing after the loop reads it.
         lowering.uses[name] -= _LOCK - 1
         lowering.give(lowering.held[name])
     for name in locked_planes:
@@ -170,10 +179,10 @@ def _emit_step(lowering: RegisterEmitter, steps: Mapping[str, p.Node]) -> dict[s
 
 def _move_flag(lowering: RegisterEmitter, begin: int) -> None:
     """Replace the last words of a step that writes where a plane is 1, and then moves the plane by
-    one pixel.
+    one pixel; else change nothing.
 
     FLAG (the bit that lets a pixel act) has the bits of the plane already, so that one word moves
-    them into its register. `begin` is the first word of the step."""
+    them into its register. `begin` is the index of the first word of the step."""
     words = [word for word, _ in lowering.words[max(begin, len(lowering.words) - 5) :]]
     if len(words) < 5:
         return
@@ -193,8 +202,8 @@ def _move_flag(lowering: RegisterEmitter, begin: int) -> None:
 def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dict[str, Held]:
     """Emit words that give all names their next values at once, in the registers that hold them.
 
-    `nodes` are the expressions of the next values, which read the old ones. Return the values of
-    images by name."""
+    `nodes` are the expressions of the next values by name, which read the old ones. Return the next
+    values of images by name; planes are left out. Raises PictureRefused if registers run out."""
     results: dict[str, Held] = {}
     waiting: list[tuple[str, Held | tuple[str, str | None]]] = []
     for name, is_read_later in _in_order(nodes):
@@ -230,16 +239,19 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
 
 
 def _in_order(nodes: Mapping[str, p.Node]) -> Iterator[tuple[str, bool]]:
-    """Yield the repeated names in the order in which new values replace old ones, each with a bool.
+    """Yield the names of `nodes` in the order in which new values replace old ones, each with a
+    bool.
 
-    The bool tells whether a later name still reads the old value. The order avoids this where it
-    can."""
+    `nodes` has the expression of each new value. The bool tells whether a later name still reads
+    the old value, so that the new one needs another register until then. The order avoids this
+    where it can."""
     reads = {
         name: {getattr(node, "name", name) for node in p.subexpressions(expression)} - {name}
         for name, expression in nodes.items()
     }
     waiting = list(nodes)
     while waiting:
+        # Without a name that no other reads, the first one goes next.
         free = (name for name in waiting if not any(name in reads[n] for n in waiting))
         name = next(free, waiting[0])
         waiting.remove(name)
@@ -247,10 +259,11 @@ def _in_order(nodes: Mapping[str, p.Node]) -> Iterator[tuple[str, bool]]:
 
 
 def _store(lowering: RegisterEmitter, head: Held, node: p.Node) -> Held:
-    """Emit words that write the value of `node` to the register of `head`, in its sign; return the
-    result.
+    """Emit words that write the value of the image `node` to the register of `head`, in its sign;
+    return the result.
 
-    A choice that keeps the value in some pixels writes the register in the other pixels only."""
+    `head` is the old value of the same name. A choice that keeps the old value in some pixels
+    writes the register in the other pixels only. Raises PictureRefused if registers run out."""
     own = p.Source(head.name or "")
     if not isinstance(node, p.Chosen) or own not in (node.then, node.otherwise):
         assert not isinstance(node, p.Condition)
@@ -268,10 +281,12 @@ def _store(lowering: RegisterEmitter, head: Held, node: p.Node) -> Held:
 
 
 def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) -> Held:
-    """Emit words that copy a value to the register of `head`, in its sign; return the result.
+    """Emit words that copy a value to the register of `head`, in its sign; return the result, with
+    the name of `head`.
 
-    `flag` is the digital register that is 1 where they copy; None copies in all pixels. If the last
-    word wrote the value, that word writes the register instead."""
+    `value` has then been read. `flag` is the digital register that is 1 where they copy; None
+    copies in all pixels. If the last word wrote the value, and nothing else reads it, that word
+    writes the register instead."""
     register, (last, level) = head.register, lowering.words[-1]
     # A word inverts. To keep the sign, the word that wrote the value writes the register instead,
     # or NEWS takes the value in between.
@@ -298,10 +313,12 @@ def _move(lowering: RegisterEmitter, value: Held, head: Held, flag: str | None) 
 
 
 def _fetched(lowering: RegisterEmitter, sources: list[str], free: str) -> list[str]:
-    """Emit words that fetch values from neighbours, and return sources that a masked word may read.
+    """Emit words that fetch values from neighbours, and return sources that a masked word may read
+    instead.
 
     A word that acts only where FLAG (the bit that lets a pixel act) is 1 cannot reach neighbours.
-    `sources` are those it would read, and `free` is a register for their sum."""
+    `sources` are those it would read, at least one of which is a neighbour. `free` is a register
+    that may be overwritten. NEWS then has the sum of the sources, not its negative."""
     before = lowering.words[-1][0]
     if len(sources) == 1 and before == op("bus", ["NEWS"], before.sources):
         right, down = STEPS[sources[0]]  # the word before moves the values instead
@@ -314,19 +331,23 @@ def _fetched(lowering: RegisterEmitter, sources: list[str], free: str) -> list[s
 
 
 def _writes(word: Op, source: str, register: str) -> bool:
-    """Return whether a word writes only the register `source`, and may write `register` instead."""
+    """Return whether a word writes only the register `source`, and may write `register` instead.
+
+    It may not if it reads `register`, or is one word of a pair."""
     plain = word.operation.effect is WordEffect.BUS and word.operation.phase is Phase.WHOLE
     return plain and word.destinations == (source,) and register not in word.sources
 
 
 def _contains(outer: Held, inner: Held) -> bool:
-    """Return whether the range of values `outer` contains `inner`, up to rounding."""
+    """Return whether the range of values of `outer` contains that of `inner`, up to rounding (1e-9
+    of its larger end)."""
     slack = 1e-9 * max(abs(outer.low), abs(outer.high))
     return outer.low - slack <= inner.low and inner.high <= outer.high + slack
 
 
 def _joined(first: Held, second: Held) -> Held:
-    """Return `first` with a range that contains the values of both, and the larger noise."""
+    """Return `first` with a range that contains the values of both, and the larger of both
+    variances of errors."""
     low, high = min(first.low, second.low), max(first.high, second.high)
     return replace(first, low=low, high=high, variance=max(first.variance, second.variance))
 
@@ -336,9 +357,9 @@ def kept_ranges(
 ) -> dict[str, tuple[float, float]]:
     """Return new ranges of the kept images whose next values leave the ranges that were assumed.
 
-    A range (least, largest value in electrons) contains both. The result is empty if every frame
-    keeps the ranges. Raises PictureRefused for a range that registers cannot hold. `results` are
-    the next values."""
+    A range is (least, largest value in electrons); a new one contains the assumed range and the
+    next values. The result is empty if every frame keeps the ranges. `results` are the next values
+    by name. Raises PictureRefused for a range that registers cannot hold."""
     wider = {}
     for name, result in results.items():
         low, high = lowering.kept_ranges[name]

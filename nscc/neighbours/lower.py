@@ -27,8 +27,9 @@ Weights = dict[tuple[int, int], Fraction]
 class Lowering(RegisterEmitter):
     """Emits the words of all images and planes of a program.
 
-    After `run`, `registers` maps each output and state to its register, and `costs` has the cost of
-    each image and plane."""
+    After `run`, `registers` maps the name of each output and state to its register. `costs` has the
+    cost of each image and plane, `next_values` the next values of kept images by name, and `loops`
+    the words of loops."""
 
     def __init__(
         self,
@@ -40,8 +41,9 @@ class Lowering(RegisterEmitter):
         """Prepare to compile the images and planes of a program after the exposure of `container`;
         `run` emits the words.
 
-        `synthesis` finds the words of convolution kernels. `kept_ranges` gives the least and
-        largest value of each kept image, in electrons."""
+        `synthesis` finds the words of convolution kernels. `kept_ranges` gives the (least, largest
+        value) of each kept image before a frame, in electrons. Raises PictureRefused if the chip
+        has too few registers for kept images and planes."""
         super().__init__(pictures, container, kept_ranges)
         self.synthesis, self.is_output = synthesis, False
         self.registers: dict[str, str] = {}
@@ -112,16 +114,18 @@ class Lowering(RegisterEmitter):
             ]
 
     def _image_cost(self, name: str, words: int, value: Held) -> p.PictureCost:
-        """Return the cost of the image `name`: its number of `words`, and the gains of its
-        `value`."""
+        """Return the cost of the image `name`: its number of `words`, and the gains of its `value`.
+
+        The peak gain is the largest absolute value, divided by the largest assumed exposure."""
         most = max(abs(value.low), abs(value.high))
         gain = most / max(self.pictures.limits_e.values())
         return p.PictureCost(name, words, gain, sqrt(value.variance))
 
     def _repeat(self, names: Sequence[str]) -> None:
-        """Emit the words of images and planes that step together.
+        """Emit the words of the repeated images and planes `names`, which step together.
 
-        The cost of the first one includes the words of all, with every step."""
+        The cost of the first one includes the words of all, with every step, if parameters have
+        their starts."""
         before, repeated = len(self.words), self.pictures.repeated
         for name in names:  # never freed before the end of the loop
             uses = self.bits.uses if isinstance(repeated[name], p.Condition) else self.uses
@@ -142,7 +146,10 @@ class Lowering(RegisterEmitter):
             words = 0  # the first name has them all
 
     def value(self, node: p.Value) -> Held:
-        """Emit the words that compute the image `node`, and return the register that holds it."""
+        """Emit the words that compute the image `node`, and return the register that holds it.
+
+        An image with a name needs no words. Raises PictureRefused if the words do not fit the chip.
+        """
         match node:
             case p.Source():
                 return self.held[node.name]
@@ -170,11 +177,13 @@ class Lowering(RegisterEmitter):
                 return self.largest(self.value(node.value), list(self.weights[node.kernel].taps))
 
     def filtered(self, value: Held, weights: Weights) -> Held:
-        """Emit the convolution of a value with `weights`, and return the register that holds it.
+        """Emit the convolution of a value with `weights` by offset, and return the register that
+        holds it.
 
         The value has then been read, so that its register may become free. The first program of
-        `synthesis` for which there are enough registers is used. Raises PictureRefused if none
-        fits, or if values exceed the range of registers."""
+        `synthesis` for which there are enough registers is used. The weights {(0, 0): 1} and {(0,
+        0): -1} need no words; without weights, the result is 0. Raises PictureRefused if no program
+        fits, if values exceed the range of registers, or if weights are finer than 2^-40."""
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -207,12 +216,13 @@ class Lowering(RegisterEmitter):
         raise refused
 
     def _programs(self, taps: Taps, value: Held) -> list[tuple[Program, int]]:
-        """Return programs for a convolution kernel whose values fit the range of registers, best
-        first.
+        """Return programs (program, sign) for a convolution kernel whose values fit the range of
+        registers, best first.
 
+        `taps` are the weights by offset, in units of 1 / UNIT; `value` is what the programs read.
         The sign of a program is -1 if it computes the negative. Programs are sorted by the words
         that remain after reuse of values in registers, then by their largest value; equally good
-        first programs by noise. Raises PictureRefused if no program fits."""
+        first programs by noise. Raises PictureRefused ("range") if no program fits."""
         least, ranked = float("inf"), []
         for sign in (1, -1):
             for candidate in self.synthesis.variants(added((sign, taps))):
@@ -242,8 +252,10 @@ class Lowering(RegisterEmitter):
     def sum(self, node: p.Sum) -> Held:
         """Emit the words of a sum of images and return the register of the result.
 
-        Counts are counted together, and terms of one image become one convolution, if that is
-        shorter."""
+        Terms that are counts (calls of `agree`) are counted together, and the other terms are added
+        to the count. If all terms are kernels of one image, the sum is one convolution, or is added
+        term by term if that needs fewer words. Raises PictureRefused if the words do not fit the
+        chip."""
         agreements, others = split(node)
         if agreements.terms:
             count = self.counted(agreements)
@@ -262,7 +274,10 @@ class Lowering(RegisterEmitter):
         return self._term_by_term(node)
 
     def _term_by_term(self, node: p.Sum) -> Held:
-        """Emit the words of a sum, term after term, and return the register of the result."""
+        """Emit the words of a sum, term after term, and return the register of the result; it is 0
+        without terms.
+
+        Raises PictureRefused if the words do not fit the chip."""
         if not node.terms:
             return self._nothing()
         common = abs(node.terms[0][0])
@@ -277,10 +292,11 @@ class Lowering(RegisterEmitter):
         return self.added(signed_terms)
 
     def _with_level(self, node: p.Sum) -> Held:
-        """Emit the words of a sum that contains levels, and return the register of the result.
+        """Emit the words of a sum that contains levels (values equal in all pixels), and return the
+        register of the result.
 
-        The word that adds the other terms also adds up to two levels, by IN (the level sent to all
-        pixels)."""
+        The words that add the other terms also add up to two levels with integer factors, by IN
+        (the level sent to all pixels). Further levels are values of their own."""
         uniform = [(f, term) for f, term in node.terms if isinstance(term, p.Uniform)]
         other = tuple(term for term in node.terms if not isinstance(term[1], p.Uniform))
         terms = [(1, self.value(p.Sum(other)))] if other else []
@@ -295,16 +311,18 @@ class Lowering(RegisterEmitter):
     def _level(self, factor: Fraction, param: str) -> Held:
         """Emit a value that is equal in all pixels, and return its register.
 
-        It is `factor` steps of IN (the level sent to all pixels) or, if `param` is not "", times
-        this parameter of the host."""
+        It is `factor` times one step of IN (the level sent to all pixels) or, if `param` is not "",
+        `factor` times this parameter of the host. Raises PictureRefused if it leaves the range of
+        IN."""
         whole = self.added([], [(factor.numerator, param)])
         return self.filtered(whole, {(0, 0): Fraction(1, factor.denominator)})
 
     def _steps_range(self, factor: int, param: str) -> tuple[float, float]:
-        """Return the range in electrons of `factor` steps of IN (the level sent to all pixels), or
-        of `factor` times the parameter `param`.
+        """Return the range (low, high), in electrons, of `factor` steps of IN (the level sent to
+        all pixels).
 
-        Raises PictureRefused if it leaves the range of IN."""
+        If `param` is not "", it is the range of `factor` times this parameter of the host. Raises
+        PictureRefused if it leaves the range of IN."""
         ends = [factor]
         if param:
             of_param = next(each for each in self.pictures.params if each.name == param)
@@ -316,7 +334,8 @@ class Lowering(RegisterEmitter):
         return min(ends) * step_e, max(ends) * step_e
 
     def _nothing(self) -> Held:
-        """Emit an image of zeros and return its register."""
+        """Emit a word that writes 0 in all pixels and return its register; raise PictureRefused if
+        none is free."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register]))
@@ -369,11 +388,11 @@ class Lowering(RegisterEmitter):
         return Held(register, sign=-total, low=low, high=high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
-        """Emit an absolute value and return the register of the result.
+        """Emit an absolute value and return the register of the result; `value` has then been read.
 
         Two words write the negative to NEWS (the register that neighbours can read) and to the
         result. Where the register of the value is above 0, a third word inverts the result again.
-        """
+        Raises PictureRefused if no register is free."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", ["NEWS"], [value.register]))
@@ -387,9 +406,11 @@ class Lowering(RegisterEmitter):
         return Held(register, sign=1, low=least, high=most, variance=value.variance + 2)
 
     def largest(self, value: Held, offsets: Sequence[tuple[int, int]]) -> Held:
-        """Emit the largest of the values of the pixels at these offsets, and return its register.
+        """Emit the largest of the values of the pixels at these offsets (columns right, rows down),
+        and return its register.
 
-        The register holds the negative of the largest value so far; a larger value replaces it."""
+        There is at least one offset. The register holds the negative of the largest value so far; a
+        larger value replaces it. Raises PictureRefused if registers run out."""
         value = self.positive(value)
         # The value is read once for each offset, instead of once.
         name, uses = value.name or f"largest {len(self.words)}", len(offsets)
@@ -413,10 +434,13 @@ class Lowering(RegisterEmitter):
         """Emit the larger one of two values, and return its register: the second, overwritten where
         the first is larger.
 
-        The register of the second is overwritten if it holds the negative, and nothing reads it
-        later. Of two negatives, NEWS (the register that neighbours can read) has the first with its
-        own sign."""
+        Both values have then been read. The register of the second is overwritten if it holds the
+        negative, and nothing reads it later; otherwise a copy is. Of two negatives, NEWS (the
+        register that neighbours can read) has the first with its own sign. Raises PictureRefused if
+        no register is free."""
         negative = first.sign == second.sign < 0
+        # The order does not matter for the result: choose the one whose register can be
+        # overwritten.
         if first.sign < 0 < second.sign or (negative and self._ends(first)):
             first, second = second, first
         in_place = second.sign < 0 and self._ends(second)
@@ -443,13 +467,15 @@ class Lowering(RegisterEmitter):
         return Held(register, sign, low, high, variance=variance)
 
     def _ends(self, value: Held) -> bool:
-        """Return whether the next read of a value is its last."""
+        """Return whether the next read of a value is its last; True for an intermediate result,
+        which is read once."""
         return value.name is None or self.uses[value.name] == 1
 
     def chosen(self, node: p.Chosen) -> Held:
         """Emit a choice between two images by a condition, and return the register of the result.
 
-        FLAG (the bit that lets a pixel act) is 1 in all pixels afterwards."""
+        FLAG (the bit that lets a pixel act) is 1 in all pixels afterwards. Raises PictureRefused if
+        registers run out."""
         if self.pictures.is_of_version_4:  # words of older programs stay as they are
             return self._chosen_by_flag(node)
         then, otherwise = self.value(node.then), self.value(node.otherwise)
@@ -470,8 +496,10 @@ class Lowering(RegisterEmitter):
         """Emit a choice between two images by a condition, as version 4 does, and return its
         register.
 
-        The register of the second image is used if nothing reads that image later. A level needs no
-        register, and the answer of a comparison stays in FLAG (the bit that lets a pixel act)."""
+        The register of the image for the condition 0 (`otherwise`) is used if nothing reads that
+        image later. A level needs no register, and the answer of a comparison stays in FLAG (the
+        bit that lets a pixel act). FLAG is 1 in all pixels afterwards. Raises PictureRefused if
+        registers run out."""
         then, otherwise = self._value_or_level(node.then), self._value_or_level(node.otherwise)
         condition, compared, bit = node.condition, None, None
         if isinstance(condition, p.Comparison):
@@ -511,7 +539,10 @@ class Lowering(RegisterEmitter):
 
     def _value_or_level(self, node: p.Value) -> Held:
         """Return the register of an image or, if the image is a level, IN (the level sent to all
-        pixels) with its level."""
+        pixels) with its level.
+
+        A level is 0, or an integer times a step of IN or a parameter. Raises PictureRefused if it
+        leaves the range of IN, or if the words of an image do not fit."""
         terms = node.terms if isinstance(node, p.Sum) else ((Fraction(1), node),)
         if not terms:
             return Held("IN", sign=1, low=0.0, high=0.0, level=0)
@@ -522,7 +553,10 @@ class Lowering(RegisterEmitter):
         return Held("IN", 1, *self._steps_range(factor, param), level=level)
 
     def _copy(self, register: str, sign: int, value: Held) -> None:
-        """Emit the word that writes `sign` times a value, or a level, to a register."""
+        """Emit the word that writes `sign` (1 or -1) times a value, or a level, to a register.
+
+        The register of a value must hold it with the other sign, because the word inverts. `value`
+        is not given back."""
         if value.register != "IN":
             assert value.sign == -sign
             self.word(op("bus", [register], [value.register]))
@@ -533,11 +567,12 @@ class Lowering(RegisterEmitter):
 
 
 def merged(node: p.Value, kernels: Mapping[str, p.Weights]) -> tuple[Weights, p.Value]:
-    """Return nested convolution kernels and factors as one kernel, and the image that it applies
-    to.
+    """Return nested convolution kernels, shifts and factors as one kernel, and the image that it
+    applies to.
 
-    For any other image, the kernel is the identity. `kernels` has the convolution kernels by name.
-    """
+    The kernel has the nonzero weights by offset. For any other image, also for a sum of different
+    images, the kernel is {(0, 0): 1} and the image is `node`. `kernels` has the convolution kernels
+    by name."""
     if isinstance(node, p.Filtered):
         taps, inner = merged(node.value, kernels)
         outer = kernels[node.kernel].taps.items()

@@ -45,7 +45,8 @@ from nscc.words.pictures import (
 _LEVEL_OF_ALTERNATIVES = 2
 """Least optimisation level at which equivalent forms of the images are tried."""
 _MOST_RANGES = 6
-"""Most times that the range of a kept image is widened before the range of registers is tried."""
+"""Most ranges of a kept image that are tried one after another, each wider by the values that the
+image reached; after these, the range of registers is tried."""
 _LEVEL_OF_CHANGES, _STEPS_OF_CHANGES = 1, 4000
 """Highest optimisation level at which an error message tries changes of a program, and the steps of
 the searches for all of them."""
@@ -54,12 +55,13 @@ the searches for all of them."""
 def with_pictures(
     container: Container, program: Program, level: int, results: Results | None = None
 ) -> tuple[Container, Sequence[Diagnostic]]:
-    """Return the container with the words of the program's images and planes; or unchanged, with an
-    error.
+    """Return the container with the words of the program's images and planes, and no errors; or the
+    container unchanged, with one error.
 
     The errors are: states that fade within a frame (NS0602), too few registers or too little
     instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
-    read pixels too far away (NS0541)."""
+    read pixels too far away (NS0541). `level` is that of `-O`; `results` is a cache of earlier
+    searches, None without one."""
     pictures = program.pictures
     far = _too_far(pictures, program) or _fading(pictures, program)
     if far is not None:
@@ -88,7 +90,9 @@ def with_pictures(
 def _costs_of_text(costs: Sequence[PictureCost], pictures: Pictures) -> tuple[PictureCost, ...]:
     """Return the costs of the images and planes of the program text, in its order.
 
-    The words of items that the compiler added count for the next image."""
+    `costs` are those of all items, in the order in which they were lowered. The words of items that
+    the compiler added count for the next image of the text. An image without words of its own has
+    zeros."""
     names = [*pictures.expressions]
     cost_of: dict[str, PictureCost] = {}
     shared_words = 0
@@ -108,9 +112,10 @@ def lowered(
     """Return the words of images and planes after a container's exposure, as a `Lowering` that has
     run.
 
-    `level` is that of `-O`. From level 2 on, it is the shortest of several alternatives. What does
-    not fit in the order of the text is ordered by last use. Raises PictureRefused if nothing fits.
-    """
+    `level` is that of `-O`, 0 to 3. From level 2 on, the result is the shortest of several
+    alternatives. What does not fit in the order of the text is ordered by last use. `results` is a
+    cache of earlier searches, None without one. Raises PictureRefused, with the reason of the first
+    attempt, if nothing fits."""
     forms = WordForms.choices(container.target)
     searches = [Synthesis(STEPS_OF_LEVEL[level], form, results) for form in forms]
     return _shortest(container, pictures, level, searches)
@@ -120,11 +125,12 @@ def _shortest(
     container: Container, pictures: Pictures, level: int, searches: Sequence[Synthesis]
 ) -> Lowering:
     """Return the lowering with the fewest words among several forms of the images and several
-    searches.
+    `searches` for kernels.
 
-    From `_LEVEL_OF_ALTERNATIVES` on, equivalent forms of the images are tried as well. If no form
-    fits, the images are computed in another order. Raises PictureRefused, with the first reason, if
-    this does not fit either."""
+    `level` is that of `-O`. From `_LEVEL_OF_ALTERNATIVES` on, equivalent forms of the images are
+    tried as well. If no form fits the registers, the images are computed in another order. Raises
+    PictureRefused, with the reason of the first form, if this does not fit either, or if values
+    exceed the range."""
     pictures = replace(
         pictures,
         items=tuple(Picture(item.name, _without_zeros(item.node)) for item in pictures.items),
@@ -153,9 +159,11 @@ def _shortest(
 def _first_or_best(
     container: Container, ways: Iterable[tuple[Synthesis, Pictures]], *, first: bool
 ) -> tuple[Lowering | None, PictureRefused | None]:
-    """Return the shortest lowering of `ways` that fits, or with `first` the first that fits.
+    """Return the lowering of `ways` with the fewest words, or with `first` the first that fits.
 
-    Also return why the first way that does not fit is refused. Either is None if there is none."""
+    `ways` are pairs (search for kernels, images and planes). Also return why the first way that
+    does not fit is refused. The lowering is None if none fits, the reason None if all that were
+    tried fit."""
     best: Lowering | None = None
     refused: PictureRefused | None = None
     for synthesis, way in ways:
@@ -172,7 +180,11 @@ def _first_or_best(
 
 
 def _with_fewer_registers(pictures: Pictures) -> list[Pictures]:
-    """Return equivalent forms of the images and planes that need fewer registers."""
+    """Return equivalent forms of the images and planes that may need fewer registers, in the order
+    in which they are tried; [] if there are none.
+
+    Repeated items cannot be ordered by last use. Only in programs of version 4 are shifts of images
+    written where they are read."""
     ways = [] if pictures.repeated else [by_last_use(pictures)]
     if pictures.is_of_version_4:
         moved = with_moves_where_read(pictures)
@@ -181,17 +193,20 @@ def _with_fewer_registers(pictures: Pictures) -> list[Pictures]:
 
 
 def _without_zeros(node: Node) -> Any:
-    """Return an expression without terms that are multiplied by 0."""
+    """Return an expression in which sums have no terms that are multiplied by 0, also sums inside
+    it; a sum may then have no terms."""
     if isinstance(node, Sum):
         node = Sum(tuple(term for term in node.terms if term[0]))
     return with_operands(node, _without_zeros)
 
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
-    """Return the lowering of images and planes in their order.
+    """Return the lowering of images and planes in their order; `synthesis` finds the words of
+    kernels.
 
-    Kept images begin with a range that every frame keeps. It is found by widening the range until
-    their next values stay inside. Raises PictureRefused."""
+    Kept images begin with a range of values that every frame keeps. It is found by widening the
+    range until their next values stay inside. Raises PictureRefused if the words do not fit the
+    chip."""
     most_e = max(pictures.limits_e.values(), default=0.0)
     ranges = {
         image.name: (min(0.0, image.start_e), max(most_e, image.start_e))
@@ -199,6 +214,9 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
     }
     widest = container.target.register_min_e, container.target.register_max_e
     history = [ranges]
+    # Attempts 0 to `_MOST_RANGES` - 1 each widen the ranges to the values that were reached, the
+    # last of them to an estimated limit. If that limit is too small, the range of registers
+    # replaces it, and one more attempt uses this.
     for number in range(_MOST_RANGES + 2):
         lowering = _lowered_with(container, pictures, synthesis, ranges)
         wider = kept_ranges(lowering, lowering.next_values)
@@ -217,11 +235,11 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
 
 
 def _limit(first: float, second: float, third: float) -> float:
-    """Return the limit of a sequence whose steps shrink by a constant factor, a little beyond it
-    (Aitken).
+    """Return the limit of a sequence whose steps shrink by a constant factor, and a little more, so
+    that rounding does not leave it (Aitken).
 
-    The arguments are three consecutive numbers of it. If the steps do not shrink, return `third`.
-    """
+    The arguments are three consecutive numbers of the sequence. If the steps do not shrink, or the
+    last one is 0, return `third`."""
     step, next_step = second - first, third - second
     if not 0 < abs(next_step) < abs(step):
         return third
@@ -236,8 +254,8 @@ def _lowered_with(
 ) -> Lowering:
     """Return the lowering that counts as many images together as registers allow.
 
-    `ranges` gives the least and largest value of each kept image, in electrons. Raises
-    PictureRefused."""
+    `ranges` gives the (least, largest value) of each kept image before a frame, in electrons.
+    Raises PictureRefused if the words do not fit even if every image is counted alone."""
     for most_together in range(MOST_IMAGES, 0, -1):
         lowering = Lowering(pictures, container, synthesis, ranges)
         lowering.most_together = most_together
@@ -257,8 +275,11 @@ def grouped(
     """Group words into kernels (lists of words), one per value of IN (the level sent to all
     pixels), and store equal kernels once.
 
-    Return the kernels, and the fields of `Pictures` that launch them: `launches`, `loops` and
-    `levels_of`. A loop begins and ends with a launch."""
+    `words` are pairs (word, level): the level is a number of steps of IN, a pair (parameter,
+    factor), or None for a word that does not read IN, which joins any group. `loops` refer to words
+    by index, and consist of whole groups. Return the kernels in the order in which they first run,
+    and a dict of three fields of `Pictures`: `launches`, `loops` and `levels_of`. The last has the
+    levels that follow from parameters."""
     runs: list[tuple[list[Op], Level]] = []
     ends = {end for loop in loops for end in (loop.begin, loop.end)}
     launch_at: dict[int, int] = {len(words): 0}
@@ -298,7 +319,9 @@ _MORE_HALVINGS = 3
 
 def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
     """Return the images and planes with the image `name` divided by `divisor`, all others
-    unchanged."""
+    unchanged.
+
+    Planes and repeated images of this name are not divided."""
     items = []
     for item in pictures.items:
         node = item.node
@@ -309,8 +332,10 @@ def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
 
 
 def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
-    """Return the error (NS0541) if an image depends on pixels more than a quarter of the array
-    away, else None."""
+    """Return the error (NS0541) if an image or plane depends on pixels more than a quarter of the
+    array away, else None.
+
+    It is for the first such name; columns are checked before rows."""
     target = program.target
     for name, reach in reaches(pictures, of_a_step=True).items():
         for size, limit, unit in (
@@ -362,6 +387,7 @@ def _refusal(
     """Return the error for images that do not fit (NS0535), or whose values leave the range
     (NS0540).
 
+    `refused` says what is lacking; a refusal because a search ran out of steps must not come here.
     `level` is that of `-O`."""
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(declared_at(program.source, name), "computed here")
@@ -404,8 +430,9 @@ def _beyond_range(
 ) -> Diagnostic:
     """Return the error (NS0540) for values that leave the range of registers.
 
-    Its helps are divisors or limits of the exposure that were compiled and fit. `level` is the
-    user's level of optimisation; the search for changes uses a lower one."""
+    Its helps are a divisor of the image, and a limit of the exposure; each was compiled and fits.
+    If neither was found, there is a general help. `level` is the user's level of optimisation; the
+    search for changes uses at most `_LEVEL_OF_CHANGES`, to be fast."""
     pictures, over = program.pictures, refused.needed
     target = container.target
     helps = []

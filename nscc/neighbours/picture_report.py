@@ -17,10 +17,10 @@ from nscc.words.pictures import KeptImage, KeptPlane, Picture, Pictures
 
 def pictures_us(pictures: Pictures, target: Target) -> float:
     """Return the time from the last slot to the first readout, in microseconds, if parameters have
-    their starts.
+    their starts; 0 without images and planes.
 
-    It consists of words, launches, and the waits until IN (the level sent to all pixels) is stable.
-    """
+    It consists of words, launches, and the waits until IN (the level sent to all pixels) is stable
+    after it changes."""
     kernels = [[matching(word, target.words) for word in kernel] for kernel in pictures.kernels]
     total_us, level = 0.0, None
     for launch in pictures.executed():
@@ -34,14 +34,19 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
 
 
 def picture_report(container: Container) -> dict[str, Any]:
-    """Return the part of `--emit report` about images and planes, as JSON values."""
+    """Return the part of `--emit report` about images and planes, as JSON values.
+
+    Its keys are `images`, `planes` and, if there are any, `states`, each a dict by name;
+    `images_words_total` (executed words); and `images_us`, the time in microseconds."""
     pictures = container.pictures
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)
 
     def item_report(item: Picture | KeptPlane | KeptImage) -> dict[str, Any]:
-        """Return words, reach (pixels), gains and count range of one image or plane as JSON
-        values."""
+        """Return what one image or plane costs as JSON values: `words` and `reach` (in pixels).
+
+        Images also have `peak_gain` and `noise_gain`; counts also have `peak_count` and
+        `electrons_per_count`."""
         cost = costs[item.name]
         report: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
         if item.name not in pictures.planes:
@@ -64,8 +69,9 @@ def picture_report(container: Container) -> dict[str, Any]:
 
 
 def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any]:
-    """Return a build report with the part about images and planes, whose time is added to the
-    frame's."""
+    """Return a build report with the part about images and planes (`picture_report`).
+
+    Their time is added to the report's `frame_us`. `report` itself is not changed."""
     pictures = picture_report(container)
     pictures["frame_us"] = round(report["frame_us"] + pictures["images_us"], 6)
     return {**report, **pictures}
@@ -73,7 +79,9 @@ def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any
 
 def picture_rows(container: Container) -> list[tuple[str, str]]:
     """Return the rows (label, text) of a summary about images and planes: one each, then the sum of
-    words."""
+    words and their time.
+
+    The labels are "image", "plane", "state" and, for the sum, "after"."""
     pictures, target = container.pictures, container.target
     reach = reaches(pictures)
     kinds = {item.name: "plane" if item.is_plane else "image" for item in pictures.items}

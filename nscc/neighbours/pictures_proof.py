@@ -36,7 +36,7 @@ from nscc.words.pictures import (
 from nscc.words.reach import Reach, RegisterReaches
 
 Launched = Sequence[Sequence[Op]]
-"""The words of launches."""
+"""The words of each launch (start of a kernel), in order."""
 
 
 class PictureReplayError(Exception):
@@ -45,7 +45,10 @@ class PictureReplayError(Exception):
 
 def pictures_failure(container: Container) -> Failure | None:
     """Return the error in the words of a container's images and planes as a failure of the last
-    frame, or None."""
+    frame; None if they are proved, or if there are none.
+
+    If the proof is too large, or compared values are always equal, the failure says so, and names
+    the image or plane in `unproved`."""
     try:
         reason = pictures_fault(container)
     except TooLarge as large:
@@ -56,10 +59,11 @@ def pictures_failure(container: Container) -> Failure | None:
 
 
 def pictures_fault(container: Container) -> str | None:
-    """Return the error in the words of a container's images and planes; None if they are proved.
+    """Return the error in the words of a container's images and planes as text; None if they are
+    proved.
 
-    Raises TooLarge if the proof needs too many nodes of decision diagrams, and AlwaysEqual if two
-    values that are compared are equal."""
+    Raises TooLarge, with the name of an image or plane, if the proof needs too many nodes of
+    decision diagrams, and AlwaysEqual if two values that are compared are equal."""
     pictures = container.pictures
     number = 0
     try:
@@ -112,8 +116,8 @@ def _check_steps(
 ) -> None:
     """Compare the register of each name that a loop repeats with an expression of that name.
 
-    `expected` chooses it: the initial value or the step. Raises PictureReplayError for a
-    difference."""
+    `expected` chooses the expression: the initial value or the step. `compare` compares one
+    register with it. Raises PictureReplayError for a difference, also in the number of steps."""
     for value in loop.values:
         node = meaning.pictures.repeated[value.name]
         if node.times != loop.times:
@@ -124,10 +128,12 @@ def _check_steps(
 def _compare(
     value: LoopValue, node: Node, replay: PictureReplay, meaning: PictureMeaning, middle: Place
 ) -> None:
-    """Raise PictureReplayError unless a register holds the expression `node` in every pixel.
+    """Raise PictureReplayError unless a register holds the expression `node`, times the sign of
+    `value`, in every pixel.
 
-    Pixels that depend on pixels beyond the array are skipped, except `middle`, which must not.
-    Raises AlwaysEqual if the expression compares equal values."""
+    `value` has the register. Pixels that depend on pixels beyond the array are skipped, except
+    `middle` (column, row), which must not. Raises AlwaysEqual if the expression compares equal
+    values."""
     name = value.name
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)
@@ -152,11 +158,13 @@ def _differs(
     replay: PictureReplay,
     middle: Place,
 ) -> str | None:
-    """Return as text how register contents differ from `sign` times the expected values; None if
-    they do not.
+    """Return as text how register contents differ from `sign` (1 or -1) times the expected values;
+    None if they do not.
 
-    `expected` returns the exact value at a pixel. Pixels that depend on pixels beyond the array are
-    skipped, except `middle`, which must not. `contents` None means that there is no register."""
+    `name` is the image or plane, for the text. `contents` has a value for each pixel; None means
+    that there is no register. `expected` returns the exact value at a pixel. Pixels that depend on
+    pixels beyond the array are skipped, except `middle` (column, row), which must not. The sign of
+    bits is ignored."""
     forms = replay.forms
     if contents is None:
         return f"no register holds `{name}`"
@@ -180,9 +188,12 @@ def _difference(
     meaning: PictureMeaning,
     middle: tuple[int, int],
 ) -> str | None:
-    """Return the first difference between the registers at the end and the program text, or None.
+    """Return the first difference between the registers at the end and the program text, as text;
+    None if there is none.
 
-    `written` are the registers that the words of images write."""
+    `written` are the registers that the words of images write. They must not be registers of codes,
+    and states must have registers of their own. `middle` is a pixel (column, row) that no border
+    affects. Raises AlwaysEqual if an expression compares equal values."""
     pictures, forms = container.pictures, replay.forms
     for name in pictures.expressions:
         if forms.compares_equal(meaning.value(name, middle)):
@@ -214,7 +225,9 @@ class Masked:
     """The content of an analog register after a word that wrote it only where FLAG (the bit that
     lets a pixel act) was 1.
 
-    `PictureReplay.fields` merges `written` and `before` only when a word needs the merged value."""
+    `flag` are these bits by pixel, `written` is what the word wrote, and `before` the content
+    before it. `PictureReplay.fields` merges `written` and `before` only when a word needs the
+    merged value."""
 
     flag: Bits
     written: Fields
@@ -225,8 +238,9 @@ class Masked:
 class PictureReplay:
     """The registers of all pixels of a small array while the words after an exposure run.
 
-    `analog` has an exact weighted sum of exposures and other unknowns for each pixel, `digital` the
-    decision diagram of a bit."""
+    `analog` has, by register and pixel (column, row), an exact weighted sum of exposures and other
+    unknowns. `digital` has the decision diagram of a bit; FLAG and the inner bus are among its
+    registers. `forms` makes both and knows the size of the array."""
 
     container: Container
     forms: Forms
@@ -261,7 +275,9 @@ class PictureReplay:
 
     def set_unknown(self, value: LoopValue) -> None:
         """Set the register of a kept or repeated name to unknowns that stand for its values before
-        the frame or step."""
+        the frame or step.
+
+        An analog register gets them times the sign of `value`."""
         forms, register = self.forms, value.register
         if register in self.analog:
             sign = Fraction(value.sign)
@@ -276,8 +292,8 @@ class PictureReplay:
         any step.
 
         The registers of its repeated names get the unknowns of these names. `launched` are the
-        words of all launches (starts of kernels). Raises PictureReplayError if FLAG (the bit that
-        lets a pixel act) is not 1 in all pixels."""
+        words of all launches (starts of kernels), not of the loop only. Raises PictureReplayError
+        if FLAG (the bit that lets a pixel act) is not 1 in all pixels."""
         forms = self.forms
         if any(bit != forms.diagrams.one for bit in self.digital["FLAG"].values()):
             raise PictureReplayError("FLAG is not 1 in all pixels between the steps of a loop")
@@ -300,10 +316,11 @@ class PictureReplay:
         return self.fields(register) if register in self.analog else None
 
     def fields(self, name: str, flag: Bits | None = None) -> Fields:
-        """Return the content of an analog register at each pixel.
+        """Return the content of the analog register `name` at each pixel; raise KeyError if there
+        is none.
 
-        With `flag`, it is correct only where `flag` is 1, which saves merging what was written
-        under FLAG (the bit that lets a pixel act)."""
+        With `flag`, the result is correct only where `flag` is 1, which saves merging what was
+        written under FLAG (the bit that lets a pixel act)."""
         held, masked = self.analog[name], []
         if isinstance(held, Masked) and flag is not None and held.flag == flag:
             return held.written
@@ -319,8 +336,9 @@ class PictureReplay:
     def run(self, op: Op, level: int | LevelOf | None) -> None:
         """Replay one word in all pixels.
 
-        `level` is the value of IN (the level sent to all pixels) in steps, or how it follows from a
-        parameter. Raises PictureReplayError for a word that cannot run after the exposure."""
+        `level` is the value of IN (the level sent to all pixels) in steps, how it follows from a
+        parameter, or None while it is not set. Raises PictureReplayError for a word that cannot run
+        after the exposure."""
         forms, true_bit = self.forms, self.forms.diagrams.one
         row = op.operation
         match row.effect:
@@ -353,9 +371,11 @@ class PictureReplay:
     ) -> Fields:
         """Return `factor` times the sum of a word's analog sources, at each pixel.
 
-        `level` is the value of IN (the level sent to all pixels). With `flag`, the result is
-        correct only where `flag` is 1. Raises PictureReplayError if the word reads IN while it is
-        not set, or a register that does not exist."""
+        `level` is the value of IN (the level sent to all pixels) in steps, how it follows from a
+        parameter, or None while it is not set. With `flag`, the result is correct only where `flag`
+        is 1. Raises PictureReplayError if the word reads IN while it is not set, or a register that
+        does not exist. A read of a neighbour spoils NEWS on chips where NEWS does not keep its
+        value."""
         forms = self.forms
         fields: list[Fields | Mapping[tuple[int, int], Form]] = []
         for name in op.sources:
@@ -381,7 +401,7 @@ class PictureReplay:
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """Return for each pixel the value of the pixel `right` columns and `down` rows away.
 
-        Values beyond the array are new unknowns."""
+        Values beyond the array are new unknowns, a different one for each pixel."""
         return {
             (x, y): fields[offset]
             if (offset := (x + right, y + down)) in fields
@@ -410,7 +430,10 @@ class PictureReplay:
             self.analog[name] = Masked(flag, values, self.analog[name]) if masked else values
 
     def _or_sources(self, op: Op) -> Bits:
-        """Return the OR of the digital sources of `op` at every place."""
+        """Return the OR of the digital sources of `op` at every pixel; 0 everywhere without
+        sources.
+
+        Raises KeyError for a register that does not exist."""
         diagrams = self.forms.diagrams
         bits = dict.fromkeys(self.forms.places(), diagrams.zero)
         for name in op.sources:
@@ -418,8 +441,10 @@ class PictureReplay:
         return bits
 
     def _or_neighbours(self, op: Op) -> Bits:
-        """Return at each pixel the OR of a register's bits in the neighbours that R1 to R4
-        choose."""
+        """Return at each pixel the OR of a register's bits in the neighbours that R1 to R4 choose
+        there.
+
+        Bits beyond the array are 1 for a word that is `inverted` (DNEWS1), else 0."""
         diagrams = self.forms.diagrams
         source = self.digital[op.sources[0]]
         beyond = diagrams.one if op.operation.inverted else diagrams.zero
@@ -436,7 +461,7 @@ class PictureReplay:
         """Replace the bits of the register `name` by unknowns that stand for their propagation
         under the mask register.
 
-        Raises PictureReplayError unless all four directions are set."""
+        Raises PictureReplayError unless R1 to R4 choose all four directions in every pixel."""
         true_bit, bits = self.forms.diagrams.one, self.digital[name]
         if any(self.digital[each][at] != true_bit for each in STEERING for at in bits):
             raise PictureReplayError("a propagation does not have all four directions")
@@ -444,7 +469,7 @@ class PictureReplay:
         self.digital[name] = {at: self.forms.propagated(bits[at], mask[at], at) for at in bits}
 
     def _digital(self, op: Op) -> None:
-        """Replay a digital word.
+        """Replay a digital word, which writes the OR of its sources or the inverse of that.
 
         In a pair, the first word writes the inner bus and the second reads it."""
         row = op.operation

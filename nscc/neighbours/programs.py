@@ -42,8 +42,9 @@ IDENTITY: Taps = {(0, 0): UNIT}
 
 
 def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
-    """Return a convolution kernel in units of 1 / UNIT; raise ValueError if its weights are not
-    multiples of that."""
+    """Return a convolution kernel, weights by offset, in units of 1 / UNIT.
+
+    Raises ValueError if a weight is not a multiple of 1 / UNIT."""
     scaled = {at: weight * UNIT for at, weight in weights.items()}
     if any(weight.denominator > 1 for weight in scaled.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
@@ -51,7 +52,9 @@ def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
 
 
 def added(*terms: tuple[Weight, Mapping[Offset, Weight]]) -> dict[Offset, Weight]:
-    """Return the sum of convolution kernels times factors, without weights of 0."""
+    """Return the sum of convolution kernels times factors, without weights of 0.
+
+    `terms` are pairs (factor, weights by offset). Without terms, the result is {}."""
     total: dict[Offset, Weight] = {}
     for factor, taps in terms:
         for at, weight in taps.items():
@@ -60,20 +63,26 @@ def added(*terms: tuple[Weight, Mapping[Offset, Weight]]) -> dict[Offset, Weight
 
 
 def moved(taps: Mapping[Offset, Weight], right: int, down: int) -> dict[Offset, Weight]:
-    """Return a convolution kernel shifted by `right` columns and `down` rows."""
+    """Return a convolution kernel (weights by offset) whose offsets are shifted by `right` columns
+    and `down` rows."""
     return {(x + right, y + down): weight for (x, y), weight in taps.items()}
 
 
 def halved(taps: Taps) -> Polynomial:
-    """Return half a convolution kernel; raise ValueError if its weights are then not multiples of 1
-    / UNIT."""
+    """Return half a convolution kernel, whose weights are in units of 1 / UNIT.
+
+    Raises ValueError if a weight is odd, so that its half is not a multiple of 1 / UNIT."""
     if any(weight % 2 for weight in taps.values()):
         raise ValueError(f"weights finer than 1 / {UNIT}")
     return {at: weight // 2 for at, weight in taps.items()}
 
 
 def kernel_of(program: Program) -> Polynomial:
-    """Return the convolution kernel that a program computes, in units of 1 / UNIT."""
+    """Return the convolution kernel that a program computes, in units of 1 / UNIT; the identity for
+    an empty program.
+
+    Raises KeyError if the program reads a register that it has not written, and ValueError if it
+    halves too often."""
     return values_of(program)[-1] if program else dict(IDENTITY)
 
 
@@ -81,7 +90,8 @@ def values_of(program: Program) -> list[Polynomial]:
     """Return the convolution kernel that each word writes, by running the words on exact
     polynomials.
 
-    Raises KeyError if the program reads a register that it has not written."""
+    A kernel has the nonzero weights by offset, in units of 1 / UNIT. Raises KeyError if the program
+    reads a register that it has not written, and ValueError if it halves too often."""
     registers: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     values: list[Polynomial] = []
     for word in program:
@@ -107,7 +117,7 @@ def values_of(program: Program) -> list[Polynomial]:
 
 def noise_gain(program: Program) -> float:
     """Return the standard deviation of the error of a program's result, in units of one word's
-    error.
+    error; 0 for an empty program.
 
     Each word makes an independent error of standard deviation 1 in every destination. The
     convolution of an error with all later weights gives its effect on the result."""
@@ -145,13 +155,15 @@ OF_STEP = {step: name for name, step in STEPS.items()}
 
 
 def turned_taps(taps: Taps, turn: int) -> Polynomial:
-    """Return a convolution kernel rotated or mirrored; `turn` is one of `TURNS`."""
+    """Return a convolution kernel (weights by offset) rotated or mirrored; `turn` is one of
+    `TURNS`, of which 0 changes nothing."""
     a, b, c, d = _TURNS[turn]
     return {(a * x + b * y, c * x + d * y): weight for (x, y), weight in taps.items()}
 
 
 def turned(program: Program, turn: int) -> Program:
-    """Return the program of a rotated or mirrored convolution kernel; `turn` is one of `TURNS`."""
+    """Return the program of a rotated or mirrored convolution kernel, as `turned_taps` returns
+    that; `turn` is one of `TURNS`."""
     a, b, c, d = _TURNS[turn]  # the matrix ((a, b), (c, d)) of the rotation or reflection
     names = {name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()}
 
@@ -163,8 +175,10 @@ def turned(program: Program, turn: int) -> Program:
 
 
 def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
-    """Return the program with registers renamed by `names`; all other registers get `prefix` before
-    their name."""
+    """Return the program with registers renamed by `names` (old to new); all other registers get
+    `prefix` before their name.
+
+    NEWS (the register that neighbours can read) and its directed forms keep their names."""
 
     def of(operand: str) -> str:
         """Return an operand with its new name, or with the prefix; NEWS (the register that
@@ -194,10 +208,11 @@ _LETTERS = {"n": "NEWS", "N": "XN", "E": "XE", "S": "XS", "W": "XW"}
 def program_from_text(text: str) -> Program:
     """Return a program from the text form of tables, such as `n=x a=E b=W c=x,a,b d=c,n`.
 
-    A word is its destination, `=`, and its sources. A lowercase letter is a register, `n` is NEWS
-    (the register that neighbours can read); `N`, `E`, `S` and `W` are XN, XE, XS and XW. The
-    destination `an` means `a` and NEWS, both halved; `a2` means `a` halved, with a second
-    destination that is never read."""
+    Words are separated by spaces. A word is its destination, `=`, and its sources, separated by
+    commas. A lowercase letter is a register; `x` is the input, and `n` is NEWS (the register that
+    neighbours can read). `N`, `E`, `S` and `W` are XN, XE, XS and XW. The destination `an` means
+    `a` and NEWS, both halved; `a2` means `a` halved, with a second destination that is never read.
+    The text must be well formed; it is not checked."""
     words = []
     for assignment in text.split():
         target, _, sources = assignment.partition("=")

@@ -26,9 +26,9 @@ Contents = tuple[str, frozenset[tuple[Offset, int]]]
 class Reuse(Record):
     """Which words of a program must run, because registers still hold results of earlier words.
 
-    `words` are their indices. `held` are the registers that already hold values of the program, by
-    the program's names. `contents` is what each word of the program writes, by the program's names.
-    """
+    `words` are the indices of the words that must run, in order. `held` maps the program's names of
+    registers to the registers that already hold their values. `contents` has, for each word of the
+    program, what it writes, by the program's names."""
 
     words: tuple[int, ...]
     held: Mapping[str, str]
@@ -44,9 +44,10 @@ def reuse(
 ) -> Reuse:
     """Return which words of a program must run on the value that is called `base`.
 
-    `contents` is what registers hold. The program's result is reused only from a `free` register,
-    because the caller owns it; NEWS (the register that neighbours can read) is reused only with
-    `news_keeps`."""
+    `contents` is what registers hold: the name of a value and the kernel that was applied to it.
+    The program's result is reused only from a `free` register, because the caller owns it. NEWS
+    (the register that neighbours can read) is reused only with `news_keeps`. The program must not
+    be empty."""
     written = []
     for word, taps in zip(program, values_of(program), strict=True):
         places = {
@@ -99,11 +100,12 @@ def _is_news(name: str) -> bool:
 class RegisterEmitter(CountEmitter):
     """Emits words of images, and assigns the registers of their values.
 
-    `contents` is what analog registers hold, for reuse. `held` has the register of each value, and
-    `uses` the number of its reads that are left. `kept_ranges` are the least and largest value of
-    kept images before a frame, in electrons. `loops` are the words of loops. `loop_registers` are
-    the registers of planes that are repeated now. `propagating` is the register whose bits the chip
-    can propagate, None if it or its mask has bits of codes."""
+    `free` are the free analog registers. `contents` is what analog registers hold, for reuse.
+    `held` has the register of each value, and `uses` the number of its reads that are left, by
+    name. `kept_ranges` are the (least, largest value) of kept images before a frame, in electrons.
+    `loops` are the words of loops. `loop_registers` are the registers of planes that are repeated
+    now. `propagating` is the register whose bits the chip can propagate, None if it or its mask has
+    bits of codes."""
 
     def __init__(
         self,
@@ -115,8 +117,9 @@ class RegisterEmitter(CountEmitter):
         read.
 
         Registers of the code are never free, nor the mask and the masked register, which changes
-        only in pixels whose mask is 1. `kept_ranges` gives the least and largest value of each kept
-        image, in electrons."""
+        only in pixels whose mask is 1. `kept_ranges` gives the (least, largest value) of each kept
+        image before a frame, in electrons. Raises PictureRefused if there are too few registers for
+        what is kept from frame to frame."""
         super().__init__(pictures)
         self.kept_ranges = kept_ranges
         self.loops: list[LoopWords] = []
@@ -175,7 +178,8 @@ class RegisterEmitter(CountEmitter):
     def hand_over(self, name: str) -> bool:
         """Return whether the caller is the only remaining reader of the value `name`.
 
-        If so, the value is forgotten, and its register belongs to the caller."""
+        If so, the value is forgotten, and its register belongs to the caller. Otherwise nothing
+        changes."""
         if self.uses[name] != 1:
             return False
         self.uses[name] = 0
@@ -198,13 +202,17 @@ class RegisterEmitter(CountEmitter):
         return register
 
     def word(self, op: Op, level: Level = None) -> None:
-        """Emit a word; what the registers that it writes held before is forgotten."""
+        """Emit a word that needs `level` of IN (None if it does not read IN).
+
+        What the registers that it writes held before is no longer reused."""
         super().word(op, level)
         for name in op.destinations:
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
 
     def give(self, *values: Held) -> None:
-        """Note that values have been read, and free each register that no later word reads."""
+        """Note that values have been read once, and free each register that no later word reads.
+
+        A value without a name is read only once. A value without further reads is forgotten."""
         for value in values:
             if value.name is not None:
                 self.uses[value.name] -= 1
@@ -224,7 +232,10 @@ class RegisterEmitter(CountEmitter):
 
     def negated(self, value: Held) -> Held:
         """Emit the word that inverts the sign in which a register holds a value; return the new
-        register."""
+        register.
+
+        `value` has then been read. The result has no name. Raises PictureRefused if no register is
+        free."""
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], [value.register]))
@@ -233,29 +244,34 @@ class RegisterEmitter(CountEmitter):
         return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def positive(self, value: Held) -> Held:
-        """Return the value in a register that holds it with its own sign, by emitting a word if
-        necessary."""
+        """Return the value in a register that holds it with its own sign.
+
+        If it is held as its negative, a word inverts it, and `value` has then been read. Raises
+        PictureRefused if no register is free for that."""
         return self.negated(value) if value.sign < 0 else value
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
-        """Return which words of a program must run on `value`, if registers still hold some of its
-        results."""
+        """Return which words of a program must run on `value`, because registers still hold the
+        results of the others."""
         base = f"{value.name or self._written(value.register)} {value.sign}"
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 
     def _written(self, register: str) -> str:
         """Return a name for the content of a register that is different after each word that writes
-        it."""
+        it.
+
+        It has the index of the last word that wrote the register, 0 if none did."""
         numbers = range(len(self.words) - 1, -1, -1)
         last = next((n for n in numbers if register in self.words[n][0].destinations), 0)
         return f"{register} of word {last}"
 
     def run_program(self, program: Program, value: Held) -> str:
-        """Emit the words of a program of `nscc.neighbours.synthesis` on a value; return the
-        register of its result.
+        """Emit the words of a program for a convolution kernel on a value; return the register of
+        its result.
 
-        Words whose result is still in a register are left out. The value has then been read. Raises
-        PictureRefused if registers run out."""
+        The program must not be empty. Words whose result is still in a register are left out. The
+        value has then been read. Raises PictureRefused if registers run out; some words are then
+        emitted, and the caller restores the state."""
         self.everywhere()
         left = self.reuse_of(program, value)
         last: dict[str, int] = {}
@@ -264,6 +280,7 @@ class RegisterEmitter(CountEmitter):
                 last[name] = number
         result = program[-1].destinations[0]
         places = {"x": value.register, **left.held}
+        # Free registers whose contents the program reads must not be taken before that.
         reserved = {*left.held.values()} & {*self.free}
         self.free = [name for name in self.free if name not in reserved]
         if "x" not in last:
@@ -290,10 +307,10 @@ class RegisterEmitter(CountEmitter):
 
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
         """Emit the words of the one of `ways` with the fewest words per share, and return its
-        result.
+        result; of equals, the first.
 
-        `shares` says for each way how many images it computes. Raises the first PictureRefused if
-        no way fits the registers."""
+        Each way is tried, undone, and the best one called again. `shares` says for each way how
+        many images it computes. Raises the first PictureRefused if no way fits the registers."""
         best: tuple[float, int] | None = None
         refused: PictureRefused | None = None
         before = len(self.words)
@@ -313,8 +330,10 @@ class RegisterEmitter(CountEmitter):
         return ways[best[1]]()
 
     def state(self) -> tuple[Any, ...]:
-        """Return a copy of everything that emitting words changes; `restore` takes it once to undo
-        an attempt."""
+        """Return a copy of everything that emitting words changes, for `restore`, which takes it
+        once to undo an attempt.
+
+        `loops` and `loop_registers` are not part of it."""
         bits = self.bits
         return (
             len(self.words),
@@ -332,8 +351,9 @@ class RegisterEmitter(CountEmitter):
         )
 
     def restore(self, state: tuple[Any, ...]) -> None:
-        """Undo everything that was emitted since `state` was called; each of its results serves
-        once."""
+        """Undo everything that was emitted since the call of `state` that returned `state`.
+
+        A state serves once, because its lists and dicts are then in use."""
         bits = self.bits
         words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
         del self.words[words:]

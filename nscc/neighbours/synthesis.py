@@ -56,20 +56,23 @@ _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 
 class Ranged(Record):
-    """A program and, computed when first used, the largest gain of its intermediate values."""
+    """A program and, computed when first used, the largest gain of its intermediate values
+    (`peak`)."""
 
     program: Program
 
     @cached_property
     def peak(self) -> int:
-        """The largest sum of the positive, or of the negated negative weights of any value, at
-        least 1, in units of 1 / UNIT."""
+        """The largest sum of the positive weights, or of the negative ones with their sign
+        inverted, of any value that a word writes.
+
+        It is at least 1, in units of 1 / UNIT."""
         return max((UNIT, *(max(pair) for pair in self.weights)))
 
     @cached_property
     def weights(self) -> set[tuple[int, int]]:
-        """The sums of the positive and of the negated negative weights of each value that a word
-        writes."""
+        """The sums (of the positive weights, of the negative ones with their sign inverted) of each
+        value that a word writes, in units of 1 / UNIT."""
         return {_weights_by_sign(taps) for taps in values_of(self.program)}
 
 
@@ -79,13 +82,13 @@ def _names(values: list[object]) -> tuple[str, ...]:
 
 
 class Synthesis:
-    """Finds programs for convolution kernels; decomposes at most `steps` kernels for each.
+    """Finds programs for convolution kernels; decomposes at most `most_steps` kernels for each.
 
-    Requests and decompositions take from `budget`, which is infinite unless it is set. Programs
-    that an earlier compilation found come from the cache `results`."""
+    Each request takes 1 from `budget`, and so does each decomposition; it is infinite unless it is
+    set. Programs that an earlier compilation found come from the cache `results`."""
 
     def __init__(self, steps: int, forms: WordForms, results: Results | None = None) -> None:
-        """Prepare to search with at most `steps` steps for each convolution kernel.
+        """Prepare to search; at most `steps` kernels are decomposed for each convolution kernel.
 
         `forms` are the words that the chip allows; `results` is the cache of earlier searches, None
         without one."""
@@ -99,8 +102,9 @@ class Synthesis:
         """Return programs for a convolution kernel, the shortest first; each is proved to compute
         it.
 
-        `taps` are the weights by offset, in units of 1 / UNIT. Raises PictureRefused ("steps") if
-        the budget of all searches is used up."""
+        `taps` are the nonzero weights by offset, in units of 1 / UNIT, at least one. There is at
+        least one program. Raises PictureRefused ("steps") if the budget of all searches is used up.
+        """
         self.budget -= 1
         if self.budget < 0:
             raise PictureRefused("steps", "", needed=1, available=0)
@@ -119,8 +123,9 @@ class Synthesis:
         """Return the programs of each convolution kernel from the cache; else search for them and
         store them.
 
-        Cached programs are checked by running them, so that a damaged cache cannot give a wrong
-        program."""
+        The programs of all `kernels` are stored together, in their order. Cached programs are
+        checked by running them; if one is wrong or cannot be read, all are searched for again. So a
+        damaged cache cannot give a wrong program."""
         import json
 
         items = [sorted(taps.items()) for taps in kernels]
@@ -144,7 +149,10 @@ class Synthesis:
 
     def _proved(self, taps: Taps) -> list[Program]:
         """Return all programs found for a convolution kernel, each checked by running it on exact
-        polynomials."""
+        polynomials.
+
+        `taps` are the weights by offset, in units of 1 / UNIT. Decompositions take from the budget.
+        """
         self.steps = allowed = min(self.most_steps, self.budget)
         candidates = [ranged.program for ranged in self._programs(dict(taps), _MOST_DEPTH)]
         self.budget -= allowed - self.steps
@@ -163,10 +171,10 @@ class Synthesis:
 
     def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         """Return the best known programs for a convolution kernel, by at most `depth` nested
-        decompositions.
+        decompositions, the shortest first.
 
-        A search spends one step; without steps left, return what is known. Longer programs are kept
-        only if their values are smaller."""
+        A search spends one step. Without steps or depth left, return what is known, possibly [].
+        Longer programs are kept only if their values are smaller."""
         key = frozenset(taps.items())
         if taps == IDENTITY:
             return [Ranged(())]
@@ -185,10 +193,11 @@ class Synthesis:
         return best
 
     def _candidates(self, taps: Polynomial, key: Key, depth: int) -> Iterator[Program]:
-        """Yield programs for a convolution kernel, whose `key` is that of the table.
+        """Yield programs for a convolution kernel, not yet checked for words that the chip allows.
 
-        They come from the table, or from smaller kernels: halved, separated in rows and columns, as
-        a product, or with the centre added."""
+        `key` are the items of `taps` as a frozenset; `depth` is the number of nested decompositions
+        that are left. The programs come from the table, or from smaller kernels: halved, separated
+        in rows and columns, as a product, or with the centre added."""
         if key in rows(self.forms):
             yield rows(self.forms)[key]
         if taps == {(0, 0): -UNIT}:
@@ -220,16 +229,19 @@ class Synthesis:
         yield from self._with_centre_woven_in(taps, depth)
 
     def _programs_of_part(self, taps: Polynomial, depth: int) -> list[Program]:
-        """Return programs for a part of a convolution kernel; there is always one, which adds
-        neighbour after neighbour."""
+        """Return programs for a part of a convolution kernel, by at most `depth` nested
+        decompositions.
+
+        There is always one: if the search finds none, a program adds neighbour after neighbour."""
         found = [ranged.program for ranged in self._programs(taps, depth)]
         return found or [_addition(frozenset(taps.items()), self.forms)]
 
     def _with_centre(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
-        """Yield programs whose last word adds a multiple of the pixel itself.
+        """Yield programs whose last word adds a multiple of the pixel itself; none if the kernel
+        has fewer than two weights or no weight of the pixel itself.
 
         `inverse` is the negated convolution kernel, which the sources of the last word add up to.
-        """
+        `depth` is the number of nested decompositions that are left."""
         if len(inverse) < 2:
             return
         middle = inverse.get((0, 0), 0)
@@ -241,6 +253,7 @@ class Synthesis:
         for centre_weight in sorted(centre_weights - {0}):
             centre_only: Taps = {(0, 0): centre_weight}
             remainder = added((1, inverse), (-1, centre_only))
+            # Only a smaller weight of the pixel itself makes the remaining kernel simpler.
             if remainder and abs(remainder.get((0, 0), 0)) < abs(middle):
                 seconds = self._programs_of_part(dict(centre_only), depth - 2)
                 for first in self._programs(remainder, depth - 2):
@@ -249,9 +262,10 @@ class Synthesis:
 
     def _with_centre_woven_in(self, taps: Polynomial, depth: int) -> Iterator[Program]:
         """Yield programs of the neighbours in which several words also add a multiple of the pixel
-        itself.
+        itself; none if its weight is 0, or the kernel has fewer than `_LEAST_WOVEN` weights.
 
-        Words that read a neighbour may have room for one more source."""
+        Words that read a neighbour may have room for one more source. `depth` is the number of
+        nested decompositions that are left."""
         middle = taps.get((0, 0), 0)
         if not middle or len(taps) < _LEAST_WOVEN:
             return
@@ -266,15 +280,19 @@ class Synthesis:
 
 @lru_cache(maxsize=1 << 12)
 def _addition(key: Key, forms: WordForms) -> Program:
-    """Return the best program that adds one neighbour after another."""
+    """Return the shortest program that adds one neighbour after another.
+
+    `key` has pairs (offset, nonzero weight in units of 1 / UNIT), at least one. `forms` are the
+    words that the chip allows."""
     return additions(dict(key), forms, beam=_BEAM_OF_PARTS)[0]
 
 
 def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     """Yield pairs of a row and a column kernel whose product is the convolution kernel `taps`.
 
-    Its halvings are in the row, in the column, or divided between both. Yield nothing if it is not
-    a product."""
+    All are weights by offset, in units of 1 / UNIT. The halvings are in the column, divided between
+    both, or in the row. Yield nothing if `taps` is not a product, or has only one row or one
+    column."""
     (left, top), size = box_of(taps)
     if 0 in size:
         return
@@ -299,8 +317,10 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
 
 
 def _with_last_halved(program: Program) -> Iterator[Program]:
-    """Yield the program whose last word also halves the result; nothing if that word has too many
-    sources."""
+    """Yield the program whose last word also halves the result.
+
+    Yield nothing for an empty program, or if the last word halves already or has more than
+    `_MOST_HALVED` sources."""
     if program and not program[-1].halves and len(program[-1].sources) <= _MOST_HALVED:
         last = program[-1]
         yield (*program[:-1], BusWord((*last.destinations, "h_"), last.sources))
@@ -308,9 +328,11 @@ def _with_last_halved(program: Program) -> Iterator[Program]:
 
 def _joined(first: Program, second: Program) -> Iterator[Program]:
     """Yield the program that applies `second` to the negated result of `first`, if it needs no
-    further word.
+    further word; else nothing.
 
-    The last word of `first` is left out: its sources replace the input of `second`."""
+    The last word of `first` is left out: its sources replace the input of `second`. That is
+    impossible if it halves or reads NEWS or a neighbour, or if a word would have too many sources.
+    """
     if not first or first[-1].halves or not _NEWS.isdisjoint(first[-1].sources):
         return
     # Registers get different prefixes, so that the two programs do not share any but the input x.
@@ -327,7 +349,9 @@ def _joined(first: Program, second: Program) -> Iterator[Program]:
 
 
 def _summed(first: Program, second: Program) -> Program:
-    """Return both programs, followed by a word that adds their results and inverts the sum."""
+    """Return both programs, followed by a word that writes minus the sum of their results.
+
+    An empty program gives the input itself."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
     results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
     return (*a, *b, BusWord(("s",), tuple(results)))
@@ -335,10 +359,11 @@ def _summed(first: Program, second: Program) -> Program:
 
 def _places_to_add(program: Program, directed_sources: int) -> list[int]:
     """Return the indices of words that can add one more source, and whose results only the last
-    word reads.
+    word reads, once.
 
-    `directed_sources` is the most sources of a word that reads a neighbour. NEWS (the register that
-    neighbours can read) is left out: it is written several times, and neighbours read it."""
+    `directed_sources` is the most sources of a word that reads a neighbour. Words that write NEWS
+    (the register that neighbours can read) are left out: it is written several times, and
+    neighbours read it. Nor can a word add a source if it or the last word halves."""
     read = [name for word in program for name in word.sources]
     return [
         number
@@ -353,8 +378,10 @@ def _places_to_add(program: Program, directed_sources: int) -> list[int]:
 
 
 def _woven(first: Program, second: Program, places: list[int]) -> Program:
-    """Return the words of `second` and `first`, where the words number `places` of `first` also add
-    the result of `second`."""
+    """Return the words of `second`, then those of `first`, where the words of `first` with the
+    indices `places` also add the result of `second`.
+
+    An empty `second` gives the input itself."""
     # Registers get different prefixes, so that the two programs do not share any but the input x.
     first = renamed(first, {"x": "x"}, prefix="a")
     second = renamed(second, {"x": "x"}, prefix="b")
@@ -378,24 +405,28 @@ def _peak(taps: Taps) -> int:
 
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
-    """Return the sum of the positive weights of a convolution kernel, and that of the negative
-    ones, negated."""
+    """Return the sum of the positive weights of a convolution kernel, and that of the negative ones
+    with their sign inverted.
+
+    `taps` are in units of 1 / UNIT; the results are in units of 1."""
     added_weight, subtracted = _weights_by_sign(taps)
     return Fraction(added_weight, UNIT), Fraction(subtracted, UNIT)
 
 
 def _weights_by_sign(taps: Taps) -> tuple[int, int]:
-    """Return the sums of the positive and of the negative weights, both as positive numbers."""
+    """Return the sum of the positive weights, and that of the negative ones with their sign
+    inverted, both at least 0, in the units of `taps`."""
     total = sum(taps.values())
     added_weight = sum(weight for weight in taps.values() if weight > 0)
     return added_weight, added_weight - total
 
 
 def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
-    """Return the shortest program, and longer programs that each have a smaller peak, at most
-    `_MOST_KEPT`.
+    """Return the shortest of `candidates`, and longer ones that each have a smaller peak (largest
+    gain of a value) than all shorter ones, at most `_MOST_KEPT`.
 
-    No program has a peak below `least_peak`, so none is sought after that."""
+    Of equally long programs, the one with the smallest peak counts. No program has a peak below
+    `least_peak`, so none is sought after that. Without candidates, return []."""
     best: list[Ranged] = []
     for candidate in sorted(candidates, key=lambda candidate: len(candidate.program)):
         if best and best[-1].peak == least_peak:

@@ -25,7 +25,7 @@ class WordForms(Record):
     @classmethod
     def choices(cls, target: Target) -> list[WordForms]:
         """Return the word forms of a target, and those that are published of scamp5 if they are
-        fewer.
+        fewer: one or two.
 
         Programs of fewer forms may leave more values in registers for the convolution kernels after
         them."""
@@ -43,8 +43,9 @@ class WordForms(Record):
     def allowed(self, program: Program) -> Program:
         """Return an equal program of words that the chip allows.
 
-        A word that reads or writes a neighbour with too many sources becomes three: two copy its
-        sources first."""
+        A word that reads or writes a neighbour, and halves or has more sources than the chip
+        allows, becomes three. The first two copy the sum of the neighbours that it reads, or of all
+        its sources if it reads none, to a register, which the third reads instead."""
         words: list[BusWord] = []
         for number, word in enumerate(program):
             if self.allow(word):
