@@ -29,10 +29,10 @@ next."""
 
 
 class GateSequence(Record):
-    """Gates that compute a truth vector (an integer with one bit for each node of the state machine
-    and outcome) in a register.
+    """Gates that compute a truth vector in a register: an integer with one bit for each lane (node
+    of the state machine with one outcome of the look).
 
-    `scratch` are the scratch registers that they write, with the values that remain there."""
+    `scratch` are pairs (scratch register that they write, truth vector that remains there)."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
@@ -53,10 +53,11 @@ class GateSequence(Record):
 class RegisterContents:
     """The contents of registers at a boundary, while gates are chosen.
 
-    A content is a truth vector: one bit for each lane (node of the state machine with one outcome
-    of the look). `values` are the contents by name, with FLAG (the bit that lets a pixel act) if it
-    is known and the scratch registers (t0, t1, ..) in use. `everything` is the vector of all lanes.
-    `gates` are the gates chosen so far."""
+    A content is a truth vector: an integer with one bit for each lane (node of the state machine
+    with one outcome of the look). `values` are the contents by name, with FLAG (the bit that lets a
+    pixel act) if it is known and the scratch registers (t0, t1, ..) in use. `everything` is the
+    vector of all lanes. `machine` has the limits of the chip's gates. `gates` are the gates chosen
+    so far."""
 
     machine: Machine
     everything: int
@@ -69,7 +70,7 @@ class RegisterContents:
         return sum(gate.words for gate in self.gates)
 
     def copy(self) -> RegisterContents:
-        """Return a copy, to which other gates can be added."""
+        """Return a copy, to which other gates can be added without changing this one."""
         return RegisterContents(self.machine, self.everything, dict(self.values), list(self.gates))
 
     def first_unused_scratch(self) -> str:
@@ -83,14 +84,18 @@ class RegisterContents:
 
     def copy_to_scratch(self, name: str) -> None:
         """Append a gate that copies a register, or FLAG (the bit that lets a pixel act), to an
-        unused scratch register."""
+        unused scratch register.
+
+        Raises KeyError if the content of `name` is unknown."""
         scratch = self.first_unused_scratch()
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
 
     def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
         """Append the gates of a sequence; set its scratch registers, and those of `changes`, to
-        their new values."""
+        their new values.
+
+        `changes` are pairs (register, truth vector)."""
         self.gates += sequence.gates
         self.values.update((*sequence.scratch, *changes))
 
@@ -108,10 +113,13 @@ class RegisterContents:
         return all(map(self._distinguishes, vectors))
 
     def _distinguishes(self, vector: int) -> bool:
-        """Return whether gates can compute this vector from the contents of registers; see
-        `distinguishes`."""
+        """Return whether gates can compute the truth vector `vector` from the contents of
+        registers.
+
+        They can if no two lanes have equal contents, but different bits in `vector`."""
         # Groups of lanes with equal contents, of which some are in `vector` and some are not.
         mixed = [self.everything]
+        # `everything` comes first, so that a constant vector needs no register.
         for v in (self.everything, *self.values.values()):
             halves = [half for group in mixed for half in (group & v, group & ~v)]
             mixed = [half for half in halves if half & vector not in (0, half)]
@@ -122,10 +130,10 @@ class RegisterContents:
     def shortest_gates(
         self, target: int, destination: str, most: float = inf
     ) -> GateSequence | None:
-        """Return the shortest gate sequence that writes the vector `target` to the register
-        `destination`.
+        """Return the shortest gate sequence that writes the truth vector `target` to the register
+        `destination`; of equals, one with the fewest scratch registers.
 
-        Return None if there is no such sequence of at most `most` words."""
+        Return None if no sequence of at most `most` words is found."""
         if most < 1:
             return None
         ways = (
@@ -136,10 +144,11 @@ class RegisterContents:
         return min(ways, key=lambda sequence: sequence.price, default=None)
 
     def shortest_gates_to_flag(self, target: int) -> GateSequence | None:
-        """Return the shortest gate sequence that writes the vector `target` to FLAG (the bit that
-        lets a pixel act); None if there is none.
+        """Return the shortest gate sequence that writes the truth vector `target` to FLAG (the bit
+        that lets a pixel act); None if none is found.
 
-        The sequence is empty if FLAG has this value already."""
+        The sequence is empty if FLAG has this value already. It may overwrite unused scratch
+        registers."""
         if self.values.get(FLAG) == target:
             return GateSequence((), ())
         name = self.first_unused_scratch()
@@ -149,10 +158,11 @@ class RegisterContents:
         return min(sequences, key=lambda sequence: sequence.price, default=None)
 
     def _through(self, sequence: GateSequence, name: str, target: int) -> GateSequence:
-        """Return the sequence followed by a WHERE that copies the register `name`, which holds
-        `target`, to FLAG (the bit that lets a pixel act).
+        """Return a sequence that writes the truth vector `target` to FLAG (the bit that lets a
+        pixel act).
 
-        WHERE replaces a final OR if it may read the sources of the OR."""
+        `sequence` writes it to the scratch register `name`; a WHERE then copies that to FLAG. WHERE
+        replaces a final OR or copy if it may read the sources of that gate."""
         last, limit = sequence.gates[-1], self.machine.where_sources
         reads = set(last.sources)
         if (
@@ -169,10 +179,11 @@ class RegisterContents:
         )
 
     def _sequences(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
-        """Yield gate sequences that write the vector `target` to `destination`.
+        """Yield gate sequences that write the truth vector `target` to the register `destination`,
+        each an OR of NORs for it or for its complement.
 
-        They are an OR of NORs for it or for its complement. All such sequences of at most `most`
-        words are included."""
+        Some may have more than `most` words. None is yielded if the search finds none, for example
+        because the contents do not distinguish the lanes."""
         # Of registers with equal contents, the first: those of code and states before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -202,11 +213,12 @@ class RegisterContents:
         destination: str,
         most_cubes: int,
     ) -> Iterator[GateSequence]:
-        """Yield gate sequences that write `vector` to `destination`, each an OR of at most
-        `most_cubes` NORs or its inverse.
+        """Yield at most two gate sequences that write the truth vector `vector` to `destination`:
+        an OR of at most `most_cubes` NORs, and the inverse of such an OR.
 
-        `names` and `values` are the readable registers and their contents; `destination` is a
-        register or FLAG (the bit that lets a pixel act)."""
+        `names` and `values` are the readable registers and their contents, in parallel; a name that
+        begins with "~" is the complement of that register. `destination` is a register. A search
+        that takes more than `_STEPS` steps counts as without result."""
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
@@ -229,8 +241,9 @@ class RegisterContents:
         writes `destination`.
 
         If `inverted`, that gate writes the inverse. `names` and `values` are the registers that a
-        cover may read. Names that begin with "~" stand for complements, which are first computed in
-        unused scratch registers."""
+        cover may read and their contents, in parallel; a cube refers to them by index. Names that
+        begin with "~" stand for complements, which are first computed in unused scratch registers.
+        """
         gates = Gates(self.machine)
         scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
@@ -243,8 +256,8 @@ class RegisterContents:
             return name
 
         def source(index: int) -> str:
-            """Return the register to read for register number `index`; a complement is computed at
-            its first use."""
+            """Return the register to read for the entry `index` of `names`; a complement is
+            computed at its first use."""
             if not names[index].startswith("~"):
                 return names[index]
             if index not in complements:
@@ -271,9 +284,9 @@ class RegisterContents:
 def write_simultaneously(contents: RegisterContents, new_values: dict[str, int]) -> None:
     """Append gates that write new values to registers simultaneously: all depend on the old values.
 
-    `new_values` are truth vectors (integers with one bit for each node of the state machine and
-    outcome) by register. Raises GaveUp if registers do not distinguish lanes with different new
-    values."""
+    `new_values` are truth vectors (integers with one bit for each lane) by register. Registers that
+    have their new values already need no gates. Raises GaveUp if no gates are found, because
+    registers do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if contents.values[name] != v}
     best = _ordered(contents, changes, best=None)
     # A shared value must save at least one word, and each change still takes one.
@@ -288,10 +301,11 @@ def write_simultaneously(contents: RegisterContents, new_values: dict[str, int])
 def _with_changes(
     contents: RegisterContents, new_values: dict[str, int], most: float
 ) -> Iterator[RegisterContents]:
-    """Yield contents with a further scratch register: the lanes (nodes of the state machine, each
-    with one outcome) in which several registers become 1.
+    """Yield copies of the contents with a further scratch register: the truth vector of the lanes
+    in which several registers become 1.
 
-    Computing it takes at most `most` words. Each of these registers can then be ORed with it."""
+    Each of these registers can then be ORed with it. `new_values` are truth vectors by register.
+    Computing the further register takes at most `most` words."""
     rises = [v & ~contents.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in contents.values.values():
@@ -309,7 +323,8 @@ def _ordered(
     """Return the contents after writing all new values, one after the other, in the order of fewest
     words.
 
-    Return `best` if no order takes fewer words than that."""
+    `new_values` are truth vectors by register. Return `best`, the contents that an earlier attempt
+    reached or None, if no order takes fewer words than that, or none works."""
     if best is not None and contents.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:
@@ -333,17 +348,18 @@ def _ordered(
 
 
 def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
-    """Return the contents without the register `name`."""
+    """Return the truth vectors by register without that of the register `name`."""
     return {register: v for register, v in new_values.items() if register != name}
 
 
 def _written(
     contents: RegisterContents, name: str, new_values: dict[str, int], most: float
 ) -> RegisterContents | None:
-    """Return the contents after writing the new value of the register `name`.
+    """Return the contents after writing the new value of the register `name`; `contents` stay
+    unchanged.
 
-    The old value is saved first if the other new values need it. Return None if that exceeds `most`
-    words in all."""
+    `new_values` are truth vectors by register. The old value is saved first if the other new values
+    need it. Return None if that exceeds `most` words in all, or no gates are found."""
     sequence = contents.shortest_gates(new_values[name], name, most - contents.words)
     if sequence is None:
         return None

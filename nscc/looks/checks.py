@@ -18,8 +18,8 @@ from nscc.truth import members
 def check_looking_plan(plan: LookingPlan) -> None:
     """Check that the plan opens and closes shutters exactly where the state machine does.
 
-    Raises Inconsistent, which is a fault of nscc, if a change has no moment or a moment has other
-    changes or comparisons."""
+    Raises Inconsistent, which is a fault of nscc, if the moments are not in order, a change of
+    shutters has no moment, or a moment has other changes or comparisons."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
     require(boundaries == sorted(set(boundaries)), "times are not in order")
@@ -46,8 +46,8 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
-    """Return a truth vector (an integer with one bit for each node of the state machine and
-    outcome) as an array, bool (lanes,)."""
+    """Return a truth vector (an integer with one bit for each lane, the lowest for lane 0) as an
+    array, bool (lanes,)."""
     flags = np.zeros(lanes, np.bool_)
     flags[members(vector, lanes)] = True
     return flags

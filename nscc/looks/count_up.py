@@ -14,11 +14,12 @@ from nscc.looks.boundary_gates import RegisterContents
 
 
 def counted(contents: RegisterContents, names: Sequence[str], new_values: Mapping[str, int]) -> int:
-    """Return the lanes, as a truth vector (an integer with one bit for each node of the state
-    machine and outcome), in which the binary counter `names` is to count up by one.
+    """Return the lanes in which the binary counter `names` is to count up by one, as a truth vector
+    (an integer with one bit for each lane).
 
-    `names` are its registers, lowest bit first; `new_values` are the truth vectors of the registers
-    that change. Return 0 if the counter gets other values, or if fewer than two bits change."""
+    `names` are its registers, lowest bit first. `new_values` are the truth vectors of the registers
+    that change, by name. Return 0 if the counter gets other values in some lane, or if fewer than
+    two of its registers change."""
     old = [contents.values[name] for name in names]
     new = [new_values.get(name, v) for name, v in zip(names, old, strict=True)]
     # Counting up inverts the lowest bit, in exactly the lanes that count.
@@ -33,8 +34,8 @@ def counted(contents: RegisterContents, names: Sequence[str], new_values: Mappin
 def count_up(contents: RegisterContents, names: Sequence[str], lanes: int) -> None:
     """Append gates that add one to the binary counter `names`, lowest bit first, in `lanes`.
 
-    Raises GaveUp if no gates can compute these lanes (nodes of the state machine, each with one
-    outcome)."""
+    `lanes` is a truth vector (an integer with one bit for each lane), not 0. A counter whose bits
+    all are 1 becomes 0. Raises GaveUp if no gates can compute these lanes."""
     carry = _carry_register(contents, names, lanes)
     gates = Gates(contents.machine)
     spare = (name for name in contents.unused_scratch() if name != carry)
@@ -56,10 +57,10 @@ def count_up(contents: RegisterContents, names: Sequence[str], lanes: int) -> No
 
 
 def _lanes_of_ones(contents: RegisterContents, names: Sequence[str], count: int) -> int:
-    """Return the lanes (nodes of the state machine, each with one outcome) in which the `count`
-    lowest bits of a counter are all 1.
+    """Return the truth vector of the lanes in which the `count` lowest bits of a counter are all 1;
+    all lanes if `count` is 0.
 
-    `names` are its registers, lowest bit first."""
+    `names` are the counter's registers, lowest bit first."""
     lanes = contents.everything
     for name in names[:count]:
         lanes &= contents.values[name]
@@ -67,11 +68,12 @@ def _lanes_of_ones(contents: RegisterContents, names: Sequence[str], count: int)
 
 
 def _carry_register(contents: RegisterContents, names: Sequence[str], lanes: int) -> str:
-    """Return a register that holds the truth vector (an integer with one bit for each node of the
-    state machine and outcome) `lanes`, after appending gates that compute it if there is none.
+    """Return a register that holds the truth vector `lanes` (an integer with one bit for each
+    lane), after appending gates that compute it if there is none.
 
-    A counter with a limit counts in the lanes of an answer, except where the bits that are 1 in the
-    limit all are 1: three words for each of these bits. Raises GaveUp if no gates compute it."""
+    `names` are the registers of the counter. A counter with a limit counts in the lanes of an
+    answer, except where the bits that are 1 in the limit all are 1: three words for each of these
+    bits. Raises GaveUp if no gates compute it."""
     carry = next((name for name, v in contents.values.items() if v == lanes), "")
     if carry:
         return carry
@@ -95,8 +97,8 @@ def _carry_register(contents: RegisterContents, names: Sequence[str], lanes: int
 def _answer_below_limit(
     contents: RegisterContents, name: str, positive: bool, ones: Sequence[str]
 ) -> str:
-    """Append gates for the lanes (nodes of the state machine, each with one outcome) in which the
-    register `name` is 1, without those where all bits `ones` are 1; return their register.
+    """Append gates for the lanes in which the register `name` is 1, without those where all
+    registers `ones` are 1; return their register.
 
     If not `positive`, the lanes where `name` is 0 are meant. `ones` may be empty only then: the
     result is the inverse of `name`."""

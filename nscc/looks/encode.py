@@ -27,8 +27,8 @@ class ValueBits(Record, eq=False):
     """The register contents for the values of a state, or for the behaviours (sets of codes that
     act alike) of codes.
 
-    Row k of `bits`, bool (values, registers), belongs to `values[k]`. `kind` names the encoding,
-    such as "one-hot"."""
+    Row k of `bits`, bool (values, registers), belongs to `values[k]`. For codes, `values` number
+    the behaviours from 0 and `name` is "code". `kind` names the encoding, such as "one-hot"."""
 
     name: str
     kind: str
@@ -58,8 +58,11 @@ class LooksEncoding(Record, eq=False):
 
 
 def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
-    """Yield encodings of codes and states in at most `registers` registers; those with the fewest
-    registers come last."""
+    """Yield encodings of codes and states in at most `registers` registers; nothing if none is
+    small enough.
+
+    They are all combinations of encodings of the code and of each state, binary ones last. At the
+    end, binary states are counters (`COUNTER`), which gates can count up."""
     behaviours = int(machine.behaviour.max()) + 1  # sets of codes that act alike
     behaviour_numbers = tuple(range(behaviours))
     codes = [
@@ -83,10 +86,11 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
 
 
 def _outlasts(machine: StateMachine, k: int) -> bool:
-    """Return whether something after its own boundary depends on the answer that is state number
-    `k`.
+    """Return whether pixels that differ only in one answer act differently after the boundary at
+    which it was given.
 
-    An answer that rules read only at its own boundary needs no register."""
+    `k` is the index of the state that holds the answer. An answer that rules read only at its own
+    boundary needs no register, because FLAG has it there."""
     other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
         np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True
@@ -109,10 +113,10 @@ def _outlasts(machine: StateMachine, k: int) -> bool:
 
 
 def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
-    """Yield encodings of `behaviours` different codes: their kind and bits, bool (behaviours,
-    registers).
+    """Yield encodings of `behaviours` different codes (at least one): their kind and bits, bool
+    (behaviours, registers).
 
-    The kinds are thermometer, one-hot and binary; a single behaviour (set of codes that act alike)
+    The kinds are thermometer, one-hot and binary. A single behaviour (set of codes that act alike)
     needs no register ("none")."""
     if behaviours == 1:
         yield "none", np.zeros((1, 0), np.bool_)
@@ -123,9 +127,11 @@ def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
-    """Yield encodings of a state with `count` values: their kind and bits, bool (count, registers).
+    """Yield encodings of a state with `count` values (at least one): their kind and bits, bool
+    (count, registers); a binary one is last.
 
-    The first value, with which the state starts, is all zeros."""
+    Row 0 belongs to the value with which the state starts, and is all zeros. One value needs no
+    register ("constant"), two need one ("bit")."""
     if count == 1:
         yield "constant", np.zeros((1, 0), np.bool_)
         return
@@ -140,14 +146,17 @@ def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
 
 
 def _binary(numbers: Sequence[int], width: int) -> Rows:
-    """Return the binary digits of numbers, bool (numbers, width), lowest first."""
+    """Return the `width` lowest binary digits of numbers, which are at least 0, bool (numbers,
+    width), lowest digit first."""
     return (np.array(numbers)[:, None] >> np.arange(width) & 1).astype(np.bool_)
 
 
 def _few_ones(count: int) -> Rows:
-    """Return `count` different rows of bits with as few ones as possible, bool (count, registers).
+    """Return `count` different rows of bits with as few ones as possible, bool (count, registers),
+    the fewest first.
 
-    Each one costs a word, because states start at 0."""
+    There are as many registers as a binary encoding needs. Each one costs a word, because states
+    start at 0."""
     width = (count - 1).bit_length()
     codes = [ones for size in range(width + 1) for ones in combinations(range(width), size)]
     rows = np.zeros((count, width), np.bool_)

@@ -35,11 +35,10 @@ class Moment(Record, eq=False):
     photodiode) is reset.
 
     A lane is a node of the state machine with one outcome of the comparisons. `before` and `after`
-    (lanes,) are the nodes of each lane, `outcomes` (lanes,) its answers as bits. The other fields
-    are truth vectors (integers with one bit for each node of the state machine and outcome) over
-    the lanes. For each bucket they say where its shutter closes (`falls`) and opens (`rises`);
-    `copies` says whether a closing bucket may take a copy of PIX. `resets` says where PIX is reset
-    in between."""
+    (lanes,) are the nodes of each lane; bit c of `outcomes` (lanes,) is its answer of comparison c.
+    `falls`, `rises` and `resets` are truth vectors: integers with one bit for each lane. For each
+    bucket they say where its shutter closes (`falls`) and opens (`rises`); `copies` says whether a
+    closing bucket may take a copy of PIX. `resets` says where PIX is reset in between."""
 
     boundary: int
     comparisons: tuple[Comparison, ...]
@@ -53,13 +52,14 @@ class Moment(Record, eq=False):
 
     @property
     def everything(self) -> int:
-        """The truth vector (an integer with one bit for each node of the state machine and outcome)
-        of all lanes."""
+        """The truth vector (an integer with one bit for each lane) of all lanes."""
         return (1 << len(self.before)) - 1
 
     def below(self, comparison: int) -> int:
-        """Return the lanes (nodes of the state machine, each with one outcome) in which a
-        comparison (by its number) finds the signal at most at its level."""
+        """Return the truth vector of the lanes in which a comparison finds the signal at most at
+        its level.
+
+        `comparison` is its index in `comparisons`."""
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
@@ -67,10 +67,11 @@ class LookingPlan(Record, eq=False):
     """What happens to PIX (the photodiode) and the analog registers at each boundary of a frame,
     for a program with senses.
 
-    `moments` are the boundaries at which something happens, in order. `registers` says what each
-    register holds, and `bucket_registers` are those of the buckets. The register `reference` holds
-    the reset level, or its negative if every exposure is a single copy: each word adds an error,
-    and the negative takes one word less."""
+    `moments` are the boundaries at which something happens, in order. `registers` says by register
+    what it holds, and `bucket_registers` are those of the buckets, in their order. The register
+    `reference` holds the reset level, or its negative if every exposure is a single copy
+    (`latches`): each word adds an error, and the negative takes one word less. `scratch` is a
+    register for intermediate results."""
 
     program: Program
     machine: StateMachine
@@ -100,8 +101,8 @@ class LookingPlan(Record, eq=False):
         return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
     def register_to_scratch(self, register: str) -> Op:
-        """Return the word that loads `register` such that the sum of the registers `scratched` is
-        minus its value."""
+        """Return the word that writes to the scratch register so that the sum of the registers
+        `scratched` is minus the value of `register`."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 
@@ -117,8 +118,9 @@ def plan_looks(
 ) -> LookingPlan | Misfit:
     """Return the analog plan of a program with senses.
 
-    Return a Misfit with the reason if analog registers are missing or `lowering` cannot implement
-    it."""
+    `lowering` is the way to compute the exposure: "edges", "latch", "accumulate" or "auto", which
+    chooses. Return a Misfit with the reason if analog registers are missing or `lowering` cannot
+    implement the program; "accumulate" never can."""
     if lowering == "accumulate":
         return Misfit(
             "accumulate resets PIX in every slot, so a program with `sense` cannot use it"
@@ -128,6 +130,7 @@ def plan_looks(
         return analog
     assert analog.reference is not None
     moments = _moments(machine)
+    # Without copies, every exposure is a sum of differences.
     if lowering == "edges":
         moments = (replace(m, copies=(False,) * len(m.copies)) for m in moments)
     plan = LookingPlan(
@@ -147,8 +150,8 @@ def plan_looks(
 
 
 def _moments(machine: StateMachine) -> Iterator[Moment]:
-    """Yield the moments of the frame: boundaries with comparisons, opening or closing shutters, or
-    resets."""
+    """Yield the moments of the frame in order: boundaries with comparisons, opening or closing
+    shutters, or resets, and the end of the frame."""
     # Whether a shutter was open and PIX was not reset, from the frame's start to the stage's, on
     # every path to the node.
     always_open = np.ones((len(machine.behaviour), machine.opens.shape[1]), np.bool_)
@@ -200,10 +203,11 @@ def _moment(
 ) -> Moment:
     """Return which buckets close, open or reset at a boundary, in which lanes.
 
-    A lane is a transition of the state machine: from node `before[k]` to node `after[k]` by the
-    answers `outcomes[k]`. `fresh`, bool (lanes, buckets), tells where a bucket is empty and was
-    open since PIX (the photodiode) was reset, so that closing it copies PIX instead of adding a
-    difference. `comparisons` are those made at this boundary."""
+    Lane k is a transition of the state machine: from node `before[k]` to node `after[k]` by the
+    answers `outcomes[k]`, whose bit c is that of comparison c; None without comparisons. `fresh`,
+    bool (lanes, buckets), tells where a bucket is empty and was open since PIX (the photodiode) was
+    reset, so that closing it copies PIX instead of adding a difference. `comparisons` are those
+    made at this boundary."""
     buckets = machine.opens.shape[1]
     was = machine.opens[before, :, boundary - 1]
     inside = boundary < machine.slots

@@ -25,8 +25,10 @@ _REPORT = LazyFunctions("nscc.looks.looks_report")
 
 
 def lay_out_looking(layouts: Sequence[LookingLowered], job: Job) -> tuple[Choice, Found]:
-    """Choose the words of the first, best lowering (way to compute the exposure); the errors are
-    those of `nscc.pipeline.lay_out_words`."""
+    """Choose the words of the first, best lowering (way to compute the exposure).
+
+    The errors say what does not fit the chip or the limits of the job. Without `layouts`, the
+    choice is empty."""
     choice = Choice(tuple(layouts[:1]), {})
     return choice, fit.faults(choice, level=job.options.level)
 
@@ -49,26 +51,32 @@ class Looks(ProgramKind):
     has_simpler_programs = False
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of the best lowered program; it causes no diagnostics."""
+        """Return the container of the best lowered program of `layout` (the value of the pass
+        `schedule`), and no diagnostics."""
         return container_of(layout.best, job.options.level), ()
 
     def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
-        """Return the symbolic replay of a container whose pixels look at their light."""
+        """Return the symbolic replay of a container whose pixels look at their light.
+
+        `kernels` are the words of each kernel, decoded."""
         return LookingReplay(container, kernels)
 
     def gates_text(self, lowered: Any) -> str:
-        """Return the gates of all looks and shutters as text."""
+        """Return the gates and words of every boundary of a lowered program, and its registers, as
+        lines of text."""
         return str(_REPORT.looking_gates_text(lowered))
 
     def network(self, lowered: Any) -> DiGraph:
-        """Return the network of gates of a lowered program as a graph."""
+        """Return the network of gates of a lowered program as a graph (see `nscc.emit.network`)."""
         from nscc.looks.network import LookingNetwork
 
         return LookingNetwork(lowered).build_network()
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
-        """Return the build report as JSON values, with the comparisons, the states and the number
-        of proved answers."""
+        """Return the build report as JSON values, with the comparisons and states ("looks") and the
+        number of proved answers.
+
+        The program must be proved."""
         values = super().report(compiled)
         assert compiled.proof is not None
         values["proof"]["answers"] = compiled.proof.transitions
@@ -78,7 +86,7 @@ class Looks(ProgramKind):
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
         """Return the rows (label, text) of the summary: first the looks, and at last the number of
-        proved answers."""
+        proved answers, if there is a proof."""
         looks = _REPORT.looks_lines(compiled.program)
         # Only the first of several lines has the label.
         rows = [("looks" * (not number), text) for number, text in enumerate(looks)]

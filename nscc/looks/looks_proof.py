@@ -44,17 +44,20 @@ _DIGITS = 1e8
 class LookingReplay(ReplayPixels):
     """A replay of words for all pixels that the proof of a program with senses distinguishes.
 
-    These pixels are called lanes. Arrays with one row per lane: `node` and `outcome`, the answers
-    of the current look as bits, are int64 (lanes,); `due` (lanes, buckets) are the exposures that
-    the program requires; `since` (lanes,) is the light since the last reset; `exact` is bool
-    (lanes,), see the module."""
+    These pixels are called lanes. Arrays with one row per lane: `node` int64 (lanes,) is the node
+    of the state machine. Bit c of `outcome`, int64 (lanes,), is the answer of comparison c of the
+    current look. `due` (lanes, buckets) are the exposures that the program requires, and `since`
+    (lanes,) is the light since the last reset, in electrons. `exact` is bool (lanes,), see the
+    module. `pending` are the indices of the comparisons that words still have to make at this
+    boundary."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         """Begin with a lane (simulated pixel) for each initial node of the state machine, at the
         start of a frame.
 
         `kernels` are the container's words as operations. Registers of kept states hold their
-        values, because a frame may start with any."""
+        values, because a frame may start with any. Raises ReplayError if such a value has no bits.
+        """
         self.machine: StateMachine = container.machine
         self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)
@@ -65,25 +68,25 @@ class LookingReplay(ReplayPixels):
         self.bits |= self._state_bits(kept_only=True)
 
     def _start(self, nodes: NDArray[np.int64]) -> None:
-        """Begin a frame with one lane (simulated pixel) for each of these nodes of the state
-        machine, without exposure."""
+        """Begin a frame with one lane (simulated pixel) for each of `nodes`, indices of nodes of
+        the state machine, which may be repeated; without exposure."""
         self.node, self.outcome = nodes, np.zeros_like(nodes)
         self.due = np.zeros((len(nodes), len(self.container.buckets)))
         self.since = np.zeros(len(nodes))
         self.exact = np.ones(len(nodes), np.bool_)
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Replace the lanes (simulated pixels) by those with these indices, which may be repeated
-        or left out."""
+        """Replace the lanes (simulated pixels) by those with the indices `lanes`, which may be
+        repeated or left out."""
         super().choose(lanes)
         self.node, self.outcome = self.node[lanes], self.outcome[lanes]
         self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
 
     def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
-        """Return the bits that the states' registers should hold, by register.
+        """Return the bits that the states' registers should hold in the lanes' nodes, by register.
 
-        With `kept_only`, only kept states count. Raises ReplayError if a state has a value without
-        bits."""
+        States without registers in the container are left out and, with `kept_only`, states that
+        are not kept. Raises ReplayError if a state has a value without bits."""
         known_registers: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
@@ -99,10 +102,11 @@ class LookingReplay(ReplayPixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Run one frame in `light`, float64 (N,), and follow both answers of every comparison.
+        """Run one frame in `light`, float64 (N,), the light of each slot, and follow both answers
+        of every comparison.
 
-        The light is scaled to a full well. Raises ReplayError at the first difference from the
-        program."""
+        The light is scaled so that its sum is a full well; it must not be 0. Raises ReplayError at
+        the first difference from the program."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
@@ -144,8 +148,8 @@ class LookingReplay(ReplayPixels):
     def _check_end(self) -> None:
         """Check every pixel at the end of the frame: exposures, states and code.
 
-        Raises ReplayError if a readout register does not hold the exposure, a state's register does
-        not hold the state, or a code register has changed."""
+        Raises ReplayError if a bucket is not read out, if its register does not hold the exposure,
+        if a state's register does not hold the state, or if a code register has changed."""
         gains = {readout.bucket: readout for readout in self.container.readouts}
         for bucket, name in enumerate(self.container.buckets):
             if name not in gains:
@@ -170,15 +174,17 @@ class LookingReplay(ReplayPixels):
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
+        # Initial nodes differ in nothing but behaviour and kept states.
         starts = {tuple(key): node for node, key in enumerate(keys[: int(machine.first[1])])}
         self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
     def compare(self, word: Op) -> Bits:
-        """Check that a comparison is one of the program's, and split every lane in two, one for
-        each answer.
+        """Check that a comparison is one of the program's at this boundary, and split every lane in
+        two, one for each answer.
 
-        Return FLAG (the bit that lets a pixel act). Raises ReplayError if the sum is not a level
-        minus a signal, or if FLAG excludes some pixels from the comparison."""
+        Return FLAG (the bit that lets a pixel act) of all lanes. Raises ReplayError if the sum that
+        `word` tests is not a signal minus its level or the negative of that, or if FLAG excludes
+        some pixels from the comparison."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
             raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)
@@ -198,9 +204,10 @@ class LookingReplay(ReplayPixels):
         )
 
     def _is_signal_minus_level(self, value: Values, signal: int, level_e: float) -> bool:
-        """Return whether a value, float64 (lanes, parts), is exactly signal - level in every lane
-        (simulated pixel).
+        """Return whether a value, float64 (lanes, 1 + buckets), is exactly signal - level in every
+        lane (simulated pixel), in any light.
 
+        Column 0 is a number in electrons, the others are how often it contains each exposure.
         `signal` is LIGHT or the index of a bucket, and `level_e` the level in electrons."""
         if signal == LIGHT:
             return bool(
@@ -211,11 +218,12 @@ class LookingReplay(ReplayPixels):
     def _equals_in_any_light(
         self, value: Values, bucket: int | None, expected_e: Values
     ) -> NDArray[np.bool_]:
-        """Return for each lane (simulated pixel) whether a value, float64 (lanes, parts), equals
-        `expected_e` in any light.
+        """Return for each lane (simulated pixel) whether a value, float64 (lanes, 1 + buckets),
+        equals `expected_e` in any light.
 
-        The value must owe the exposure of `bucket` once (None: no exposure), unless the lane is
-        exact."""
+        Column 0 is a number in electrons, for one light; the others are how often the value
+        contains each exposure. That must be once for `bucket`, an index (None: for no bucket),
+        unless the lane is exact. `expected_e` is float64 (lanes,)."""
         owes = value[:, 1:].copy()
         if bucket is not None:
             owes[:, bucket] -= 1.0
@@ -225,8 +233,8 @@ class LookingReplay(ReplayPixels):
         )
 
     def _follow_both(self, number: int, above: bool) -> Bits:
-        """Double the lanes, one for each answer of comparison `number`, and return FLAG (the bit
-        that lets a pixel act).
+        """Double the lanes, one for each answer of the comparison with the index `number`, and
+        return FLAG (the bit that lets a pixel act).
 
         FLAG is 1 where the signal is above its level if `above`, else where it is not. Raises
         ReplayError beyond `MOST_LANES` transitions."""
@@ -244,8 +252,9 @@ class LookingReplay(ReplayPixels):
     def _merge_lanes(self, readouts: Mapping[str, int]) -> None:
         """Merge lanes (simulated pixels) that behave equally from now on.
 
-        `readouts` has the bucket of each readout register. If all histories of a lane have equal
-        exposures, the register then counts as owing exactly its bucket's exposure."""
+        `readouts` has the index of the bucket of each readout register. If all histories of a lane
+        have equal exposures, such a register then counts as containing exactly its bucket's
+        exposure."""
         for register, bucket in readouts.items():
             self.analog[register][self.exact, 1:] = 0.0
             self.analog[register][self.exact, 1 + bucket] = 1.0

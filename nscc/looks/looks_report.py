@@ -16,10 +16,11 @@ _MOST_SHOWN = 12
 
 
 def moments_text(plan: LookingPlan) -> str:
-    """Return the analog registers and, for each boundary, its comparisons and numbers of changes.
+    """Return the analog registers and, for each boundary, its comparisons and numbers of changes,
+    as lines of text.
 
-    The changes are shutters that close ("fall") or open ("rise") and resets, counted over the pairs
-    of node (state of the machine) and outcome."""
+    The changes are shutters that close ("fall") or open ("rise") and resets ("reset"), counted over
+    the lanes: pairs of a node of the state machine and an outcome."""
     lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
     for moment in plan.moments:
         changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]
@@ -31,8 +32,8 @@ def moments_text(plan: LookingPlan) -> str:
 
 
 def looking_gates_text(lowered: LookingLowered) -> str:
-    """Return the gates and words of every boundary, with the chip's register of each virtual
-    register."""
+    """Return the gates and words of every boundary as lines of text, after the encoding and the
+    chip's register of each virtual register."""
     solution, places = lowered.looking, lowered.schedule.allocation.places
     lines = [f"encoding: {solution.encoding.name}"]
     lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
@@ -49,7 +50,11 @@ def all_gates_text(layouts: Sequence[LookingLowered]) -> str:
 
 
 def looks_report(program: Program) -> dict[str, Any]:
-    """Return the comparisons and states of a program as JSON values, for `--emit report`."""
+    """Return the comparisons and states of a program as JSON values, for `--emit report`.
+
+    Keys are `boundaries` (those with comparisons), `comparisons`, `states`, and `nodes`, the number
+    of nodes of the state machine. The signal of a comparison is "light" or the index of a bucket.
+    """
     machine, target = program.machine, program.target
     return {
         "boundaries": list(machine.looks),
@@ -78,8 +83,10 @@ def looks_report(program: Program) -> dict[str, Any]:
 
 
 def looks_lines(program: Program) -> list[str]:
-    """Return the lines of a summary about looks: for each signal and level its boundaries, then the
-    states."""
+    """Return the lines of a summary about looks: one for each signal and level with its boundaries,
+    then one with the states, if there are any.
+
+    A line lists at most `_MOST_SHOWN` boundaries, and says how many more there are."""
     machine, target = program.machine, program.target
     at: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:

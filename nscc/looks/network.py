@@ -17,7 +17,9 @@ from nscc.words.machine import LIGHT, Comparison
 class LookingNetwork(NetworkMaker):
     """Makes the network of gates of a program with senses.
 
-    It leads from codes, states and answers to shutter changes, resets and final states."""
+    It leads from codes, states and answers to shutter changes, resets and final states.
+    `resets_some` tells whether the chip can reset PIX (the photodiode) in some pixels only, so that
+    a reset depends on FLAG."""
 
     def __init__(self, lowered: LookingLowered) -> None:
         """Begin an empty network of a lowered program with senses; `build_network` fills it."""
@@ -29,7 +31,9 @@ class LookingNetwork(NetworkMaker):
 
     def build_network(self) -> nx.DiGraph:
         """Return the network of a whole frame as a graph: code registers, gates, comparisons and
-        final values."""
+        final values.
+
+        It may be called once, because it fills the network."""
         solution = self.solution
         self.planes(solution.planes, solution.holders)
         for i, holder in enumerate(solution.states):
@@ -56,9 +60,9 @@ class LookingNetwork(NetworkMaker):
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
         """Add the node of an analog word that writes FLAG (the bit that lets a pixel act), opens or
-        closes a shutter, or resets PIX (the photodiode).
+        closes a shutter, or resets PIX (the photodiode); add none for other words.
 
-        `looks` yields the boundary's comparisons in the order in which words make them."""
+        `looks` yields the comparisons of `boundary` in the order in which words make them."""
         effect = word.operation.effect
         if effect is WordEffect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)
@@ -70,6 +74,8 @@ class LookingNetwork(NetworkMaker):
             )
         elif effect is WordEffect.BUS:
             registers = self.lowered.plan.bucket_registers
+            # The word that opens a bucket's shutter reads PIX itself; one that closes it reads the
+            # scratch.
             edge = "rise" if "PIX" in word.sources else "fall"
             for bucket in (registers.index(r) for r in word.destinations if r in registers):
                 self.demand(edge, self.buckets[bucket], boundary)

@@ -60,8 +60,8 @@ def lay_out_looks(
     launches.
 
     `time` are the lengths of slots with the boundaries at which registers are refreshed.
-    `most_words` is the largest number of words at a boundary, None for no limit. Return None if the
-    content of the mask's register would be lost."""
+    `most_words` is the largest number of words at a boundary, None for no limit; whether it is kept
+    is checked later. Return None if the content of the mask's register would be lost."""
     target = plan.program.target
     answers = tuple(
         (tuple(item for item in items if isinstance(item, Gate)),)
@@ -97,7 +97,8 @@ def lay_out_looks(
 
 
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
-    """Return whether a write to the masked register destroys a value that is read later.
+    """Return whether a write to the masked register destroys a value that is read later; False if
+    one of both registers is unused.
 
     The chip changes that register only in pixels whose mask register is 1. So the words first set
     the mask to 1, which overwrites what it holds."""
@@ -128,8 +129,9 @@ def _schedule(
 ) -> FrameSchedule:
     """Return the kernels (lists of words) of the frame, and at which boundaries they start.
 
-    With `apart`, the gates after a boundary's last analog word are a separate kernel, because the
-    words before them often repeat at other boundaries."""
+    `time` says at which boundaries registers are refreshed. With `apart`, the gates after a
+    boundary's last analog word are a separate kernel, because the words before them often repeat at
+    other boundaries; that stores fewer words but needs more launches."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
     states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
@@ -185,10 +187,12 @@ def _setup(plan: LookingPlan) -> Words:
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """Return the kernels (lists of words) of a boundary: pairs of the value of IN (the level sent
-    to all pixels) that is set before, or None, and words.
+    """Return the kernels (lists of words) of a boundary: pairs (value of IN that is set before,
+    words).
 
-    With `apart`, the gates after the last analog word are a kernel of their own."""
+    The value of IN (the level sent to all pixels) is None if no item sets it. `items` are the
+    boundary's gates, words and values of IN, in order. With `apart`, the gates after the last
+    analog word are a kernel of their own."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
@@ -240,8 +244,10 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """Return the analog steps of a moment, for reports: comparisons, buckets that close or open,
-    resets."""
+    """Return the analog steps of a moment, for reports: comparisons, then for each bucket its
+    closing and opening, then a reset.
+
+    A step has the words that do it if they share nothing with other steps."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))
@@ -276,7 +282,8 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
 
 
 def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
-    """Return the fewest and the most analog words that write a register, over all paths of pixels.
+    """Return the fewest and the most analog words that write a register, over all paths of pixels
+    through the state machine.
 
     The words that set up a frame do not count."""
     machine = plan.machine
@@ -284,6 +291,7 @@ def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
     most = np.zeros(len(machine.behaviour), np.int64)
     least[: machine.first[1]] = 0
     for moment in plan.moments:
+        # One word samples each signal; its comparisons write FLAG only.
         signals = {comparison.signal for comparison in moment.comparisons}
         words_ = np.full(len(moment.before), len(signals), np.int64)
         for v in (*moment.falls, *moment.rises):
@@ -300,13 +308,14 @@ def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
 
 
 ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
-"""For each level the number of encodings to try, and the largest number until one fits."""
+"""For each level of `-O`: the number of encodings to try, and the number if none of these fits."""
 
 
 def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
     """Return the analog plan of a program with senses, and no errors.
 
-    If there is none, return the reason (Misfit) and the error NS0413 or NS0414."""
+    If there is none, return the reason (Misfit) and the error NS0413 or NS0414. `job` has the
+    lowering that the user chose."""
     lowering = job.options.lowering
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
@@ -318,8 +327,8 @@ def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
 def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found]:
     """Return the words of a plan for several encodings, best first, and no errors.
 
-    If no encoding works, return [] and the error NS0502. `job` has the level, which limits the
-    number of encodings, and the limit of words."""
+    If no encoding works, return [] and the error NS0502, with the first reasons. `job` has the
+    level of `-O`, which limits the number of encodings, and the limit of words at a boundary."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)

@@ -36,13 +36,13 @@ pixels)."""
 
 
 class LookingSolution(Record, eq=False):
-    """The words of a frame on virtual registers, by boundary.
+    """The words of a frame on virtual registers, by boundary (`items`).
 
-    p0, p1, .. keep their content over frames: `planes` are their truth vectors (integers with one
-    bit for each node of the state machine and outcome) over the behaviours (sets of codes that act
-    alike) before the first frame, and `holders` say what they hold. s0, s1, .. are states within a
-    frame, initially 0, whose names are `states`; t0, .. are scratch registers, `scratch` of them.
-    `registers` names the virtual registers of each state, in the order of the encoding's bits."""
+    p0, p1, .. keep their content over frames. `planes` are their contents before the first frame,
+    as truth vectors: integers with one bit for each behaviour (set of codes that act alike).
+    `holders` say what they hold. s0, s1, .. are states within a frame, initially 0, whose names are
+    `states`; t0, .. are scratch registers, `scratch` of them. `registers` names the virtual
+    registers of each state, in the order of the encoding's bits."""
 
     encoding: LooksEncoding
     planes: tuple[int, ...]
@@ -54,7 +54,9 @@ class LookingSolution(Record, eq=False):
 
 
 class Solver:
-    """Finds the words of a plan with one encoding of codes and states."""
+    """Finds the words of a plan with one encoding of codes and states.
+
+    `code` are the virtual registers of the code, and `registers` those of each state."""
 
     def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
         """Assign virtual registers to the bits of the code and of each state.
@@ -78,20 +80,22 @@ class Solver:
         )
 
     def _plane(self, holder: str) -> str:
-        """Return the name of a new code register, such as `p0`; `holder` says what it holds."""
+        """Return the name of a new register that keeps its content over frames, such as `p0`;
+        `holder` says what it holds."""
         self.holders.append(holder)
         return f"p{len(self.holders) - 1}"
 
     def _state(self, holder: str) -> str:
-        """Return the name of a new register for a state, such as `s0`; `holder` is the state."""
+        """Return the name of a new register for a state that is 0 at the start of a frame, such as
+        `s0`; `holder` is the state's name."""
         self.states.append(holder)
         return f"s{len(self.states) - 1}"
 
     def solve(self) -> LookingSolution:
         """Return the words of the plan on virtual registers.
 
-        Raises GaveUp if no gates are found for a boundary or there are too few scratch registers.
-        """
+        Raises GaveUp if no gates are found for a boundary, or if the chip has too few registers for
+        scratch."""
         items: dict[int, tuple[Item, ...]] = {}
         scratch = 0
         # Without unchanging code the masked register stays unused: it changes only in pixels whose
@@ -122,8 +126,10 @@ class Solver:
         )
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
-        """Return the content of every register by name, for lanes that are at these nodes, as truth
-        vectors (integers with one bit for each node of the state machine and outcome)."""
+        """Return the content of every register by name, for lanes that are at these nodes of the
+        state machine, one node for each lane.
+
+        A content is a truth vector: an integer with one bit for each lane."""
         contents = dict(
             zip(
                 self.code,
@@ -140,15 +146,21 @@ class Solver:
         return contents
 
     def _columns(self, value_bits: ValueBits, values: NDArray[np.signedinteger]) -> list[int]:
-        """Return the truth vectors (integers with one bit for each node of the state machine and
-        outcome) of the registers that hold `values`, one value for each lane."""
+        """Return the contents of the registers that hold `values`, one value for each lane, in the
+        order of the encoding's bits.
+
+        A content is a truth vector: an integer with one bit for each lane. All values must be among
+        those of `value_bits`."""
         order = np.argsort(value_bits.values)
         rows = order[np.searchsorted(np.array(value_bits.values)[order], values)]
         return columns(value_bits.bits[rows])
 
 
 class _Moment:
-    """The words of one boundary, under construction."""
+    """The words of one boundary, under construction, in `emitted`.
+
+    `contents` are what registers hold now, and `new_values` the truth vectors that the boundary
+    must write, by register."""
 
     def __init__(self, solver: Solver, moment: Moment) -> None:
         """Compute the register contents before the boundary, and the new values that its gates must
@@ -165,7 +177,7 @@ class _Moment:
         """Whether the scratch register holds -PIX in every pixel."""
 
     def items(self) -> list[Item]:
-        """Return the words and gates of the boundary, in order.
+        """Return the words and gates of the boundary, in order; call it once.
 
         First come comparisons, then buckets that close, resets, buckets that open, and new values
         of registers. Raises GaveUp if no gates are found."""
@@ -235,10 +247,11 @@ class _Moment:
         return renamed(self.emitted)
 
     def _take_signal(self, comparison: Comparison) -> None:
-        """Append words that write minus the signal of a comparison to registers (their sum is
-        `scratched`).
+        """Append words that write minus the signal of a comparison to the registers `scratched` of
+        the plan, whose sum it is.
 
-        Raises GaveUp if no gates tell in which pixels a bucket is open."""
+        The signal of a bucket that is open includes the light that the bucket has not taken yet.
+        Raises GaveUp if no gates tell in which pixels the bucket is open."""
         self.emitted.append(op("all"))
         if comparison.signal == LIGHT:
             self.emitted.append(self.plan.sampled())
@@ -263,9 +276,8 @@ class _Moment:
                 self.emitted.append(op("all"))
 
     def _load(self, v: int, later: Sequence[int]) -> None:
-        """Append gates that write the truth vector (an integer with one bit for each node of the
-        state machine and outcome) `v` to FLAG (the bit that lets a pixel act), and save what FLAG
-        holds if it is needed later.
+        """Append gates that write the truth vector `v` (an integer with one bit for each lane) to
+        FLAG (the bit that lets a pixel act), and save what FLAG holds if it is needed later.
 
         `later` are the vectors that FLAG must have after this. Raises GaveUp if no gates are found.
         """
@@ -291,10 +303,12 @@ class _Moment:
         self.emitted += contents.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> bool:
-        """Copy FLAG (the bit that lets a pixel act) to a scratch register if `later` vectors or new
-        values depend on it; return whether they do.
+        """Copy FLAG (the bit that lets a pixel act) to a scratch register if no other register
+        could give what depends on it; return whether it was copied.
 
-        `written` are the scratch registers that are about to be written, with their values."""
+        The truth vectors `later`, which FLAG must have later, and the new values of registers
+        depend on it. `written` are pairs (scratch register that is about to be written, truth
+        vector). Return False if the content of FLAG is unknown."""
         contents = self.contents
         if FLAG not in contents.values:
             return False
@@ -311,7 +325,8 @@ def renamed(gates: Sequence[Item]) -> list[Item]:
     """Return the same gates with as few scratch registers as the values that are alive at once
     need.
 
-    The words between the gates read no scratch registers."""
+    Scratch registers are those whose names begin with "t"; the new ones are t0, t1 and so on. The
+    words between the gates read no scratch registers."""
     ends: dict[tuple[str, int], int] = {}
     writes: dict[str, int] = {}
     for place, gate in enumerate(gates):
@@ -323,6 +338,7 @@ def renamed(gates: Sequence[Item]) -> list[Item]:
         if gate.destination.startswith("t") and gate.destination not in gate.sources:
             writes[gate.destination] = place
             ends[gate.destination, place] = place
+        # This gate changes a scratch register that it also reads, so the old name stays.
         elif gate.destination in writes:
             ends[gate.destination, writes[gate.destination]] = place
     renamed_items: list[Item] = []

@@ -439,8 +439,8 @@ class Lowering(RegisterEmitter):
         register that neighbours can read) has the first with its own sign. Raises PictureRefused if
         no register is free."""
         negative = first.sign == second.sign < 0
-        # The order does not matter for the result: choose the one whose register can be
-        # overwritten.
+        # Either may be the second: the one that holds the negative or, of two negatives, one that
+        # nothing reads later.
         if first.sign < 0 < second.sign or (negative and self._ends(first)):
             first, second = second, first
         in_place = second.sign < 0 and self._ends(second)

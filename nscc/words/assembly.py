@@ -55,7 +55,8 @@ def assemble(source: Source, base: Path) -> Container:
     """Return the compiled program that an assembly text describes; its files are relative to the
     folder `base`.
 
-    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
+    The module describes the format of the text. Raises Rejected (NS0710 to NS0719, NS0707, NS0708
+    and NS0230 to NS0236) with all errors, at most 50."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     return link(draft, base, faults)
@@ -65,7 +66,8 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
     """Return the words of all kernels of an assembly text, in order; the text may consist of
     instructions only.
 
-    A kernel is a list of words. Files are relative to `base`. Raises Rejected with all errors."""
+    A kernel is a list of words. Files are relative to `base`. A text without instructions gives ().
+    Raises Rejected with all errors, at most 50."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
@@ -78,7 +80,8 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
 def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
     """Return the operations that the target of a text adds to those of all chips.
 
-    Return () if the target has errors, which are reported later."""
+    Target files are relative to `base`. Return () if the target has errors, which are reported
+    later."""
     target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):
@@ -97,7 +100,7 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
     """Return the lines of an assembly text as a draft, before names are resolved.
 
     `own_words` are operations that the target adds. Malformed lines are reported in `faults` and
-    left out."""
+    left out; Rejected is raised when there are 50 errors."""
     draft = Draft()
     block: TextBlock | None = None
     known = mnemonics(own_words)
@@ -141,7 +144,7 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
     """Return whether a line begins with a known directive or instruction; report an error if not.
 
-    `known` are the instructions by name."""
+    `head` is the first word of the line, and `known` are the instructions by name."""
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
@@ -163,9 +166,11 @@ def _grammar() -> Lark:
 
 @lru_cache(1 << 12)
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
-    """Return the pieces of a line, each with the offsets where it begins and ends.
+    """Return the pieces of a line, each as (text, offset where it begins, offset where it ends).
 
-    Results are memoized, because kernels (lists of words) repeat lines."""
+    A directive's name, blanks, commas and comments are left out. Raises UnexpectedInput if the
+    grammar does not allow the line. Results are memoized, because kernels (lists of words) repeat
+    lines."""
     tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
     return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in tokens)
 
@@ -173,7 +178,8 @@ def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
 def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     """Return the operands of a line that begins with `head`; None after reporting a syntax error.
 
-    A directive's operands in quotation marks are returned without these."""
+    `text` is the line from `head` on. A directive's operands in quotation marks are returned
+    without these."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
     code = _CODE.split(text, 1)[0] if is_instruction else text
@@ -200,14 +206,16 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
             _misplaced(piece, span, head, code, faults)
             return None
         tokens.append(Token(value, span))
+    # The grammar returns the name of an instruction as a piece, but not that of a directive.
     return tokens[is_instruction:]
 
 
 def _misplaced(piece: str, span: Span, head: Token, code: str, faults: Faults) -> None:
-    """Report a piece of a line that the grammar does not allow there; an empty piece is the end of
-    the line.
+    """Report a piece of a line that the grammar does not allow there; an empty `piece` is the end
+    of the line.
 
-    `head` is the first word of the line, and `code` the line without its comment."""
+    `span` is the place of the piece, `head` the first word of the line, and `code` the line without
+    its comment."""
     name = head.text
     if name not in DIRECTIVES:
         if piece in ("", ","):
@@ -236,8 +244,8 @@ def _instruction(
 ) -> None:
     """Add the words of one instruction or macro to the draft.
 
-    Unknown registers and wrong operands are reported instead. `own_words` are operations that the
-    target adds."""
+    `head` is its name. Unknown registers (the first 20) and wrong operands are reported instead.
+    `own_words` are operations that the target adds."""
     name = head.text
     unknown = [operand for operand in operands if operand.text not in READ_LINES]
     for operand in unknown[:20]:

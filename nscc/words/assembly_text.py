@@ -30,12 +30,15 @@ def name_text(name: str) -> str:
 
 
 def number_text(value: float) -> str:
-    """Return the shortest decimal number that reads back as `value`."""
+    """Return the shortest decimal number that reads back as `value`, which is finite; without a
+    point if it is an integer below 1e16."""
     return repr(float(value)).removesuffix(".0")
 
 
 def read_integer(text: str) -> int | None:
-    """Return the integer of a text; None if it is not one, or does not fit 64 bits."""
+    """Return the integer of a text such as `-12`; None if it is not one, or does not fit 64 bits.
+
+    A sign + and leading or trailing blanks are not allowed."""
     if not _INTEGER.fullmatch(text):
         return None
     value = int(text)
@@ -43,8 +46,9 @@ def read_integer(text: str) -> int | None:
 
 
 def read_number(text: str) -> float | None:
-    """Return the number of a text; None if it is not finite. The grammar has checked that it is a
-    number."""
+    """Return the number of a text such as `-0.5`; None if it is too large to be finite.
+
+    The grammar has checked that it is a number; float raises ValueError for any other text."""
     value = float(text)
     return value if isfinite(value) else None
 
@@ -62,8 +66,10 @@ def read_time_us(text: str) -> float | None:
 
 
 def ranges_text(values: Sequence[int]) -> str:
-    """Return ascending integers as ranges joined by commas, such as `0..15`, `4`, or `1..63/2`
-    (every second)."""
+    """Return ascending integers as ranges joined by commas: `0..15`, `4`, or `1..63/2` (every
+    second); "" if there are none.
+
+    Both ends of a range are included."""
     texts: list[str] = []
     at = 0
     while at < len(values):
@@ -82,9 +88,10 @@ def ranges_text(values: Sequence[int]) -> str:
 
 
 def read_ranges(text: str, most: int) -> list[range] | None:
-    """Return the ranges in a text of `ranges_text`.
+    """Return the ranges in a text of `ranges_text`, such as `0..15,20`, in its order.
 
-    Return None if it is malformed, a range is empty, or a value is larger than `most`."""
+    Return None if it is malformed, a range is empty, or a value is larger than `most`. Ranges may
+    overlap."""
     ranges: list[range] = []
     for range_text in text.split(","):
         match = _RANGE.fullmatch(range_text)
@@ -100,10 +107,11 @@ def read_ranges(text: str, most: int) -> list[range] | None:
 
 
 def slots_text(slots: NDArray[np.bool_]) -> str:
-    """Return the open slots of a shutter, bool (slots,), as text: ranges, `never`, or `x` and
-    hexadecimal digits.
+    """Return the open slots of a shutter, bool (slots,), as text: ranges of slots, `never`, or `x`
+    and hexadecimal digits.
 
-    The hexadecimal form is used if it is shorter; slot 8 k + i is bit i of byte k."""
+    Ranges are as in `ranges_text`. The hexadecimal form is used for a shutter that opens and closes
+    often, if it is shorter. It has two digits for each byte; slot 8 k + i is bit i of byte k."""
     if not slots.any():
         return "never"
     # The boundaries at which the shutter opens and closes, in turn.
@@ -121,7 +129,9 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
 
 
 def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
-    """Return the open slots, bool (slots,), in a text of `slots_text`; None if it is malformed."""
+    """Return the open slots, bool (slots,), in a text of `slots_text`; `slots` is their number.
+
+    Return None if the text is malformed, or names a slot beyond the last."""
     opened = np.zeros(slots, dtype=np.bool_)
     if text == "never":
         return opened
@@ -140,7 +150,8 @@ def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
 
 
 def block_text(lines: Sequence[str]) -> list[str]:
-    """Return lines of free text for assembly text, each after a bar.
+    """Return lines of free text for assembly text, each after a bar: `| text`, or `|` for an empty
+    line.
 
     Lines that are unprintable or end in a blank are written as JSON strings after `|=`."""
     return [
@@ -160,8 +171,9 @@ def base64_lines(data: bytes) -> list[str]:
 
 
 def read_block_line(text: str) -> str | None:
-    """Return the text of one line of `block_text`, which begins with its bar; None if it is
-    malformed."""
+    """Return the text of one line of `block_text`, which begins with its bar.
+
+    Return None if no blank follows the bar, or if what follows `|=` is not a JSON string."""
     if text == "|":
         return ""
     if text.startswith("| "):
@@ -172,7 +184,8 @@ def read_block_line(text: str) -> str | None:
 
 
 def read_string(text: str) -> str | None:
-    """Return the text that a JSON string describes; None if it is not a JSON string."""
+    """Return the text that a JSON string in quotation marks describes; None if it is not a JSON
+    string."""
     try:
         value = json.loads(text)
     except (ValueError, RecursionError):

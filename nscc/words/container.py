@@ -21,18 +21,20 @@ if TYPE_CHECKING:
 
 
 class StoredKernel(Record):
-    """A list of words that is stored once on the controller and run at boundaries."""
+    """A list of words that is stored once on the controller and run at boundaries.
+
+    `name` is its name in assembly text. A word is five integers of 32 bits."""
 
     name: str
     words: tuple[Word, ...]
 
 
 class Launch(Record):
-    """The start of kernel (list of words) number `kernel` at boundary `instant`: 0..N, before that
-    slot's light.
+    """The start of a kernel (list of words) at boundary `instant`, 0..N: before the light of that
+    slot, or at N after that of the last.
 
-    IN, the value that all pixels receive, is set to `level` steps before; None leaves it unchanged.
-    """
+    `kernel` is the kernel's index in the container. IN, the value that all pixels receive, is set
+    to `level` steps before; None leaves it unchanged."""
 
     instant: int
     kernel: int
@@ -109,7 +111,8 @@ class Container:
     pictures: Pictures = NO_PICTURES
 
     def __getstate__(self) -> dict[str, Any]:
-        """Return the fields for copies and pickles, without the results that properties cache."""
+        """Return the fields by name for copies and pickles, without the results that properties
+        cache."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @property
@@ -124,7 +127,7 @@ class Container:
 
     @property
     def reads(self) -> tuple[str, ...]:
-        """The buckets, images and planes that are read out with a frame, in order.
+        """The names of the buckets, images and planes that are read out with a frame, in order.
 
         Without images and planes these are all buckets."""
         return self.pictures.reads if self.pictures.outputs else self.buckets
@@ -161,14 +164,16 @@ class Container:
 
     @property
     def has_table(self) -> bool:
-        """Whether there is a decode table; hand-written words may have none."""
+        """Whether there is a decode table; hand-written words may have none, and then a note
+        `table` with the value "none"."""
         return self.notes.get("table") != "none"
 
     def planes(self) -> dict[str, NDArray[np.bool_]]:
-        """Return the bit planes that the host loads before a frame, bool (rows, cols), by register.
+        """Return the bit planes that the host loads before a frame, bool (rows, cols), by register,
+        in loading order.
 
         They hold the pixel codes and, if the container is one of `with_picture_words`, the input
-        planes. The result is empty without `pixel_codes`."""
+        planes and starts of states. The result is empty without `pixel_codes`."""
         if self.pixel_codes is None:
             return {}
         inputs = {self.pictures.registers.get(each.name): each for each in self.pictures.inputs}
@@ -185,7 +190,7 @@ class Container:
 
 def kept_starts(container: Container) -> dict[int, list[str]]:
     """Return the registers of kept images by the value of IN, in steps, that sets them to their
-    starts.
+    starts; {} if no image is kept.
 
     A start between two steps becomes the nearest one: see `nscc.words.legality.loader_fault`."""
     pictures, starts = container.pictures, dict[int, list[str]]()
@@ -197,13 +202,18 @@ def kept_starts(container: Container) -> dict[int, list[str]]:
 
 
 def steered_launches(container: Container) -> list[SteeredLaunch]:
-    """Return the launches that `with_picture_words` adds, as parameters change them."""
+    """Return the launches (starts of kernels) that `with_picture_words` adds, in order, as
+    parameters change them.
+
+    First come those that set kept images to their starts. Their `kernel` and `level` are not stated
+    (0 and None)."""
     start = SteeredLaunch(0, None, None, None, 0, is_start=True)
     return [*[start] * len(kept_starts(container)), *container.pictures.steered()]
 
 
 def starting(registers: Sequence[str]) -> tuple[Op, ...]:
-    """Return the words that set analog registers to minus IN in all pixels."""
+    """Return the words that set analog registers to minus IN (the level sent to all pixels) in all
+    pixels."""
     return (op("all"), *(op("bus", [register], ["IN"]) for register in registers))
 
 
@@ -222,6 +232,7 @@ def with_picture_words(container: Container) -> Container:
     starts = {pictures.registers[state.name]: state.start for state in pictures.states}
     kept, after = kept_starts(container), first + len(pictures.kernels)
     encoding = container.encoding.copy()
+    # Every shutter's row gets the start of a state, because it does not depend on the code.
     for register, start in starts.items():
         encoding[:, container.target.digital_registers.index(register)] = start
     return replace(
@@ -254,8 +265,10 @@ def with_picture_words(container: Container) -> Container:
 
 
 def state_registers(container: Container) -> tuple[str, ...]:
-    """Return the digital registers of the states and planes that are read out or reported, in order
-    and each once."""
+    """Return the digital registers of the states and planes that are read out or reported, each
+    once.
+
+    Those of planes come first, in the order of outputs."""
     pictures, digital = container.pictures, container.target.digital_registers
     planes = (pictures.registers.get(name) for name in pictures.outputs)
     read = (state.name for state in container.machine.states if state.read)
@@ -282,8 +295,8 @@ def packed_shutters(
 
 
 def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
-    """Return the arrays `codes_FIELD` of a frame file: int64 (rows, cols) for each field of the
-    code.
+    """Return the arrays `codes_FIELD` of a frame file by name: int64 (rows, cols), the value of
+    each field of the code at every pixel.
 
     The result is empty without `pixel_codes`."""
     table, pixels = container.table, container.pixel_codes
@@ -296,13 +309,15 @@ def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
     """Return the size (rows, cols) of the smallest tile that gives the array `codes` when it is
     repeated.
 
-    The last repetitions may be cut. If the array does not repeat, this is its own size."""
+    `codes` has two axes (rows, cols). The last repetitions may be cut. If the array does not
+    repeat, this is its own size."""
     rows = _period(codes)
     return rows, _period(codes[:rows].T)
 
 
 def _period(plane: NDArray[Any]) -> int:
-    """Return the smallest number of rows after which `plane` repeats; all rows if it does not."""
+    """Return the smallest number of rows after which `plane`, an array (rows, cols), repeats; all
+    rows if it does not."""
     for period in range(1, len(plane)):
         # One row excludes most periods; the whole plane is compared only for the others.
         same = np.array_equal(plane[period], plane[0])

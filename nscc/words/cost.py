@@ -27,7 +27,8 @@ class FrameCost(Record):
 
     `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with
     `launches` starts of kernels (lists of words). `frame_us` is the sum of all slots, `busiest_us`
-    the longest time of words at one boundary."""
+    the longest time of words at one boundary. Times are in microseconds and include those of
+    launches."""
 
     stored_words: int
     words: int
@@ -40,7 +41,8 @@ class FrameCost(Record):
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
     """Return number and time of words, without the time of a launch (start of a kernel).
 
-    Words that only the target has may have a time of their own."""
+    A word is five integers of 32 bits; it need not be valid. Words that only the target has may
+    have a time of their own."""
     analog = digital = 0
     own_us = []
     for word in words:
@@ -56,7 +58,8 @@ def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
 
 
 def word_us(word: Op, target: Target) -> float:
-    """Return the time of one word in microseconds."""
+    """Return the time of one word in microseconds: its own if it has one, else that of an analog or
+    a digital word."""
     if word.operation.us is not None:
         return word.operation.us
     return target.analog_word_us if word.analog else target.digital_word_us
@@ -69,7 +72,8 @@ def words_us(analog: int, digital: int, target: Target) -> float:
 
 
 def refresh_count(words: Sequence[Op]) -> int:
-    """Return the number of `words` that only write a register again, before it loses its bits.
+    """Return the number of `words`, in order, that only write a register again, before it loses its
+    bits.
 
     These are REFRESH pairs. A masked register can be written only where its mask is 1, so the words
     around its refresh count, too: SET of the mask, and those that save the mask's own code in FLAG
@@ -88,13 +92,16 @@ def refresh_count(words: Sequence[Op]) -> int:
 
 
 def kernel_cost(kernel: StoredKernel, target: Target) -> WordsCost:
-    """Return the cost of starting and running a kernel (a list of words) once."""
+    """Return the number of words of a kernel (a list of words), and the time of starting and
+    running it once."""
     cost = words_cost(kernel.words, target)
     return WordsCost(cost.words, cost.us + target.launch_us)
 
 
 def frame_cost(container: Container) -> FrameCost:
-    """Return the cost of one frame of a container, without the words of images and planes."""
+    """Return the cost of one frame of a container, without the words of images and planes.
+
+    A container without words costs only the time of its slots."""
     costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]
     at_instant = [0.0] * (container.slots + 1)
     words = 0

@@ -12,7 +12,10 @@ from nscc.words import pictures as p
 
 
 class CountRange(Record):
-    """The values that a count can have: some of `low`, `low` + `stride`, .., `high`."""
+    """The values that a count can have: some of `low`, `low` + `stride`, `low` + 2 `stride`, ..,
+    `high`.
+
+    If `stride` is 0, the only value is `low`."""
 
     low: Fraction
     high: Fraction
@@ -27,7 +30,7 @@ class CountRange(Record):
         """Return the level half-way between the lowest count above `level` and the next lower one.
 
         With `or_equal`, a count equal to `level` belongs to the upper counts. Return None if all
-        counts are on the same side."""
+        counts are on the same side, as always with one value."""
         places = (level - self.low) / self.stride if self.stride else Fraction(0)
         below = floor(places)
         if or_equal and places == below:
@@ -39,11 +42,11 @@ class CountRange(Record):
 def counts_of(
     node: p.Value, known: Mapping[str, CountRange], weights: Mapping[str, p.Weights]
 ) -> CountRange | None:
-    """Return the values that an image can have if it is a count (an image of integers); None if it
-    is in electrons.
+    """Return the values that the image `node` can have if it is a count (an image of integers);
+    None if it is in electrons.
 
-    `known` has the ranges of the counts computed before, `weights` the convolution kernels, both by
-    name."""
+    A sum of counts and electrons counts as in electrons. `known` has the ranges of the counts
+    computed before, `weights` the convolution kernels, both by name."""
     match node:
         case p.Source():
             return known.get(node.name)
@@ -82,8 +85,9 @@ def counts_of(
 
 
 def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None:
-    """Return the range of a sum of factors times counts; None if a term is not a count or there are
-    no terms."""
+    """Return the range of a sum, whose `terms` are pairs (factor, range of a count or None).
+
+    Return None if a term is not a count or there are no terms."""
     low, high, strides = Fraction(0), Fraction(0), []
     for factor, counts in terms:
         if counts is None:
@@ -95,13 +99,15 @@ def _total(terms: list[tuple[Fraction, CountRange | None]]) -> CountRange | None
 
 
 def _common(*numbers: Fraction) -> Fraction:
-    """Return the greatest common divisor of fractions; 0 if all are 0."""
+    """Return the greatest common divisor of fractions: the largest one of which all are integer
+    multiples; 0 if all are 0."""
     divisor = lcm(*(number.denominator for number in numbers))
     return Fraction(gcd(*(int(number * divisor) for number in numbers)), divisor)
 
 
 def counts_by_name(pictures: p.Pictures) -> dict[str, CountRange]:
-    """Return the ranges of the images that are counts, by name."""
+    """Return the ranges of the images that are counts, by name; planes and images in electrons are
+    left out."""
     known: dict[str, CountRange] = {}
     for item in pictures.items:
         if not isinstance(item.node, p.Condition):
@@ -129,7 +135,7 @@ def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
     """Return how a program's counts are represented; None for a program without counts.
 
     The largest count must fit the registers and IN (the level sent to all pixels), and levels and
-    factors must be whole steps."""
+    factors must be whole steps. If they do not fit, the `steps` of the result are 0."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
     # The largest count with the item in which it occurs, and the fewest steps of IN for a count.
     peak, name, least = Fraction(0), "", 1

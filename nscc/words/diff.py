@@ -47,7 +47,7 @@ def differences(first: Container, second: Container) -> list[str]:
 
 def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
     """Yield a line for each cost that differs, such as words or microseconds, with the change in
-    percent."""
+    percent, unless the old cost is 0."""
     for subject, before, after, unit in (
         ("words stored", old.stored_words, new.stored_words, ""),
         ("words a frame", old.words, new.words, ""),
@@ -62,9 +62,11 @@ def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
 
 
 def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
-    """Yield the lines that differ between two versions of a part of an assembly text.
+    """Yield the lines that differ between two versions of a part of an assembly text, as a unified
+    diff without context.
 
-    Of data in base64, and of very long parts, only the fact that they differ is told."""
+    Of data in base64, and of parts with more than `_LONGEST_SECTION` lines, only the fact that they
+    differ is told. Yield nothing for equal parts."""
     if old == new:
         return
     if max(len(old), len(new)) > _LONGEST_SECTION:
@@ -78,7 +80,8 @@ def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
 
 
 def _split(section: Sequence[str]) -> tuple[list[str], list[str]]:
-    """Return the lines of a part that are text, and those that are base64 data."""
+    """Return the lines of a part that are text, and those that are base64 data: lines after a bar
+    below a directive of `_OF_DATA`."""
     lines: tuple[list[str], list[str]] = [], []
     directive = ""
     for line in section:
@@ -91,7 +94,8 @@ def _split(section: Sequence[str]) -> tuple[list[str], list[str]]:
 def _planes(first: Container, second: Container) -> Iterator[str]:
     """Yield a line for what differs in the bit planes of two programs for chips without logic.
 
-    These are bits and the destinations of light, with their slots."""
+    These are bits and the destinations of light, with their slots. Yield nothing if a program has
+    no bit planes, and nothing for arrays of different shapes."""
     old, new = first.stream, second.stream
     if old is None or new is None:
         return

@@ -20,7 +20,7 @@ _IMPLIED_KERNEL = "main"
 
 
 class Token(Record):
-    """A token of a line; for a token in quotation marks, `text` is its content."""
+    """A token of a line and its place; for a token in quotation marks, `text` is its content."""
 
     text: str
     span: Span
@@ -55,7 +55,9 @@ class SlotDraft(Record):
 
 
 class ReadoutDraft(Record):
-    """A `.readout` line; the bucket may be omitted if there is only one."""
+    """A `.readout` line: the register that holds the exposure of `bucket` divided by `gain`.
+
+    `bucket` is None if it was omitted, which is allowed if there is only one."""
 
     register: Token
     bucket: Token | None
@@ -63,7 +65,8 @@ class ReadoutDraft(Record):
 
 
 class PlaneDraft(Record):
-    """A `.plane` line."""
+    """A `.plane` line: the file with the bits of a register, and the file's SHA-256 in hexadecimal,
+    None if it is not stated."""
 
     register: Token
     file: Token
@@ -72,7 +75,9 @@ class PlaneDraft(Record):
 
 @dataclass
 class TextBlock:
-    """A directive with lines of free text below it, each after a bar."""
+    """A directive with its arguments and the lines of free text below it.
+
+    A line is its text after the bar, with its place."""
 
     directive: Token
     arguments: tuple[Token, ...]
@@ -85,21 +90,24 @@ class Faults:
     _MOST = 50
 
     def __init__(self, source: Source) -> None:
-        """Begin without errors."""
+        """Begin without errors; `source` is the assembly text that messages show."""
         self.source = source
         self.found: list[Diagnostic] = []
 
     def add(
         self, code: str, message: str, span: Span, *, label: str = "", helps: tuple[str, ...] = ()
     ) -> None:
-        """Add an error at `span`; raise Rejected with all errors if there are `_MOST`."""
+        """Add an error at `span`; raise Rejected with all errors if there are `_MOST`.
+
+        `code` is that of a diagnostic, such as "NS0714". `label` is a remark at the place in the
+        text, and `helps` say what to do."""
         place = Label(span, label)
         self.found.append(Diagnostic(code, message, source=self.source, label=place, helps=helps))
         if len(self.found) >= self._MOST:
             self.stop()
 
     def stop(self) -> None:
-        """Raise Rejected if there are errors."""
+        """Raise Rejected with all errors if there are any; else do nothing."""
         if self.found:
             raise Rejected(self.found)
 
@@ -111,7 +119,9 @@ def shown(text: str) -> str:
 
 @dataclass
 class Draft:
-    """The content of an assembly text by directive, in order, before names are resolved."""
+    """The content of an assembly text by directive, in order, before names are resolved.
+
+    `words` is the number of words of all kernels. A block that the text does not have is None."""
 
     target: TextBlock | None = None
     source: TextBlock | None = None
@@ -164,8 +174,8 @@ class Directive:
 def _block(
     attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
 ) -> TextBlock:
-    """Begin a block of lines, which is stored in `attribute` of the draft; report a second such
-    block."""
+    """Begin a block of lines, which is stored in `attribute` of the draft, and return it; report a
+    second such block, which replaces the first."""
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} appears twice", head.span)
     block = TextBlock(head, tuple(tokens))
@@ -174,13 +184,18 @@ def _block(
 
 
 def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> TextBlock | None:
-    """Begin the block of a target's table; return None if the line names a target instead."""
+    """Begin the block of a target's table, and return it; return None if the line names a target
+    instead.
+
+    A second `.target` is reported."""
     block = _block("target", head, tokens, draft, faults)
     return None if tokens else block
 
 
 def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a note (a key and a text) to the draft; report a second one with the same key."""
+    """Add a note to the draft; report a second one with the same key, which is left out.
+
+    `tokens` are its key and its text."""
     key, text = tokens
     if key.text in draft.notes:
         faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
@@ -189,9 +204,11 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add slot lengths to the draft; report an invalid length or too many slots.
+    """Add slot lengths, in microseconds, to the draft.
 
-    A token such as `x64` repeats the slot before it, so that there are 64 of them."""
+    A token is a time such as `125us`, or such as `x64`, which repeats the slot before it so that
+    there are 64 of them. An invalid length or too many slots are reported; the rest of the line is
+    then ignored."""
     for token in tokens:
         if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
@@ -210,8 +227,8 @@ def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Begin a kernel (a list of words stored on the controller); report a second one of the same
-    name."""
+    """Begin a kernel (a list of words stored on the controller) with the name that `tokens` has;
+    report a second one of the same name."""
     (name,) = tokens
     if any(kernel.name.text == name.text for kernel in draft.kernels):
         faults.add("NS0719", f"two kernels have the name {shown(name.text)}", name.span)
@@ -219,7 +236,8 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
 
 
 def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a word that is given as five 32-bit integers; report larger integers."""
+    """Add a word that is given as five integers, decimal or hexadecimal after `0x`; report integers
+    of more than 32 bits, and leave the word out."""
     a, b, c, d, e = (int(t.text, 16 if t.text[:2] in ("0x", "0X") else 10) for t in tokens)
     span = head.span.to(tokens[-1].span)
     if max(a, b, c, d, e) >= 1 << 32:
@@ -229,8 +247,10 @@ def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a line that starts kernels (lists of words) at a range of boundaries; report an invalid
-    range."""
+    """Add a line that starts kernels (lists of words) at ranges of boundaries.
+
+    `tokens` are the ranges, such as `0..15,31`, then the names of kernels in order. An invalid
+    range is reported, and the line left out."""
     place, *kernels = tokens
     instants = read_ranges(place.text, MOST_SLOTS)
     if instants is None:
@@ -241,8 +261,10 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the readout of a register, with its bucket and gain (by default 1); report an invalid
-    gain."""
+    """Add the readout of a register.
+
+    `tokens` are the register and perhaps its bucket and its gain (by default 1). An invalid gain is
+    reported, and the line left out."""
     register, *operands = tokens
     gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:
@@ -252,7 +274,9 @@ def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> 
 
 
 def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a file with the bits of a register, and the file's stated digest if there is one."""
+    """Add a file with the bits of a register.
+
+    `tokens` are the register, the file and perhaps the file's stated SHA-256 in hexadecimal."""
     register, file, *sha256 = tokens
     draft.planes.append(PlaneDraft(register, file, sha256[0] if sha256 else None))
 

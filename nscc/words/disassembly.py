@@ -48,7 +48,9 @@ def disassemble(container: Container) -> str:
 
 def sections(container: Container) -> dict[str, list[str]]:
     """Return the lines of each part of the assembly text by the part's title, in the order of the
-    text."""
+    text.
+
+    A part that the container does not need has no lines."""
     kernels, lines = enumerate(container.kernels), container.source_lines
     parts: dict[str, Iterable[str]] = {
         "target": _head(container),
@@ -67,10 +69,10 @@ def sections(container: Container) -> dict[str, list[str]]:
 
 def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
     """Return the lines of a kernel (a list of words) as (index of the first word, instruction,
-    comment).
+    comment or "").
 
     Two words that form one instruction are one line. A word without an instruction on this target
-    becomes `.word`, with the reason as comment."""
+    becomes `.word` and its five integers, with the reason as comment."""
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
@@ -95,7 +97,8 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
 
 
 def _pair(first: Op, second: Op | None) -> str | None:
-    """Return the instruction, such as `NOR d, x`, that two words form; None if they form none.
+    """Return the instruction, such as `NOR d, x`, that two words form; None if they form none, or
+    if there is no second word.
 
     The first word reads registers, the second writes the result to one of them."""
     kind = pair_kind(first, second) if second is not None else None
@@ -122,7 +125,7 @@ def _commented(text: str, comment: str) -> str:
 
 
 def _head(container: Container) -> Iterator[str]:
-    """Yield the first lines: costs as comments, the target, and notes.
+    """Yield the first lines: costs as two comments, the target, and notes by key.
 
     A built-in target is named; any other is written out as a table."""
     cost, target = frame_cost(container), container.target
@@ -143,12 +146,14 @@ def _head(container: Container) -> Iterator[str]:
 
 
 def _counted(count: int, word: str, plural: str = "") -> str:
-    """Return a number with its word, such as `1 word`, `2 words`."""
+    """Return a number with its word, such as `1 word`, `2 words`; `plural` is for words that do not
+    only add an s."""
     return f"{count} {word if count == 1 else plural or word + 's'}"
 
 
 def _times(slot_us: Sequence[float]) -> Iterator[str]:
-    """Yield the `.wait` lines; equal slots in a row are written as `125us x64`."""
+    """Yield the `.wait` lines of the slots' lengths; equal slots in a row are written as `125us
+    x64`."""
     at, pending = 0, ""
     for index in range(1, len(slot_us) + 1):
         if index < len(slot_us) and slot_us[index] == slot_us[at]:
@@ -162,12 +167,13 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 
 
 def _kernel(container: Container, number: int) -> Iterator[str]:
-    """Yield the lines of kernel (list of words) number `number`.
+    """Yield the lines of the kernel (list of words) with the index `number`.
 
     Comments give its cost and the boundaries at which it starts."""
     kernel: StoredKernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
     instants_text = ranges_text(sorted(set(instants))) if instants else "nowhere"
+    # It is a comment, and may be cut; `.slot` lines have the boundaries.
     if len(instants_text) > 60:
         instants_text = instants_text[:56] + " ..."
     cost = kernel_cost(kernel, container.target)
@@ -192,7 +198,8 @@ def _schedule(container: Container) -> Iterator[str]:
 
 
 def _readouts(container: Container) -> Iterator[str]:
-    """Yield the line with the names of buckets, and a line for the register and gain of each."""
+    """Yield the line with the names of buckets, and a line for each readout: its register, its
+    bucket and its gain."""
     yield f".bucket {' '.join(map(name_text, container.buckets))}"
     for readout in container.readouts:
         bucket = name_text(readout.bucket)
@@ -200,8 +207,8 @@ def _readouts(container: Container) -> Iterator[str]:
 
 
 def _table(container: Container) -> Iterator[str]:
-    """Yield the lines of the decode table: register bits and open slots of each shutter, then each
-    code."""
+    """Yield the lines of the decode table: the registers in loading order, the fields, register
+    bits and open slots of each shutter, then each code."""
     table, registers = container.table, container.target.digital_registers
     if container.code_registers:
         yield f".load {' '.join(container.code_registers)}"
@@ -266,8 +273,10 @@ def _pictures(container: Container) -> Iterator[str]:
 
 
 def _pixels(container: Container) -> Iterator[str]:
-    """Yield the code of every pixel: the smallest tile that gives the array if it repeats, else
-    base64."""
+    """Yield the code of every pixel: the smallest tile that gives the array if it has at most
+    `_LARGEST_TILE` pixels, else all codes as base64.
+
+    Yield nothing without pixel codes."""
     codes = container.pixel_codes
     if codes is None:
         return

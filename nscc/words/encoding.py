@@ -54,7 +54,7 @@ _EXTRAS_A_WORD = 13
 
 
 def _bit(line: int) -> int:
-    """Return the 160-bit word in which only control line `line` is 1."""
+    """Return the 160-bit word in which only the control line with the number `line` is 1."""
     if line < FIRST_EXTRA_LINE:
         return 1 << (32 * (line // 16) + line % 16)
     extra = line - FIRST_EXTRA_LINE
@@ -62,7 +62,8 @@ def _bit(line: int) -> int:
 
 
 def _raised(lines: Iterable[int]) -> int:
-    """Return the 160-bit word in which these control lines are 1."""
+    """Return the 160-bit word in which the control lines with these numbers are 1, and all other
+    bits 0."""
     word = 0
     for line in lines:
         word |= _bit(line)
@@ -87,8 +88,8 @@ _KIND_DIGITAL = _raised((S_IN, WRF, PLWB, PLRB, NBIT, BIT, BITMODE, RID))
 
 @cache
 def _fixed(row: Operation) -> int:
-    """Return the bits that every word of an operation has: indices, clock class and its own control
-    lines."""
+    """Return the bits that every word of the operation `row` has, as a 160-bit word: indices, clock
+    class and its own control lines."""
     return _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines)
 
 
@@ -104,7 +105,7 @@ def _split(word: int) -> Word:
 
 
 def _joined(word: Word) -> int:
-    """Return five integers of 32 bits as one."""
+    """Return five integers of 32 bits as one of 160 bits; the first is lowest."""
     return word[0] | word[1] << 32 | word[2] << 64 | word[3] << 96 | word[4] << 128
 
 
@@ -121,16 +122,19 @@ def _encoded(operation: Op) -> int:
 
 @lru_cache(maxsize=1 << 14)
 def encode(operation: Op) -> Word:
-    """Return the word of an operation as five 32-bit integers."""
+    """Return the word of an operation as five 32-bit integers.
+
+    Raises KeyError for a register that has no control line."""
     return _split(_encoded(operation))
 
 
 @lru_cache(maxsize=1 << 14)
 def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | None:
-    """Return the operation whose word is exactly this one; None if there is none.
+    """Return the operation whose word is exactly this one; None if there is none, or if `word` is
+    not five integers of 32 bits.
 
-    `target_operations` are operations that only the target has, in addition to those of all chips.
-    """
+    `target_operations` are operations that only the target has, in addition to those of all chips,
+    which come first."""
     if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
         return None
     bits = _joined(word)
@@ -159,7 +163,8 @@ def matching(word: Word, target_operations: tuple[Operation, ...] = ()) -> Op | 
 
 
 def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
-    """Return whether a count is in a range (fewest, most); `most` None means no limit."""
+    """Return whether a count is in the range `allowed` (fewest, most); None for the most is no
+    limit."""
     low, high = allowed
     return count >= low and (high is None or count <= high)
 
@@ -167,7 +172,7 @@ def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
 def decode(word: Word, place: str = "") -> Op:
     """Return the operation, of those that all chips have, whose word this is.
 
-    `place` tells where it is, for the message. Raises Rejected (NS0701) if there is none."""
+    `place` tells where the word is, for the message. Raises Rejected (NS0701) if there is none."""
     operation = matching(word)
     if operation is None:
         raise Rejected(no_operation(word, place))
@@ -225,8 +230,8 @@ class Masks(NamedTuple):
 
 
 def masks() -> Masks:
-    """Return the bits of all operations and registers, from which the firmware's decoder is
-    generated."""
+    """Return the bits of all operations and registers of all chips, from which the firmware's
+    decoder is generated."""
     return Masks(
         {row.name: _split(_fixed(row)) for row in OPERATIONS},
         {name: _split(word) for name, word in _READ.items()},

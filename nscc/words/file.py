@@ -71,7 +71,8 @@ class _Counts:
 class _Header:
     """The header of a file: all of a container but its arrays.
 
-    `kernels` has the name and the number of words of each."""
+    `target` is the target's table, `kernels` has the name and the number of words of each.
+    `machine` and `pictures` are None for programs without them."""
 
     target: Mapping[str, object]
     buckets: tuple[str, ...]
@@ -102,14 +103,18 @@ class _Words(Record):
 
 
 class _Levels(Record):
-    """The value of IN (the level sent to all pixels) that each launch (start of a kernel) sets,
-    which files of programs with senses have."""
+    """The value of IN (the level sent to all pixels), in steps, that each launch (start of a
+    kernel) sets; `_NO_LEVEL` if it sets none.
+
+    Only files of programs with senses have this array."""
 
     levels: Annotated[NDArray[np.int32], "launches"]
 
 
 def _layout(header: _Header, target: Target) -> list[StoredArray]:
-    """Return the arrays that a header describes, with types and shapes, in file order."""
+    """Return the arrays that a header describes, with types and shapes, in file order.
+
+    `target` is the header's target, which determines the numbers of registers and pixels."""
     counts = header.counts
     rows, cols = (target.rows, target.cols) if counts.pixels else (0, 0)
     sizes = {
@@ -133,7 +138,8 @@ def _layout(header: _Header, target: Target) -> list[StoredArray]:
 def to_bytes(container: Container) -> bytes:
     """Return the container as the bytes of a file.
 
-    Raises ValueError for an inconsistent container, which is a fault of whoever made it."""
+    Raises ValueError for an inconsistent container, which is a fault of whoever made it. Words are
+    not checked."""
     problems = faults(container)
     if problems:
         raise ValueError(f"unsound container: {problems[0]}")
@@ -176,7 +182,10 @@ def _header(container: Container) -> _Header:
 
 
 def _arrays(container: Container) -> dict[str, NDArray[Any]]:
-    """Return the arrays of a container by name, also those that its file does not need."""
+    """Return the arrays of a container by their names in files, also those that its file does not
+    need.
+
+    Without pixel codes, `pixel_codes` has no pixels."""
     words = [word for kernel in container.kernels for word in kernel.words]
     launches = [(launch.instant, launch.kernel) for launch in container.launches]
     levels = [_NO_LEVEL if row.level is None else row.level for row in container.launches]
@@ -253,9 +262,11 @@ def _rejected(code: str, name: str, reason: str) -> Rejected:
 
 
 def _check_frame(data: bytes, name: str) -> int:
-    """Check magic, version, length and checksum of a file, and return the length of its header.
+    """Check magic, version, length and checksum of a file, and return the length of its header in
+    bytes.
 
-    Raises Rejected (NS0702, NS0704 to NS0707), which names the file `name`."""
+    Raises Rejected, which names the file `name`: NS0702, NS0704 to NS0706 as `from_bytes` does, and
+    NS0707 for a header that is longer than the file."""
     if not data.startswith(MAGIC):
         reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, reason)

@@ -48,10 +48,11 @@ def refuse_pictures(container: Container, refusal: str, note: str, help_text: st
 
 
 def loader_fault(container: Container) -> str | None:
-    """Return what a program needs that neither a device's loader nor a devkit program can do, as a
-    clause.
+    """Return, as a clause, what a program needs that neither a device's loader nor a devkit program
+    can do; the first such thing.
 
-    Return None if there is nothing."""
+    These are starts of kept images that are not whole steps of IN or beyond its range, and
+    parameters beyond 32 bits. Return None if there is nothing."""
     pictures, target = container.pictures, container.target
     for image in pictures.kept_images:
         steps = image.start_e / target.electrons_per_step
@@ -68,10 +69,10 @@ def loader_fault(container: Container) -> str | None:
 
 
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
-    """Return the operations of every kernel (list of words), in order.
+    """Return the operations of every kernel (list of words), in order, as words of the exposure.
 
     Raises Rejected with the errors of the first ten invalid words: NS0701 (no operation), NS0703
-    (half of a pair) and NS0708 (not on this chip)."""
+    (half of a pair) and NS0708 (not on this chip, or not during the exposure)."""
     kernels = ((kernel.name, kernel.words) for kernel in container.kernels)
     return _decoded(kernels, container.target, target_fault)
 
@@ -88,11 +89,11 @@ def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
 def picture_words(
     container: Container, params: Mapping[str, int] = MappingProxyType({})
 ) -> list[tuple[Op, int | None]]:
-    """Return the words of images and planes as a frame executes them, each with the value of IN
-    (the level sent to all pixels) in steps.
+    """Return the words of images and planes as a frame executes them, as pairs (word, value of IN
+    in steps).
 
-    The value is None if IN is not set. `params` has values of parameters, by default their starts.
-    Raises Rejected as `decoded` does."""
+    The value of IN (the level sent to all pixels) is None if it is not set. `params` has values of
+    parameters by name, by default their starts. Raises Rejected as `decoded` does."""
     kernels = picture_kernels(container)
     launches = container.pictures.executed(params)
     return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]
@@ -103,10 +104,10 @@ def _decoded(
     target: Target,
     fault_of: Callable[[Op, Target], str | None],
 ) -> tuple[tuple[Op, ...], ...]:
-    """Return the operations of named kernels (lists of words).
+    """Return the operations of named kernels: pairs (name, list of words).
 
-    `fault_of` tells why the target does not support an operation. Raises Rejected with the errors
-    of the first ten invalid words."""
+    `fault_of` tells why the target does not support an operation, None if it does. Raises Rejected
+    with the errors of the first `_MOST_SHOWN` invalid words."""
     diagnostics: list[Diagnostic] = []
     operations: list[tuple[Op, ...]] = []
     faults: dict[Op, str | None] = {}
@@ -133,6 +134,7 @@ def _decoded(
                 ops.append(operation)
             if len(diagnostics) >= _MOST_SHOWN:
                 raise Rejected(diagnostics)
+        # Pairs can be checked only if every word has an operation.
         if len(ops) == len(words):
             diagnostics.extend(split_pairs(name, ops))
         operations.append(tuple(ops))
@@ -156,7 +158,10 @@ def target_fault(operation: Op, target: Target) -> str | None:
 
 def picture_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support this word after the exposure, as a clause; None if it
-    does."""
+    does.
+
+    The reasons are unknown registers, neighbours that the chip does not reach, too many sources,
+    and a WHERE that reads FLAG (the bit that lets a pixel act)."""
     known = (
         *target.analog_registers,
         *target.digital_registers,
@@ -232,7 +237,7 @@ def pair_kind(first: Op, second: Op) -> str | None:
 
 def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
     """Return an error (NS0703) for each word that is half of a pair without the other half beside
-    it.
+    it; [] if there is none.
 
     `ops` are the operations of the kernel (list of words) that messages call `kernel`."""
     diagnostics = []

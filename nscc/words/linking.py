@@ -38,7 +38,8 @@ NO_TABLE = {"table": "none"}
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
     """Return the container of an assembly text's draft; files are relative to `base`.
 
-    Raises Rejected with all errors, including those already in `faults`."""
+    Raises Rejected with all errors, including those already in `faults`. If a group of checks finds
+    errors, later groups are left out."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -98,9 +99,11 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Container:
-    """Return the container with the state machine and the images that the text contains as base64.
+    """Return the container with the state machine and the images that the text contains as base64;
+    unchanged without such blocks.
 
-    Raises Rejected if such data do not match the program."""
+    Raises Rejected (NS0714) if such data are damaged or do not match the program, with all errors
+    so far."""
     for block, add in (
         (draft.machine, with_machine_data),
         (draft.pictures, lambda c, data: replace(c, pictures=from_json(Pictures, data))),
@@ -121,7 +124,8 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
     """Return the target that the text names or contains, by default scamp5; None after reporting an
     error.
 
-    `base` is the folder of target files. Raises Rejected if such a file cannot be read."""
+    `base` is the folder of target files. Raises Rejected if such a file cannot be read and no other
+    error was reported."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -146,8 +150,10 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Report each instruction that the target does not have, and kernels (lists of words) that
-    exceed its store."""
+    """Report each instruction that the target does not have (NS0708), and kernels (lists of words)
+    that exceed its store (NS0718).
+
+    Words that are given as integers (`.word`) are not checked here."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -167,7 +173,7 @@ def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
 
 
 def _check_complete(draft: Draft, faults: Faults) -> None:
-    """Report if the draft has no slot lengths or no readout."""
+    """Report (NS0715) if the draft has no slot lengths, and if it has no readout."""
     if not draft.slot_us:
         helps = ("write `.wait 125us x64`: 64 slots of 125 us each",)
         faults.add("NS0715", "the lengths of the slots are missing", _START, helps=helps)
@@ -177,9 +183,10 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
 
 
 def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
-    """Return the index of a name in `names`; report an unknown name and return 0.
+    """Return the index that `names` has for the name `token`; report an unknown name (NS0719) and
+    return 0.
 
-    `kind` names in the message what is looked for."""
+    `kind` names in the message what is looked for, such as "bucket"."""
     index = names.get(token.text)
     if index is not None:
         return index
@@ -189,9 +196,10 @@ def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int
 
 
 def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
-    """Return the index of each name, in order; report a name that occurs twice.
+    """Return the index of each name, in order; report a name that occurs twice (NS0719), which gets
+    no second index.
 
-    `kind` names in the message what is defined."""
+    `kind` names in the message what is defined, such as "bucket"."""
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
@@ -204,7 +212,8 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
     """Return the starts of kernels (lists of words), by boundary, and at one boundary in the order
     of the text.
 
-    Unknown kernels and boundaries beyond the frame are reported."""
+    Unknown kernels and boundaries beyond the frame are reported; after an error the result must not
+    be used."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -228,8 +237,10 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
 def _readouts(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[Readout, ...]:
-    """Return the readouts; report unknown registers and buckets, and a bucket that is not read
-    exactly once."""
+    """Return the readouts, in the order of the text; `buckets` are the names of all buckets.
+
+    Unknown registers and buckets, and a bucket that is not read exactly once, are reported; after
+    an error the result must not be used."""
     registers = {name: i for i, name in enumerate(target.analog_registers)}
     known = {name: i for i, name in enumerate(buckets)}
     readouts, read = [], set()
@@ -264,8 +275,9 @@ def _table_of_planes(
 
     No shutter of it is open. The results are table, encoding, pixel codes and registers in loading
     order, as in `Container`. Each distinct content of the registers is a code; without planes there
-    is one. By default the masked register is loaded first, before the plane of its mask forbids it.
-    """
+    is one, and no pixel codes. `load` are the registers of `.load`, () without it. By default the
+    masked register is loaded first, before the plane of its mask forbids it. Raises Rejected if a
+    plane's file has errors."""
     planes = read_planes(draft.planes, target, base, faults)
     faults.stop()
     if load and set(load) != set(planes):
@@ -348,8 +360,8 @@ def _table(
 def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray[np.int32] | None:
     """Return the code of every pixel, int32 (rows, cols), from a tile or the whole array.
 
-    Return None without a `.pixels` block, and after reporting an error. `codes` is the number of
-    codes."""
+    A tile is repeated, and cut at the ends of the array. Return None without a `.pixels` block, and
+    after reporting an error (NS0714). `codes` is the number of codes."""
     block = draft.pixels
     if block is None:
         return None

@@ -121,12 +121,14 @@ class StateMachine(Record, eq=False):
         return len(self.first) - 1
 
     def nodes(self, stage: int) -> slice:
-        """Return the indices of a stage's nodes (states of the machine), for the first axis of the
-        arrays."""
+        """Return the indices of a stage's nodes (states of the machine), as a slice for the first
+        axis of the arrays."""
         return slice(int(self.first[stage]), int(self.first[stage + 1]))
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
-        """Return the comparisons at a boundary."""
+        """Return the comparisons at a boundary; () if there are none.
+
+        Bit c of an outcome of this look is the answer of the comparison with index c."""
         return tuple(
             comparison for comparison in self.comparisons if comparison.boundary == boundary
         )
@@ -141,7 +143,7 @@ class StateMachine(Record, eq=False):
         return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
     def starts(self, stage: int) -> int:
-        """Return the first boundary of a stage: the look before it, or 0."""
+        """Return the first boundary of a stage: the look before it, or 0 for stage 0."""
         return 0 if stage == 0 else self.looks[stage - 1]
 
     def ends(self, stage: int) -> int:
@@ -177,7 +179,8 @@ NO_LOOKS = StateMachine(
 class StatePlanes(Record, eq=False):
     """The registers that hold a state at the end of a frame.
 
-    Row k of `bits`, bool (values, registers), is their content for `values[k]`."""
+    Row k of `bits`, bool (values, registers), is their content for `values[k]`; columns are in the
+    order of `registers`."""
 
     registers: tuple[str, ...]
     values: tuple[int, ...]
@@ -186,8 +189,8 @@ class StatePlanes(Record, eq=False):
     def read(self, planes: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> Values:
         """Return the value of the state at every pixel, int64 of `shape`.
 
-        `planes` are the bits of registers, bool of `shape`. Pixels with bits that no value has get
-        the first value."""
+        `planes` are the bits of registers by name, bool of `shape`; there may be others. Pixels
+        with bits that no value has get the first value."""
         pixel_values = np.full(shape, self.values[0], np.int64)
         for value, row in zip(self.values, self.bits.tolist(), strict=True):
             matches = np.ones(shape, np.bool_)

@@ -13,7 +13,10 @@ from nscc.words.stored_arrays import array_faults
 
 def faults(container: Container) -> Iterator[str]:
     """Yield the errors of a container's state machine, each as the end of a sentence about the
-    container."""
+    container; nothing if it is sound.
+
+    A program without senses must not set IN. If stages or arrays have wrong sizes, nothing else is
+    checked."""
     machine = container.machine
     if not machine.stages:
         if any(launch.level is not None for launch in container.launches):
@@ -77,8 +80,9 @@ def faults(container: Container) -> Iterator[str]:
 
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
-    """Yield the errors of the states: their names, ranges, and the registers that hold their
-    bits."""
+    """Yield the errors of the states: their names, ranges, and the registers that hold their bits.
+
+    Each is the end of a sentence about the container."""
     names = [state.name for state in machine.states]
     if len({*names}) != len(names):
         yield "two states of its machine have one name"

@@ -29,9 +29,9 @@ _MOST = 1 << 16
 class Weights(Record):
     """A convolution kernel.
 
-    `rows` contain the numerators of the weights; all are divided by `divisor`. The weight in (row
-    i, column j) belongs to the pixel that is j minus the centre column to the right and i minus the
-    centre row down."""
+    `rows` contain the numerators of the weights, from the top, each row from the left; all are
+    divided by `divisor`. The weight in (row i, column j) belongs to the pixel that is j minus the
+    centre column to the right and i minus the centre row down. The centre is entry n // 2 of n."""
 
     name: str
     rows: Annotated[tuple[Annotated[tuple[int, ...], Within(1, _MOST)], ...], Within(1, _MOST)]
@@ -65,7 +65,8 @@ class Sum(Record):
 
 
 class Filtered(Record):
-    """The convolution of the image `value` with the convolution kernel named `kernel`."""
+    """The convolution of the image `value` with the convolution kernel named `kernel`: the sum of
+    each weight times the value of its pixel."""
 
     kernel: str
     value: Value
@@ -86,7 +87,8 @@ class Chosen(Record):
 
 
 class Largest(Record):
-    """The largest value of the neighbours of `value` that have a weight other than 0."""
+    """The largest value among the pixels to which the convolution kernel named `kernel` gives a
+    weight other than 0."""
 
     value: Value
     kernel: str
@@ -94,7 +96,9 @@ class Largest(Record):
 
 class Uniform(Record):
     """A value that is equal in all pixels: one step of IN (the level sent to all pixels), or as
-    many as the parameter `param`."""
+    many as the parameter `param` says.
+
+    `param` is "" for one step."""
 
     param: str = ""
 
@@ -107,7 +111,8 @@ class Larger(Record):
 
 
 class Shifted(Record):
-    """The value of the pixel at an offset of columns to the right and rows down."""
+    """The value of the pixel that is `right` columns to the right and `down` rows down; negative
+    numbers point to the left and up."""
 
     value: Value
     right: int
@@ -143,10 +148,11 @@ class RepeatedImage(Record):
 
 
 class Agreement(Record):
-    """A count: the sum of +1 or -1 for each pixel with a weight other than 0.
+    """A count: the sum of +1 or -1 for each pixel with a weight other than 0 in the convolution
+    kernel named `kernel`.
 
-    A pixel adds +1 if its bit is 1 and its weight positive, or its bit 0 and its weight negative;
-    else -1. Bits beyond the array are the program's `outside`."""
+    A pixel adds +1 if its bit of `condition` is 1 and its weight positive, or its bit 0 and its
+    weight negative; else -1. Bits beyond the array are the program's `outside`."""
 
     condition: Condition
     kernel: str
@@ -204,7 +210,8 @@ class Joined(Record):
 
 
 class Near(Record):
-    """A condition: any, or all, of a pixel's neighbours under a convolution kernel have a 1.
+    """A condition: any, or all (`kind`), of the pixels with a weight other than 0 in the
+    convolution kernel named `kernel` have a 1 of `condition`.
 
     Bits outside the array are the program's `outside`."""
 
@@ -214,7 +221,10 @@ class Near(Record):
 
 
 class At(Record):
-    """The bit of the pixel at an offset of columns to the right and rows down."""
+    """The bit of the pixel that is `right` columns to the right and `down` rows down; negative
+    numbers point to the left and up.
+
+    Bits outside the array are the program's `outside`."""
 
     condition: Condition
     right: int
@@ -248,8 +258,10 @@ class ChosenPlane(Record):
 
 
 class RepeatedPlane(Record):
-    """A plane that is `start` first; each of `times` steps replaces it by `step`. See
-    `RepeatedImage`."""
+    """A plane that is `start` first; each of `times` steps replaces it by `step`.
+
+    In `step`, its own name is its value before the step. Consecutive items with the same `leader`,
+    the name of the first, step together."""
 
     start: Condition
     step: Condition
@@ -321,8 +333,9 @@ class KeptPlane(Record):
 class InputPlane(Record):
     """A plane that the host loads before a frame, and that no word changes.
 
-    `bits`: its start; bit number (row * columns + column) belongs to that pixel. `is_open`: whether
-    the host may load other bits. A plane of x and y is not open."""
+    `bits` are its start as one number: bit (row * columns + column) belongs to that pixel.
+    `is_open` tells whether the host may load other bits. A plane that the program defines by x and
+    y is not open."""
 
     name: str
     bits: Annotated[int, HEX]
@@ -343,8 +356,9 @@ class KeptImage(Record):
 class HostParam(Record):
     """A parameter: a number that the host sets before a frame, and that a frame does not change.
 
-    `kind` "level": `low`, `high` and `start` are steps of IN (the level sent to all pixels);
-    "integer": numbers without a unit."""
+    It is at least `low` and at most `high`, and `start` until the host sets it. If `kind` is
+    "level", these are steps of IN (the level sent to all pixels); if it is "integer", numbers
+    without a unit."""
 
     name: str
     kind: Literal["level", "integer"]
@@ -359,8 +373,10 @@ class HostParam(Record):
 
 
 class LevelOf(Record):
-    """How the value of IN (the level sent to all pixels) at launch (start of a kernel) number
-    `launch` follows from a parameter: `factor` times `param`."""
+    """How the value of IN (the level sent to all pixels) follows from a parameter: it is `factor`
+    times `param`, in steps.
+
+    `launch` is the index of a launch (start of a kernel), which sets it."""
 
     launch: Length
     param: str
@@ -370,7 +386,7 @@ class LevelOf(Record):
 class LoopValue(Record):
     """The register that holds a repeated image or plane before and after each step.
 
-    An image is there times `sign`."""
+    It holds an image times `sign`; for a plane, `sign` is 1."""
 
     name: str
     register: str
@@ -378,8 +394,8 @@ class LoopValue(Record):
 
 
 class LaunchLoop(Record):
-    """A loop: `launches` launches (starts of kernels) from number `first` on, which run `times`
-    times.
+    """A loop: `launches` launches (starts of kernels), from the one with the index `first` on,
+    which run `times` times.
 
     `values` are the registers of the names that change from step to step."""
 
@@ -396,9 +412,10 @@ GROWS = " grows"
 class PlaneReport(Record):
     """A report about a plane or an image, which the host receives instead of it.
 
-    It tells whether `any` bit is 1, or gives the coordinates of `events` (at most `most`), the
-    `box` around them, their `count`, or the `sum` of an image. "flood" tells whether no bit is 1;
-    the plane has the name of a flooded plane, and `GROWS` after it."""
+    By `kind`, it tells whether any bit is 1 ("any"), the coordinates of at most `most` bits that
+    are 1 ("events"), the box around them, their number ("count"), or the sum of an image. "flood"
+    tells whether a flood is complete; `plane` is then the name of a flooded plane with `GROWS`
+    after it. `most` is 0 for other kinds."""
 
     kind: Literal["any", "events", "box", "count", "sum", "flood"]
     plane: str
@@ -418,21 +435,23 @@ class PlaneReport(Record):
 
 
 class TailLaunch(Record):
-    """The start of kernel (list of words) number `kernel` after the exposure, with IN (the level
-    sent to all pixels) at `level` steps.
+    """The start of the kernel (list of words) with the index `kernel` after the exposure, with IN
+    (the level sent to all pixels) at `level` steps.
 
-    The level is None if the kernel does not read IN."""
+    The level is None if the kernel does not read IN, or if a parameter determines it."""
 
     kernel: Length
     level: int | None
 
 
 class SteeredLaunch(Record):
-    """A launch after the exposure, and what the values of parameters change about it.
+    """A launch (start of a kernel) after the exposure, and what the values of parameters change
+    about it.
 
-    IN is at `level` steps, or at the level `level_of` of a parameter. It belongs to step number
-    `step` of a loop of `times` steps, which a parameter sets; None for other launches. `is_start`:
-    it is part of the first frame only."""
+    `kernel` is the index of the kernel. IN is at `level` steps, or at the level `level_of` of a
+    parameter; both are None if the kernel does not read IN. The launch belongs to step number
+    `step`, from 0, of a loop of `times` steps, which a parameter sets; `times` is None for other
+    launches. `is_start` tells whether it is part of the first frame only."""
 
     kernel: Length
     level: int | None
@@ -442,8 +461,9 @@ class SteeredLaunch(Record):
     is_start: bool = False
 
     def shared(self, number: int) -> tuple[Any, ...]:
-        """Return what launches have in common that are one row of a schedule. `number`: the place
-        of this launch, which grows with its step."""
+        """Return what launches have in common that are one row of a schedule.
+
+        `number` is the place of this launch in the row, which grows with its step."""
         return self.is_start, self.level_of, self.times, self.times and self.step - number
 
     @property
@@ -512,9 +532,10 @@ class Pictures:
         return bool(self.params or any(plane.is_open for plane in self.inputs))
 
     def executed(self, params: Mapping[str, int] = MappingProxyType({})) -> list[TailLaunch]:
-        """Return all launches (starts of kernels) of a frame in order, with every step of loops.
+        """Return all launches (starts of kernels) of a frame in order, with every step of loops and
+        the values of IN.
 
-        `params` has values of parameters, by default their starts."""
+        `params` has values of parameters by name; others have their starts."""
         values = {param.name: param.start for param in self.params} | {**params}
         return [
             TailLaunch(each.kernel, each.level)
@@ -524,9 +545,10 @@ class Pictures:
         ]
 
     def steered(self, params: Mapping[str, int] | None = None) -> Iterator[SteeredLaunch]:
-        """Yield all launches of a frame in order, with every step of loops.
+        """Yield all launches (starts of kernels) of a frame in order, with every step of loops.
 
-        `params`: values of parameters; None for the largest number of steps of each loop."""
+        `params` has values of parameters by name; None stands for the largest number of steps of
+        each loop."""
         level_of, at = {level.launch: level for level in self.levels_of}, 0
 
         def run(end: int, times: Times | None, step: int) -> Iterator[SteeredLaunch]:
@@ -576,7 +598,10 @@ class Pictures:
         return {name: node for name, node in items if isinstance(node, Repeated)}
 
     def loop_of(self, name: str) -> list[str]:
-        """Return the names that step together with the repeated image or plane `name`, in order."""
+        """Return the names that step together with the repeated image or plane `name`, in order,
+        with `name` itself.
+
+        Raises KeyError if `name` is not repeated."""
         leader = self.repeated[name].leader
         return [each for each, node in self.repeated.items() if node.leader == leader]
 
@@ -638,14 +663,16 @@ NO_PICTURES = Pictures(weights=(), items=(), outside=None, limits_e={}, reads=()
 
 
 def operands(node: Node) -> tuple[Node, ...]:
-    """Return the direct operands of an expression."""
+    """Return the direct operands of an expression, in order; () for a leaf. The factors of a sum
+    are left out."""
     if isinstance(node, Sum):
         return tuple(value for _, value in node.terms)
     return tuple(value for value in vars(node).values() if isinstance(value, Node))
 
 
 def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
-    """Return an expression with `change(operand)` in place of each direct operand."""
+    """Return an expression with `change(operand)` in place of each direct operand; the expression
+    itself is not changed."""
     if isinstance(node, Sum):
         return Sum(tuple((factor, change(value)) for factor, value in node.terms))
     make: Any = type(node)
@@ -661,14 +688,15 @@ def subexpressions(node: Node) -> Iterator[Node]:
 
 
 def packed_bits(bits: NDArray[np.bool_]) -> int:
-    """Return bits (rows, cols) as one number, whose lowest bit is the first pixel of the first
-    row."""
+    """Return bits, bool (rows, cols), as one number, whose lowest bit is the first pixel of the
+    first row; the next is the second pixel of that row."""
     return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
 
 
 def unpacked_bits(number: int, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    """Return the bits of a number that `packed_bits` made, bool of `shape` (rows, cols); -1 is a 1
-    in every pixel."""
+    """Return the bits of a number that `packed_bits` made, bool of `shape` (rows, cols).
+
+    -1 is a 1 in every pixel; bits beyond the last pixel are ignored."""
     pixels = shape[0] * shape[1]
     data = (number & (1 << pixels) - 1).to_bytes(-(-pixels // 8), "little")
     flat = np.unpackbits(np.frombuffer(data, np.uint8), count=pixels, bitorder="little")

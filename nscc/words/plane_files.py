@@ -30,8 +30,8 @@ def read_planes(
     """Return the bit planes of `.plane` lines, bool (rows, cols), by register, in the target's
     order.
 
-    Files are relative to `base`. Errors (NS0712, NS0716, NS0719) are added to `faults`; the result
-    is then incomplete."""
+    Files are relative to `base`. Unknown registers (NS0712), registers with two planes (NS0719) and
+    unusable files (NS0716) are reported in `faults`; the result must then not be used."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -55,10 +55,10 @@ def codes_of_planes(
     planes: Mapping[str, NDArray[np.bool_]], target: Target
 ) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
     """Return the distinct register contents of pixels, bool (codes, registers), and each pixel's
-    row of them.
+    row of them, int32 (rows, cols).
 
-    The latter is int32 (rows, cols). Without planes there is one code with all registers 0, and the
-    second result is None."""
+    `planes` are bool (rows, cols) by register; other registers are 0. Without planes there is one
+    code with all registers 0, and the second result is None."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)

@@ -20,7 +20,8 @@ _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 
 
 class Reach(NamedTuple):
-    """How many columns and rows around a pixel a value of this pixel depends on."""
+    """How many columns and rows around a pixel a value of this pixel depends on, in each direction;
+    0 if only on the pixel itself."""
 
     left: int = 0
     right: int = 0
@@ -56,10 +57,10 @@ class RegisterReaches:
     """How far around a pixel the content of every register depends on other pixels, after some
     words.
 
-    `before` is this reach of registers before the first word. With `bits_known`, bits beyond the
-    array are known constants and do not count. A bit read from a neighbour then extends the reach
-    only in directions in which the neighbour's bit itself depends on analog values beyond the
-    array."""
+    `reach` has this by register; a missing one depends on its own pixel only. `before` is this
+    reach of registers before the first word. With `bits_known`, bits beyond the array are known
+    constants and do not count. A bit read from a neighbour then extends the reach only in
+    directions in which the neighbour's bit itself depends on analog values beyond the array."""
 
     def __init__(
         self,
@@ -79,7 +80,8 @@ class RegisterReaches:
             self._run(word)
 
     def of(self, name: str) -> Reach:
-        """Return the reach of a register, or of a neighbour's NEWS (`XN`, `XE`, `XS`, `XW`)."""
+        """Return the reach of a register, or of a neighbour's NEWS (`XN`, `XE`, `XS`, `XW`); zeros
+        for a register that no word wrote."""
         if name in NEIGHBOURS:
             return self.of("NEWS").moved(*STEPS[name])
         return self.reach.get(name, Reach())
@@ -117,10 +119,12 @@ class RegisterReaches:
             self.reach[name] = written
 
     def _of_propagation(self, own: Reach) -> Reach:
-        """Return the reach of bits after a propagation, if the register itself has the reach `own`.
+        """Return the reach of bits after a propagation, if the propagated register itself has the
+        reach `own`.
 
-        The distance counts only with `bits_known`: a proof takes a propagation as one unknown
-        function of both registers."""
+        The distance counts only with `bits_known`, and only in directions in which a bit depends on
+        values beyond the array. A proof takes a propagation as one unknown function of both
+        registers."""
         reach = own.joined(self.of(self.target.mask_register or ""))
         far = self.target.propagation_pixels if self.bits_known else 0
         return Reach(*(near + far if near else 0 for near in reach))
@@ -150,8 +154,9 @@ def beyond_reaches(
     """Return how far around a pixel each output and each state depends on values outside the array,
     by name.
 
-    `before` is the result for the previous frame, on whose states this frame depends. `params` has
-    values of parameters, by default their starts."""
+    `before` is the result for the previous frame, on whose states this frame depends; a missing
+    state depends on nothing outside. `params` has values of parameters by name, by default their
+    starts."""
     pictures = container.pictures
     words = (op for op, _ in picture_words(container, params))
     states = pictures.stepping
@@ -166,10 +171,11 @@ def reaches_of_frames(
     first: dict[str, Reach] | None = None,
     params: Iterable[Mapping[str, int]] = repeat(MappingProxyType({})),
 ) -> Iterator[dict[str, Reach]]:
-    """Yield the result of `beyond_reaches` frame by frame.
+    """Yield the result of `beyond_reaches` frame by frame: how far each output and state depends on
+    values outside the array, by name.
 
-    `first` is that of the first frame, if known. `params` has the values of parameters in each
-    frame; by default their starts, without end."""
+    `first` is the result for the first frame, None if it is not known. `params` has the values of
+    parameters in each frame; by default their starts, without end."""
     names = container.pictures.stepping
     before: dict[str, Reach] = {}
     known: dict[object, dict[str, Reach]] = {}
@@ -185,12 +191,14 @@ def reaches_of_frames(
 
 
 def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
-    """Return `beyond_reaches` of consecutive frames, up to the frame from which they stay the same.
+    """Return `beyond_reaches` of consecutive frames, up to the frame from which they stay the same:
+    the last entry holds for all later frames.
 
-    Return None if they grow with every further frame."""
+    Return None if they grow with every further frame. Parameters have their starts."""
     film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
     kept = len(container.pictures.stepping)
+    # One frame without the reach of states, one more for each state, and one to find no change.
     for reaches in islice(reaches_of_frames(container), kept + 2):
         if film and reaches == film[-1]:
             return film

@@ -22,8 +22,10 @@ Three words each add an error to twice the exposure, so the variance is 3 / 4.""
 
 
 class Preparation(Record):
-    """The words before the readout, and the value of IN (the level sent to all pixels) in steps
-    that they need; None if they do not read IN."""
+    """The words before the readout.
+
+    `level` is the value of IN (the level sent to all pixels), in steps, that they need; None if
+    they do not read IN."""
 
     words: tuple[Op, ...]
     level: int | None
@@ -48,7 +50,8 @@ def preparation_of(container: Container) -> Preparation:
 
 
 def converted_buckets(container: Container) -> dict[str, str]:
-    """Return the names of the buckets that the converter reads, by register.
+    """Return the names of the buckets that the converter reads, by their registers; {} if only
+    images are read out.
 
     Exposures that only images use are not converted, and other values may be in their registers."""
     registers = {readout.bucket: readout.register for readout in container.readouts}
@@ -86,13 +89,16 @@ def converter_of_registers(target: Target, read: Iterable[str]) -> Target:
 
 
 def _read(container: Container) -> Iterable[str]:
-    """Return the registers that are read out, or hold images and planes."""
+    """Return the registers that are read out after the frame.
+
+    These are all registers of images, planes and states or, without these, those of the exposures.
+    """
     return container.pictures.registers.values() or [each.register for each in container.readouts]
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:
-    """Return the last analog register, except the scratch register, that is not in `read`; None if
-    there is none."""
+    """Return the last analog register, except the scratch register, that is not in `read`, the
+    registers that are read out; None if there is none."""
     unavailable = {*read}
     free = [name for name in target.analog_available if name not in unavailable]
     return free[-1] if free else None

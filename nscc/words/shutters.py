@@ -17,8 +17,8 @@ _LONGEST_LABEL = 30
 class Shutters:
     """The shutters of a figure, in order.
 
-    `rows` bool (rows, buckets, N) are the shutters, each with a label. `rank` int64 (shutters of
-    the decode table,) is the row of each shutter, -1 if no pixel has it."""
+    `rows` bool (rows, buckets, N) are the shutters, each with an entry of `labels`. `rank` int64
+    (shutters of the decode table,) is the row of each shutter, -1 if no pixel has it."""
 
     rows: NDArray[np.bool_]
     labels: tuple[str, ...]
@@ -26,8 +26,11 @@ class Shutters:
 
 
 def shutters_of(container: Container) -> Shutters:
-    """Return the shutters that pixels have (all if there are no pixel codes), sorted by opening,
-    then length."""
+    """Return the shutters that pixels have (all that codes have if there are no pixel codes),
+    sorted by their first open slot, then by open time.
+
+    A shutter that never opens comes last. The first open slot is that of any bucket; the open time
+    is that of the first bucket."""
     table = container.table
     codes = container.pixel_codes
     used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)
@@ -48,8 +51,10 @@ def shutters_of(container: Container) -> Shutters:
 
 
 def _label(container: Container, codes: list[int]) -> str:
-    """Return the label of a shutter: its first code of `codes` (rows of the table), and how many
-    others it has."""
+    """Return the label of a shutter: the fields of its first code, and how many other codes it has.
+
+    `codes` are rows of the decode table, at least one. A program without fields gives "all pixels".
+    """
     fields = container.table.fields
     if not fields:
         return "all pixels"

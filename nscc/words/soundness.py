@@ -43,8 +43,9 @@ def faults(container: Container) -> list[str]:
 
 
 def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
-    """Yield the errors of a list of names: unprintable, too long, or twice the same. `kind` says of
-    what."""
+    """Yield the errors of a list of names: empty, unprintable, too long, or twice the same.
+
+    `kind` says in the message of what, such as "bucket"."""
     for name in names:
         if not name or len(name) > _LONGEST_NAME or not name.isprintable():
             yield f"the {kind} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
@@ -53,7 +54,8 @@ def _names(kind: str, names: Sequence[str]) -> Iterator[str]:
 
 
 def _time_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of slots and buckets: their number, lengths (in us) and names."""
+    """Yield the errors of slots and buckets: their number, lengths (in us) and names; of wrong
+    lengths, only the first."""
     if not 1 <= container.slots <= MOST_SLOTS:
         yield f"it has {container.slots} slots, but 1 to {MOST_SLOTS} are allowed"
     for index, length in enumerate(container.slot_us):
@@ -66,7 +68,8 @@ def _time_faults(container: Container) -> Iterator[str]:
 
 
 def _table_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of the decode table: shapes, types and indices."""
+    """Yield the errors of the decode table: names of fields, shapes, types and indices, and a table
+    without codes or shutters."""
     table = container.table
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
@@ -89,7 +92,9 @@ def _table_faults(container: Container) -> Iterator[str]:
 
 def _kernel_faults(container: Container) -> Iterator[str]:
     """Yield the errors of kernels (lists of words) and launches (their starts): words, sizes,
-    indices, order."""
+    indices, order.
+
+    Of each kernel, and of launches, only the first is told."""
     yield from _names("kernel", [kernel.name for kernel in container.kernels])
     stored = 0
     for kernel in container.kernels:
@@ -136,7 +141,8 @@ def _register_faults(container: Container) -> Iterator[str]:
 
 
 def _pixel_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of the pixel codes: shape, type, or a code that does not exist."""
+    """Yield the errors of the pixel codes: shape, type, or a code that does not exist; nothing
+    without pixel codes."""
     pixels, target = container.pixel_codes, container.target
     if pixels is not None:
         shape = target.rows, target.cols
@@ -165,7 +171,11 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 
 def _picture_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of images and planes, each as the end of a sentence about the container."""
+    """Yield the errors of images and planes, each as the end of a sentence about the container;
+    nothing without images and planes.
+
+    An expression may read buckets, states, and items before it. After an error in an expression or
+    a launch, nothing else is checked."""
     pictures = container.pictures
     if pictures == NO_PICTURES:
         return
@@ -204,8 +214,11 @@ def _picture_faults(container: Container) -> Iterator[str]:
 
 
 def _loop_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of loops and parameters of images, such as launches (starts of kernels) or
-    parameters that do not exist."""
+    """Yield the errors of parameters of images, loops and levels, each as the end of a sentence
+    about the container.
+
+    A range or a number of steps may be wrong, or a launch (start of a kernel) or parameter may not
+    exist."""
     pictures, target, end = container.pictures, container.target, 0
     params = {param.name: param for param in pictures.params}
     for param in pictures.params:

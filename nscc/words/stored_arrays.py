@@ -23,15 +23,16 @@ class StoredArray(NamedTuple):
 
     @property
     def nbytes(self) -> int:
-        """The bytes of the array in the file, where a bit takes one eighth."""
+        """The bytes of the array in the file, where a bit takes one eighth, rounded up."""
         items = prod(self.shape)
         return (items + 7) // 8 if self.dtype == np.bool_ else items * self.dtype.itemsize
 
 
 def layout_of(kind: type, sizes: Mapping[str, int]) -> list[StoredArray]:
-    """Return the arrays that the hints of a record class declare, in order.
+    """Return the arrays that the hints of a record class declare, in order; other fields are left
+    out.
 
-    `sizes` has the lengths of their dimensions by name."""
+    `sizes` has the lengths of their dimensions by name; raises KeyError if one is missing."""
     return [
         StoredArray(name, dtype, tuple(sizes[dimension] for dimension in dimensions))
         for name, dtype, dimensions in _arrays_of(kind)
@@ -40,7 +41,8 @@ def layout_of(kind: type, sizes: Mapping[str, int]) -> list[StoredArray]:
 
 @cache
 def _arrays_of(kind: type) -> list[tuple[str, np.dtype[Any], list[str]]]:
-    """Return the name, type and names of dimensions of each array of a record class."""
+    """Return (name, type, names of dimensions) of each array of a record class, in order: of each
+    field whose hint is `Annotated`."""
     arrays = []
     for name, hint in get_type_hints(kind, include_extras=True).items():
         if get_origin(hint) is Annotated:
@@ -60,7 +62,7 @@ def number_type(hint: Any) -> Any:
 
 def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:
     """Yield the errors of a record's arrays whose shape or type differs from the hints of its
-    class.
+    class, as texts such as "values is int32 (3,), not int64 (3, 2)".
 
     `sizes` has the lengths of their dimensions by name."""
     for name, dtype, shape in layout_of(type(record), sizes):
@@ -70,13 +72,17 @@ def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:
 def array_fault(
     name: str, array: NDArray[Any], dtype: DTypeLike, shape: tuple[int, ...]
 ) -> Iterator[str]:
-    """Yield the error of the array `name` if its shape or type differs from `shape` and `dtype`."""
+    """Yield a text if the shape or type of the array `name` differs from `shape` and `dtype`; else
+    nothing."""
     if array.shape != shape or array.dtype != dtype:
         yield f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape}"
 
 
 def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:
-    """Return the bytes of each array of `layout`, in order; `arrays` has them by name."""
+    """Return the bytes of each array of `layout`, in order; `arrays` has them by name, and may have
+    others.
+
+    Types are converted to those of the layout, and shapes are not checked."""
     return [
         np.packbits(arrays[name], axis=None, bitorder="little").tobytes()
         if dtype == np.bool_
@@ -86,7 +92,7 @@ def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) ->
 
 
 def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str, NDArray[Any]]:
-    """Return the arrays of `layout` by name, from byte `start` of `data` on.
+    """Return the arrays of `layout` by name, from byte `start` of `data` on; inverse of `packed`.
 
     Raises ValueError unless they fill the data exactly."""
     need = start + sum(array.nbytes for array in layout)

@@ -27,7 +27,9 @@ from nscc.words.stored_arrays import StoredArray, layout_of, packed, unpacked
 
 
 class StoredPlanes(Record):
-    """The registers of a state, and the bits of each of its values."""
+    """The registers of a state, and the bits of each of its values.
+
+    Row k of `bits` belongs to `values[k]`, and has a bit for each of `registers`."""
 
     state: str
     registers: tuple[str, ...]
@@ -54,7 +56,8 @@ class StoredMachine:
     def layout(self, buckets: int, slots: int) -> list[StoredArray]:
         """Return the names, types and shapes of the machine's arrays, in file order.
 
-        `buckets` and `slots` are the numbers of these. Raises ValueError if there are no stages."""
+        `buckets` and `slots` are the program's numbers of these. Raises ValueError if there are no
+        stages."""
         if not self.first:
             raise ValueError("its machine has no nodes")
         sizes = {
@@ -67,15 +70,18 @@ class StoredMachine:
         return layout_of(StateMachine, sizes)
 
     def machine(self, arrays: Mapping[str, NDArray[Any]]) -> StateMachine:
-        """Return the state machine with these arrays, which are given by name; others are
-        ignored."""
+        """Return the state machine with the arrays `arrays`, which are given by name; others are
+        ignored.
+
+        Raises KeyError if one is missing."""
         by_node = (arrays[name] for name in StateMachine.field_names[4:])
         first = np.array(self.first, np.int32)
         return StateMachine(self.states, self.comparisons, self.looks, first, *by_node)
 
     def state_planes(self) -> dict[str, StatePlanes]:
-        """Return the registers of the states by name; raise ValueError unless their bits have the
-        right number."""
+        """Return the registers of the states, by the state's name.
+
+        Raises ValueError unless each state has as many bits as values times registers."""
         return {
             planes.state: StatePlanes(
                 planes.registers,
@@ -103,11 +109,11 @@ def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> 
 
 
 def machine_data(container: Container) -> bytes:
-    """Return the data of `.machine` in assembly text: the record as JSON after its length, then the
-    arrays.
+    """Return the data of `.machine` in assembly text: the length of the record (4 bytes, little
+    endian), the record as JSON, then the arrays.
 
     The record also has the values of IN (the level sent to all pixels) of all launches (starts of
-    kernels)."""
+    kernels). The container must have a state machine; ValueError is raised otherwise."""
     levels = tuple(launch.level for launch in container.launches)
     record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
     text = to_json(record).encode("ascii")
@@ -120,7 +126,8 @@ def with_machine_data(container: Container, data: bytes) -> Container:
     """Return a container with the state machine and the values of IN (the level sent to all pixels)
     that `data` contain.
 
-    Raises ValueError for data that `machine_data` does not return for a machine of this program."""
+    Raises ValueError for damaged data, and for data that `machine_data` does not return for a
+    machine of this program."""
     end = 4 + int.from_bytes(data[:4], "little")
     record = from_json(StoredMachine, data[4:end])
     arrays = unpacked(record.layout(len(container.buckets), container.slots), data, end)

@@ -23,10 +23,11 @@ Bits = NDArray[np.uint8]
 
 
 class Stream(Record, eq=False):
-    """The bit planes of a frame.
+    """The bit planes of a frame of N slots.
 
     `planes` uint8 (N, rows, ceil(cols / 8)) contain the bits of each row, first pixel in the lowest
-    bit, padded with 0. `ones` and `zeros` int8 (N,) are the index of a tap, or DRAIN."""
+    bit, padded with 0. `ones` and `zeros` int8 (N,) are the destinations of the light of pixels
+    whose bit is 1 and 0: the index of a tap, or DRAIN."""
 
     planes: Annotated[Bits, "slots rows row_bytes"]
     ones: Annotated[NDArray[np.int8], "slots"]
@@ -38,13 +39,16 @@ class Stream(Record, eq=False):
         return len(self.planes)
 
     def bits(self, slot: int, cols: int) -> NDArray[np.bool_]:
-        """Return the bit plane of a slot, bool (rows, cols)."""
+        """Return the bit plane of the slot with the index `slot`, bool (rows, cols); `cols` is the
+        array's number of columns, which the padded rows do not tell."""
         unpacked = np.unpackbits(self.planes[slot], axis=1, count=cols, bitorder="little")
         return unpacked.view(np.bool_)
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
         """Return the destination of each pixel's light in a slot, int8 (rows, cols): the index of a
-        tap, or DRAIN."""
+        tap, or DRAIN.
+
+        `cols` is the array's number of columns."""
         destinations: NDArray[np.int8] = np.where(
             self.bits(slot, cols), self.ones[slot], self.zeros[slot]
         )
@@ -66,8 +70,9 @@ class Loading(Record):
 def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
     """Yield for each slot when its bit plane begins to load and when it takes effect.
 
-    On a pipelined chip the plane loads at the end of the slot before, else at the start of its own
-    slot."""
+    `slot_us` are the lengths of the slots in microseconds; whether a plane loads within its slot is
+    not checked. On a pipelined chip (two latches per pixel) the plane loads at the end of the slot
+    before, else at the start of its own slot. The first time may be negative."""
     start, load = 0.0, target.plane_load_us
     for length in slot_us:
         yield Loading(start - load, start) if target.pipelined else Loading(start, start + load)
@@ -75,9 +80,11 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
-    """Yield the errors of the bit planes, each as the end of a sentence about the container.
+    """Yield the errors of the bit planes, each as the end of a sentence about the container;
+    nothing if they are sound.
 
-    `slots` and `buckets` are the numbers that the program has."""
+    `slots` and `buckets` are the numbers that the program has. If shapes or types are wrong,
+    nothing else is checked."""
     sizes = {"slots": slots, "rows": target.rows, "row_bytes": -(-target.cols // 8)}
     if wrong := list(array_faults(stream, sizes)):
         yield wrong[0]
