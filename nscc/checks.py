@@ -47,8 +47,8 @@ def check_program(program: Program) -> None:
 
 
 def check_plans(planned: Planned) -> None:
-    """Check that each plan collects in every bucket the light of exactly the open slots; raise
-    Inconsistent if not."""
+    """Check that each plan of `planned` collects in every bucket the light of exactly the open
+    slots; raise Inconsistent if not."""
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
@@ -89,8 +89,8 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
 
 
 def check_gates(gated: Gated) -> None:
-    """Check every solution by replaying its gates on truth vectors (integers with one bit for each
-    shutter); raise Inconsistent if it fails its demands."""
+    """Check every solution of `gated` by replaying its gates on truth vectors (integers with one
+    bit for each shutter); raise Inconsistent if it fails its demands."""
     machine = Machine.of(gated.program.target)
     for decoding in gated.decodings:
         fault_text = fault(decoding.problem, machine, decoding.solution)
@@ -98,7 +98,8 @@ def check_gates(gated: Gated) -> None:
 
 
 def check_schedule(choice: Choice) -> None:
-    """Check the kernels (lists of words) and when they start; raise Inconsistent if they are wrong.
+    """Check the kernels (lists of words) of all lowerings of `choice`, and when they start; raise
+    Inconsistent if they are wrong.
 
     Kernels must start in the order of boundaries, each at least once, and name only registers of
     the chip."""

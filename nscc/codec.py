@@ -77,8 +77,8 @@ class InvalidRecord(ValueError):
 
 
 class Within(Record):
-    """The smallest and largest allowed value of a number, or length of a text, list or object, both
-    included."""
+    """The smallest (`low`) and largest (`high`) allowed value of a number, or length of a text,
+    list or object, both included."""
 
     low: float
     high: float
@@ -183,7 +183,8 @@ class _Codec(NamedTuple):
 class _Field(NamedTuple):
     """A field of a record, or an item of a tuple, with its codec.
 
-    `key` is its key in JSON objects. A `later` field may be missing, and then has its `default`."""
+    `name` is the attribute, or `[i]` for an item of a tuple. `key` is its key in JSON objects, ""
+    for such an item. A `later` field may be missing, and then has its `default`."""
 
     name: str
     key: str
@@ -243,6 +244,7 @@ def _codec(hint: Any) -> _Codec:
 
 def _shown(value: Any) -> str:
     """Return a value for a message: at most 40 characters, and printable whatever it is."""
+    # Python refuses to write integers of thousands of digits.
     if type(value) is int and abs(value) >= 1 << 64:
         return "a number of more than 64 bits"
     text = ascii(value) if isinstance(value, str | int | float | None) else _NAMES[type(value)]
@@ -300,16 +302,16 @@ _SCALARS: dict[Any, Convert] = {
 
 
 def _read_fraction(items: list[Any]) -> Fraction:
-    """Return the fraction of a numerator and a denominator; raise InvalidRecord unless both are
-    integers and the denominator is not 0."""
+    """Return the fraction of `items`, a numerator and a denominator; raise InvalidRecord unless
+    both are integers and the denominator is not 0."""
     if not all(type(item) is int for item in items) or items[1] == 0:
         raise InvalidRecord("is not a fraction: two integers, the second not 0")
     return Fraction(*items)
 
 
 def _literal(options: tuple[Any, ...]) -> _Codec:
-    """Return the codec of a Literal hint, which allows only values that equal an option and have
-    its type."""
+    """Return the codec of a Literal hint, which allows only values that equal one of `options` and
+    have its type. It raises InvalidRecord for others."""
 
     def check(value: Any) -> Any:
         """Return `value` if it is one of the options; raise InvalidRecord otherwise."""
@@ -366,7 +368,8 @@ def _checked(limits: Within, convert: Convert) -> Convert:
 
 
 def _union(kinds: tuple[Any, ...]) -> _Codec:
-    """Return the codec of a union: of a hint and None, or of records.
+    """Return the codec of a union of `kinds`: of a hint and None, or of records. It raises
+    InvalidRecord for a record of another class.
 
     A record of a union is stored as the name of its class, followed by its values."""
     if NoneType in kinds:
@@ -496,7 +499,7 @@ def _write_object(kind: Any, record: Any) -> dict[str, Any]:
 
 
 def _read_object(kind: Any, plain: Any) -> Any:
-    """Return the record of the dataclass `kind` that a JSON object describes.
+    """Return the record of the dataclass `kind` that the JSON object `plain` describes.
 
     Raises InvalidRecord for an unknown key, an invalid value, and a missing key unless a later
     version added the field."""

@@ -55,10 +55,12 @@ def compare(
 
 
 def _compile_for_chip(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnChip:
-    """Compile a program for one chip; return its figures, or the first error if it does not fit.
+    """Compile the program at `path` for one chip, at optimisation level `level`; return its
+    figures, or the first error if it does not fit.
 
     If only the slots are too short, `shortest_slot_us` of the result is the length that the chip
-    needs. Raises Rejected for errors that do not depend on the chip (NS01.., NS02..)."""
+    needs. Raises Rejected for errors that do not depend on the chip (NS01.., NS02..). `noise_of`
+    returns the noise of the compiled program; None leaves it out."""
     try:
         compiled = compile_file(path, Options(level=level, target=target))
     except Rejected as error:

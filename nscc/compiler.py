@@ -48,8 +48,8 @@ def _with_ways_out(
     diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
     """Return the diagnostics of a program that does not fit, with similar programs that fit added
-    to them as `ways_out`. Diagnostics of errors that a similar program cannot avoid stay as they
-    are."""
+    to them as `ways_out`. `base` is the folder for relative paths, and `options` are those of the
+    compilation. Diagnostics of errors that a similar program cannot avoid stay as they are."""
     if not any(has_ways_out(d) for d in diagnostics):
         return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # imported only for programs that do not fit

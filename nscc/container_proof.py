@@ -49,8 +49,8 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
     The names are `shutter`, uint8 (buckets, rows, cols, ceil(N / 8)) with the first slot in the
     lowest bit, and `shutter_shape`, which is (buckets, rows, cols, N). Further names are
     `codes_FIELD`, int64 (rows, cols), one for each field. A program with one code needs no pixel
-    data. Raises Rejected: NS0441 (status 1) if pixels have no codes, NS0442 if the words do not
-    implement shutters, NS0444 if these depend on the light."""
+    data. `name` is the program in messages. Raises Rejected: NS0441 (status 1) if pixels have no
+    codes, NS0442 if the words do not implement shutters, NS0444 if these depend on the light."""
     pixels = container.pixel_codes
     if pixels is None and len(container.table.codes) == 1:
         target = container.target

@@ -119,7 +119,7 @@ class ExperimentStore:
 
     def _rejected(self, error: Exception) -> Rejected:
         """Return the exception for a file that is not a store (NS0834) or cannot be used (NS0784),
-        with what to do."""
+        with what to do. `error` is what SQLite or the system raised."""
         # The lowest byte of SQLite's code is the primary error; the others add details.
         primary = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_OK) & 0xFF
         if primary in (sqlite3.SQLITE_NOTADB, sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_ERROR):
@@ -212,8 +212,8 @@ class ExperimentStore:
             self._execute(f"DELETE FROM measurement WHERE {where}", self._of, name)
 
     def claim(self, name: str) -> bool:
-        """Claim a measurement for this process; return False if another process has claimed it,
-        else True.
+        """Claim the measurement `name` for this process; return False if another process has
+        claimed it, else True.
 
         A process that has the claim already gets True again. Claims are locks on bytes of a file,
         so a process that dies releases them. Without a file, every claim succeeds."""
@@ -226,8 +226,8 @@ class ExperimentStore:
         return True
 
     def release(self, name: str) -> None:
-        """Release this process's claim of a measurement, so that others may measure it; without a
-        claim, do nothing."""
+        """Release this process's claim of the measurement `name`, so that others may measure it;
+        without a claim, do nothing."""
         if self._claims is not None:
             fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(self._of, name))
 
@@ -281,4 +281,5 @@ def _is_locked(error: Exception) -> bool:
 def _place(experiment: str, name: str) -> int:
     """Return the offset in the claims file of the byte that stands for a measurement of an
     experiment."""
+    # 7 bytes keep the offset below `_IN_USE`, and make equal places of two names unlikely.
     return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])

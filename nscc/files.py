@@ -129,8 +129,8 @@ def store_files(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """Write an input file that the user asked to change, atomically. Raises Rejected (NS0784,
-    status 2) if it cannot be written.
+    """Write `data` to an input file that the user asked to change, atomically. Raises Rejected
+    (NS0784, status 2) if it cannot be written.
 
     The file then no longer counts as an input, which may not be overwritten."""
     known = _inputs.get()

@@ -70,7 +70,8 @@ def side_by_side(blocks: Iterable[Html]) -> Html:
 
 
 def legend(names: Sequence[str]) -> Html:
-    """Return names, each beside a square in the colour of SERIES at its index."""
+    """Return names, each beside a square in the colour of SERIES at its index; the colours
+    repeat."""
     return side_by_side(
         Html(f"<span style='color:{SERIES[number % len(SERIES)]}'>&#9632;</span> {text(name)}")
         for number, name in enumerate(names)

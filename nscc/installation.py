@@ -29,7 +29,8 @@ _OWN_WORK = ("bench", "test")
 class Finding(NamedTuple):
     """The result of a check of the installation.
 
-    `state` is GOOD or WRONG or, for packages that only some commands need, ABSENT or BROKEN."""
+    `text` is one line for people. `state` is GOOD or WRONG or, for packages that only some commands
+    need, ABSENT or BROKEN."""
 
     state: str
     text: str
@@ -69,8 +70,8 @@ def findings() -> Iterator[Finding]:
 
 
 def _import_error(distribution: str) -> str:
-    """Return why the module of an installed package cannot be imported, in at most 100 characters,
-    or "" if it can."""
+    """Return why the module of `distribution`, an installed package, cannot be imported, in at most
+    100 characters, or "" if it can."""
     try:
         with redirect_stderr(StringIO()), warnings.catch_warnings(action="ignore"):
             import_module(module_of(distribution))

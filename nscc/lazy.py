@@ -38,8 +38,8 @@ def named_extra(user: str) -> Iterator[None]:
     """Replace the error of a missing package, within a `with` block, by one with the command that
     installs it.
 
-    The new ModuleNotFoundError says that `user` needs the package. Missing modules of nscc itself
-    are not replaced."""
+    The new ModuleNotFoundError says that `user` needs the package. The error of a missing module of
+    nscc itself is raised as it is."""
     try:
         yield
     except ModuleNotFoundError as error:

@@ -135,7 +135,7 @@ def _listed(names: Sequence[str] | dict[str, int]) -> str:
 
 
 def _native(row: Operation) -> Mnemonic:
-    """Return the mnemonic of a single operation.
+    """Return the mnemonic of `row`, a single operation.
 
     Its operands are the destinations, then the sources. Either number may vary, but not both."""
     least_destinations, most_destinations = row.destinations  # a most of None is any number

@@ -52,7 +52,7 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
-    """Return the array of this shape and type that follows the header of an .npy stream.
+    """Return the array of this `shape` and `dtype` that follows the header of an .npy stream.
 
     `fortran` tells whether its first axis changes fastest. Return None if the stream is too short
     or too long."""

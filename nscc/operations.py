@@ -67,11 +67,12 @@ class Phase(Enum):
 class Operation:
     """A row of the table of operations: what words of this name do, and their bits.
 
-    `lines` are the control lines that the word sets in addition to those of its operands.
-    `destinations` and `sources` are the fewest and most operands that the chip accepts; None means
-    no limit, because the digital bus is a wired OR. A target may allow fewer. `clock` is the clock
-    class in bits 19-21 of word 0. `us` is the word's duration if the clock does not determine it.
-    """
+    `effect` says what a word does, with its `divisor` (of a sum) or `inverted`; `phase` is its part
+    of a pair. `lines` are the control lines that the word sets in addition to those of its
+    operands. `destinations` and `sources` are the fewest and most operands that the chip accepts;
+    None means no limit, because the digital bus is a wired OR. A target may allow fewer. `clock` is
+    the clock class in bits 19-21 of word 0. `us` is the word's duration if the clock does not
+    determine it."""
 
     name: str
     effect: WordEffect
@@ -231,7 +232,8 @@ BY_NAME: dict[str, Operation] = {row.name: row for row in OPERATIONS}
 
 @dataclass(frozen=True, slots=True)
 class Op:
-    """One instruction word: an operation with its operands, destinations first.
+    """One instruction word: the operation `name` with names of registers as operands, destinations
+    first.
 
     Sources are a set; they are kept in the order of `READ_LINES`, so that equal words are equal
     values. A pair consists of two such values. `target_operation` is the operation of a word that

@@ -84,8 +84,8 @@ def parse_text(source: Source, job: Job) -> tuple[Parsed, Found]:
 
 
 def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
-    """Return the checked program of a syntax tree, with its decode table of codes and slots, and
-    its messages.
+    """Return the checked program of the syntax tree in `parsed`, with its decode table of codes and
+    slots, and its messages.
 
     Raises Rejected with NS02xx, NS03xx and NS04xx for invalid statements, and for targets and files
     that cannot be read."""
@@ -119,9 +119,9 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
     """Return an exposure plan for each lowering (way to compute the exposure) that supports the
     program, and the error if there is none.
 
-    The errors are NS0412 for more shutters than a pixel's registers can distinguish, NS0413 for
-    more buckets than analog registers, and NS0414 for a lowering that does not support the program.
-    """
+    `job` has the options, of which `lowering` may allow only one lowering. The errors are NS0412
+    for more shutters than a pixel's registers can distinguish, NS0413 for more buckets than analog
+    registers, and NS0414 for a lowering that does not support the program."""
     fault = fit.capacity_fault(program)
     if fault is not None:
         return Planned(program, frame_time(program), opens=(), plans=(), misfits={}), [fault]
@@ -132,11 +132,13 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
 
 
 def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
-    """Return gates and encodings for the plans, with their costs, the best first; and diagnostics.
+    """Return gates and encodings for the plans of `planned`, with their costs, the best first; and
+    diagnostics.
 
-    Plans that cannot be better than one that fits are not tried, unless all costs are requested.
-    The errors are NS0502 if no gates are found, which does not prove that none exist, and NS0905 if
-    a generator of another package returns invalid gates; NS0504 warns of a generator that fails."""
+    `job` has the options and the stored search results. Plans that cannot be better than one that
+    fits are not tried, unless all costs are requested. The errors are NS0502 if no gates are found,
+    which does not prove that none exist, and NS0905 if a generator of another package returns
+    invalid gates; NS0504 warns of a generator that fails."""
     options, results = job.options, job.results
     search = partial(
         find_gates,
@@ -162,8 +164,9 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     """Return the kernels (lists of words) and the boundaries at which they start, the best lowering
     (way to compute the exposure) first; and errors.
 
-    The errors are for a program that exceeds the store (NS0501), the slots' time (NS0601), the
-    retention time of registers (NS0602) or the user's limit (NS0603)."""
+    `gated` has the gates of all plans, and `job` the options. The errors are for a program that
+    exceeds the store (NS0501), the slots' time (NS0601), the retention time of registers (NS0602)
+    or the user's limit (NS0603)."""
     most_words = job.options.max_words_per_slot
     layouts = (
         lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings
@@ -335,8 +338,9 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """Return the proof of a container, by replaying its words or following the light of its bit
     planes; and errors.
 
-    A failed proof is a fault of the compiler, not an error of the program. The errors are those of
-    `unproved_error`. Raises Inconsistent for words that the target does not have."""
+    `job` has the program's text, for the place of an error. A failed proof is a fault of the
+    compiler, not an error of the program. The errors are those of `unproved_error`. Raises
+    Inconsistent for words that the target does not have."""
     try:
         kernels = decoded(container)
     except Rejected as error:
@@ -423,7 +427,8 @@ def with_all_lowerings(compiled: Compiled, options: Options) -> Compiled:
 
 
 def _run(source: Source, job: Job, see: Observer) -> Compiled:
-    """Run all passes in order; `see` receives each pass and its value, which is then verified.
+    """Run all passes for the text `source` in order, with what `job` gives them; `see` receives
+    each pass and its value, which is then verified.
 
     Raises Rejected at the first pass with errors, as Unfit if the program is valid but does not
     fit."""
@@ -451,7 +456,8 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
 
 
 def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    """Return the result of a compilation from the values of all passes, by name.
+    """Return the result of a compilation from the values of all passes, by name, and from all
+    messages.
 
     Unless the program `fits`, layout, words and proof are None."""
     names = ("schedule", "words", "prove")

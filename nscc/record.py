@@ -37,7 +37,7 @@ class Record:
 
     def __init_subclass__(cls, *, eq: bool = True) -> None:
         """Take the annotated attributes of a subclass as its fields, after those of its base class;
-        names are taken in the order of the text."""
+        names are taken in the order of the text. With `eq` False, records compare by identity."""
         cls.field_names = (*cls.field_names, *vars(cls).get("__annotations__", ()))
         type.__setattr__(cls, "__match_args__", cls.field_names)
         if not eq:

@@ -346,7 +346,7 @@ def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     called the caller of this function."""
     compiled = compile_source(text, folder, options)
     assert compiled.container is not None  # programs that do not fit are rejected
-    warn(compiled.diagnostics, stacklevel=4)
+    warn(compiled.diagnostics, stacklevel=4)  # the line that called `compile`
     return ShutterProgram(text.name, compiled.container, compiled, options)
 
 

@@ -11,7 +11,8 @@ from nscc.record import Record
 
 @dataclass(frozen=True, slots=True)
 class Span:
-    """A half-open range of character offsets in one source text."""
+    """A half-open range of character offsets in one source text: from `start`, counted from 0, to
+    `end`, which is not included."""
 
     start: int
     end: int

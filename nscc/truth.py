@@ -28,7 +28,7 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
     >>> rows([0b0011, 0b0101], 4).astype(int).tolist()
     [[1, 1], [1, 0], [0, 1], [0, 0]]
     """
-    size = max(1, (count + 7) // 8)
+    size = max(1, (count + 7) // 8)  # bytes of a vector; `reshape` needs one even without shutters
     if not vectors:
         return np.zeros((count, 0), dtype=np.bool_)
     raw = b"".join(vector.to_bytes(size, "little") for vector in vectors)

@@ -20,7 +20,8 @@ class _Calibrate(CommonCommand):
     click's options cannot."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """Parse the arguments of the command after rewriting `--dark a b` as `--dark a --dark b`.
+        """Parse `args`, the arguments of the command, after rewriting `--dark a b` as `--dark a
+        --dark b`.
 
         Every argument after `--dark` or `--dark=FILE` counts as a file, up to the next option."""
         spread_args: list[str] = []

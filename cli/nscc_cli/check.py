@@ -45,8 +45,8 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
-    """Compile the programs `files` and print their messages and summaries. With `fix`, first apply
-    safe fixes to the files.
+    """Compile the programs `files` with the command's `options`, by name, and print their messages
+    and summaries. With `fix`, first apply safe fixes to the files.
 
     All programs are checked before Rejected is raised with the errors of all of them."""
     diagnostics: list[Diagnostic] = []
@@ -67,8 +67,8 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
 
 
 def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
-    """Return notes about loaders that cannot take the program `compiled`; none if it may not fit
-    the chip."""
+    """Return notes about loaders that cannot take the program `compiled`; none if it is unknown
+    whether it fits the chip."""
     if compiled.container is None:
         return []
     program = compiled.program
@@ -76,10 +76,11 @@ def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
-    """Check now and after each change of a file that a program consists of, until the user presses
-    Ctrl-C. Return the exit status of the last check.
+    """Check the programs `files` now and after each change of a file that they consist of, until
+    the user presses Ctrl-C. Return the exit status of the last check.
 
-    Raises UsageError for SARIF messages, which are a single document."""
+    Raises UsageError for SARIF messages, which are a single document. `fix` and `options` are those
+    of the command."""
     if session().message_format == "sarif":
         raise click.UsageError(
             "--watch runs forever, but a SARIF log is a single document: use json"
@@ -102,9 +103,9 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
-    """Apply all safe fixes to the program at `path`, in place. Check it again after each round, at
-    most `_MOST_ROUNDS`, because one error may hide another. Raises Rejected only if the file cannot
-    be read or written."""
+    """Apply all safe fixes to the program at `path`, in place. `options` are those of the command.
+    Check it again after each round, at most `_MOST_ROUNDS`, because one error may hide another.
+    Raises Rejected only if the file cannot be read or written."""
     from nscc.diagnostics.message import with_safe_fixes
     from nscc.files import write_back
     from nscc.syntax.parse import read_source

@@ -86,8 +86,8 @@ def command(scenes: tuple[str, ...], out: Path | None, **options: Any) -> None:
 
 
 def _file_name(wanted: DesignSettings) -> str:
-    """Return the name of the program; raise UsageError unless exactly one design is chosen, with
-    options that apply to it."""
+    """Return the file name of the program that `wanted` describes; raise UsageError unless exactly
+    one design is chosen, with options that apply to it."""
     tile = wanted.criterion == _SVE_RISK
     names = {
         f"looks-{wanted.looks}.nsl": wanted.looks is not None,
@@ -118,7 +118,11 @@ def _designed(
     target: Target,
     options: dict[str, Any],
 ) -> Design:
-    """Return the design, for a frame of `wanted.slots`; `of_clips` searches a code for clips."""
+    """Return the design that `wanted` describes, for the `scenes` (names or paths) and a frame of
+    `wanted.slots`; `of_clips` searches a code for clips.
+
+    `options` are those of the command. Raises Rejected (NS0744) without a scene, unless the motion
+    is slow or fast."""
     from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 
     assert wanted.slots is not None
@@ -158,8 +162,8 @@ def _scene_lights(
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
 ) -> list[NDArray[np.float64]]:
-    """Return the light of each scene in electrons, (intervals, rows, cols): the slots of the frame,
-    joined to at most `parts` intervals.
+    """Return the light of each of `scenes` (names or paths) in electrons, (intervals, rows, cols):
+    the slots of the frame, joined to at most `parts` intervals.
 
     `options` are those of the command."""
     slots = options["slots"]
@@ -171,8 +175,8 @@ def _moving(
 
 
 def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> bool:
-    """Return whether any of the scenes is a clip; stills beside it are clips in which nothing
-    moves. `options` are those of the command."""
+    """Return whether any of the scenes (names or paths) is a clip; stills beside it are clips in
+    which nothing moves. `options` are those of the command."""
     options = {**options, "slots": options["slots"] or _CLIP_SLOTS}
     return "clip" in [laid.light.kind for laid in _laid(scenes, target, options, warns=False)]
 

@@ -98,8 +98,8 @@ def serve(**options: Any) -> None:
 
 
 def _report(error: Exception) -> None:
-    """Print why the stand-in could not expose a frame; the protocol tells the host only that it
-    failed."""
+    """Print `error`, the reason why the stand-in (the simulated chip) could not expose a frame; the
+    protocol tells the host only that it failed."""
     if isinstance(error, Rejected):
         support.show(error.diagnostics)
     else:

@@ -246,7 +246,7 @@ def _finish(
     result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
     """Write `result` as JSON to the file `out`, if given, together with the files in `products`.
-    Print it as JSON, or as the text `human`."""
+    Print it as JSON (`as_json`), or as the text `human`."""
     from nscc_training.evaluation.results import result_json
 
     text = result_json(result)

@@ -27,8 +27,8 @@ named."""
 
 
 def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
-    """Return the diagnostic and exit status for an exception that no command expects. `arguments`
-    are those of the command line.
+    """Return the diagnostic and exit status for `error`, an exception that no command expects.
+    `arguments` are those of the command line.
 
     NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
     input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70), for which
@@ -94,7 +94,7 @@ def _memory_text(error_text: str, on_gpu: bool) -> str:
 
 
 def _no_memory(error: Exception) -> bool:
-    """Return whether an exception says that memory is exhausted, on the GPU or on the host."""
+    """Return whether `error` says that memory is exhausted, on the GPU or on the host."""
     from nscc_training.problems import is_out_of_memory
 
     return is_out_of_memory(error)
@@ -119,8 +119,8 @@ def _of_nscc(filename: object) -> bool:
 
 
 def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:
-    """Save a .zip file with the command line, its input files, the versions and the traceback
-    `trace`.
+    """Save a .zip file with the command line (`arguments`, without `nscc`), its input files, the
+    versions and the traceback `trace`.
 
     Return the notes and the help of the message, which name the file. If it cannot be saved, the
     notes contain the traceback."""
@@ -148,8 +148,8 @@ def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ..
 
 
 def _save(data: bytes) -> str | None:
-    """Save the reproducer in the current folder, else in the folder for temporary files. Return its
-    path, or None if both fail. Its name contains its digest."""
+    """Save the reproducer, whose content is `data`, in the current folder, else in the folder for
+    temporary files. Return its path, or None if both fail. Its name contains its digest."""
     import tempfile
 
     from nscc.files import write_whole

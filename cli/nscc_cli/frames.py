@@ -92,8 +92,8 @@ def run_capture_of(
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
-    """Return the names in the value of `--keep`, which commas separate; empty ones are ignored.
-    Raise Rejected (NS0739) for an unknown name."""
+    """Return the names in `text`, the value of `--keep`, which commas separate; empty ones are
+    ignored. Raise Rejected (NS0739) for an unknown name."""
     from nscc_runtime.frame_file import KEEP
 
     names = tuple(name.strip() for name in text.split(",") if name.strip())
@@ -110,7 +110,8 @@ def parse_keep(text: str) -> tuple[str, ...]:
 
 
 def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
-    """Return the path of the frame file: the option -o, or PROGRAM.frame.npz in the current folder.
+    """Return the path of the frame file, for the `options` of a command by name: the option -o, or
+    PROGRAM.frame.npz in the current folder.
 
     Raises Rejected if two outputs have one path (NS0745), if an output would replace an input
     (NS0785), or if an ending is unknown (NS0786)."""
@@ -145,9 +146,10 @@ def write_frame(
     """Write the frame file `out`, and the picture, plan and timings that the options name. Return
     the paths, without that of the timings.
 
-    `keep` names the arrays of the value of `--keep`. `light` is None for frames of a device.
-    `title` stands above the picture. `response` computes the sensor response for the picture.
-    `plan` is the text of the plan's file. `timings` receives the time of writing."""
+    `keep` names the arrays of the value of `--keep`. `light` is None for frames of a device. `meta`
+    is what the frame file says about the exposure, JSON values by name. `title` stands above the
+    picture. `response` computes the sensor response for the picture. `plan` is the text of the
+    plan's file. `timings` receives the time of writing."""
     from nscc.container_proof import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.content import frame_content
@@ -183,7 +185,8 @@ def _picture(
     title: str,
 ) -> Product:
     """Return the PNG for `--png`: the light of a capture in colours, else a sheet of readouts and
-    light. Of repeated frames it shows the first.
+    light. Of repeated frames it shows the first. `content` is what the frame's file contains, and
+    `title` stands above the picture.
 
     `response` computes the sensor response, if the sheet needs it."""
     from nscc_runtime.formats.content import content_sheet
@@ -206,7 +209,7 @@ def summary(
     from nscc_runtime.run_messages import frame_lines
 
     lines = frame_lines(container, frame)
-    if frame.frame.ndim == 4:
+    if frame.frame.ndim == 4:  # several frames: (frames, buckets, rows, cols)
         frames_text = (
             "all identical, because no effects are simulated" if alike else "the first is described"
         )

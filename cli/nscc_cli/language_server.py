@@ -52,8 +52,9 @@ class Server(LanguageServer):
         self.worker = ThreadPoolExecutor(1)
 
     def take(self, uri: str, text: str, version: int) -> None:
-        """Store `text` as version `version` of the document `uri`, and start checking it. Its
-        ending decides whether it is a program or an assembly text."""
+        """Store `text` as version `version` of the document `uri`, and start checking it. The
+        ending of `uri` decides whether it is an assembly text (.asm) or a program; a byte order
+        mark is dropped."""
         self.versions[uri] = version
         path = Path(uris.to_fs_path(uri) or uri.rpartition(":")[2])
         kind = Listing if path.suffix.lower() == ".asm" else Document
@@ -187,7 +188,8 @@ def _take_texts(server: Server) -> None:
 
 
 def _hover(document: Document, at: Positions, params: types.HoverParams) -> types.Hover | None:
-    """Return the hover text at the position in `params`, or None."""
+    """Return the hover text at the position in `params`, or None if there is nothing to say. `at`
+    converts the positions of the text."""
     hover_text = hover(document, at.offset(params.position))
     if hover_text is None:
         return None
@@ -198,8 +200,8 @@ def _hover(document: Document, at: Positions, params: types.HoverParams) -> type
 def _completions(
     text: Text, at: Positions, params: types.CompletionParams
 ) -> list[types.CompletionItem]:
-    """Return the words and names that may stand at the position in `params`, in a program or an
-    assembly text."""
+    """Return the words and names that may stand at the position in `params`, which `at` converts to
+    an offset, in a program or an assembly text."""
     offset = at.offset(params.position)
     span, offers = (
         complete_listing(text, offset) if isinstance(text, Listing) else complete(text, offset)
@@ -209,15 +211,16 @@ def _completions(
 
 
 def _symbols(document: Document, at: Positions, _params: object) -> list[types.DocumentSymbol]:
-    """Return the outline of a document."""
+    """Return the outline of a document: one symbol for each entry of
+    `nscc.editing.document.outline`."""
     return [values.symbol(entry, at) for entry in outline(document)]
 
 
 def _hints(
     document: Document, at: Positions, params: types.InlayHintParams
 ) -> list[types.InlayHint]:
-    """Return the hints (short texts that the editor shows within lines) in the range of
-    `params`."""
+    """Return the hints (short texts that the editor shows within lines) in the range of `params`,
+    both ends included. `at` converts the positions of the text."""
     shown = at.span(params.range)
     inside = (hint for hint in hints(document) if shown.start <= hint.offset <= shown.end)
     return [types.InlayHint(at.of(h.offset), h.text, padding_left=True) for h in inside]
@@ -226,7 +229,8 @@ def _hints(
 def _definition(
     document: Document, at: Positions, params: types.DefinitionParams
 ) -> types.Location | None:
-    """Return where the name at the position in `params` is declared, or None."""
+    """Return where the name at the position in `params` is declared. Return None if no name stands
+    there, or the program does not declare it."""
     mention = mention_at(document, at.offset(params.position))
     definition = mention and declaration(document, mention)
     if not definition:
@@ -237,8 +241,8 @@ def _definition(
 def _references(
     document: Document, at: Positions, params: types.ReferenceParams
 ) -> list[types.Location]:
-    """Return all uses of the name at the position in `params`, with its declaration if the editor
-    asks for it."""
+    """Return the places of all uses of the name at the position in `params`, with its declaration
+    if the editor asks for it."""
     mention = mention_at(document, at.offset(params.position))
     mentions = alike(document, mention) if mention else []
     uri, also_declaration = params.text_document.uri, params.context.include_declaration
@@ -249,8 +253,8 @@ def _references(
 def _fixes(
     document: Document, at: Positions, params: types.CodeActionParams
 ) -> list[types.CodeAction]:
-    """Return the fixes that apply in the range of `params`, and one action that applies all safe
-    fixes; only actions of the kinds that the editor asks for."""
+    """Return the fixes, safe or not, that apply in the range of `params`, and one action that
+    applies all safe fixes; only actions of the kinds that the editor asks for."""
     uri, only = params.text_document.uri, params.context.only
     actions = [
         values.quick_fix(diagnostic, fix, document, uri)

@@ -107,7 +107,8 @@ def _leave(*_signal: object) -> None:
 
 
 def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
-    """Run the command, print its messages, and return the exit status.
+    """Run the command that `arguments` (without `nscc`) name, print its messages, and return the
+    exit status.
 
     Raises KeyboardInterrupt if the command failed with another exception while `interrupts` (see
     `_interrupts`) is not empty, and BrokenPipeError if nobody reads the output any more."""

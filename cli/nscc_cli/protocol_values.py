@@ -153,7 +153,8 @@ def edits(
 
 
 def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
-    """Convert a completion into the protocol's form; `at` is the range of text that it replaces."""
+    """Convert `offer`, a completion, into the protocol's form; `at` is the range of text that it
+    replaces."""
     return types.CompletionItem(
         offer.text,
         kind=_OFFERED[offer.kind],

@@ -123,8 +123,8 @@ def command(
 
 
 def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Print which method replaced the network, and why. `method` is the value of --method, None if
-    it was not given."""
+    """Print which method replaced the network in `reconstruction`, and why; nothing if none did.
+    `method` is the value of --method, None if it was not given."""
     if reconstruction.reason:
         say_done(reconstruction.reason)
     elif method is None and reconstruction.method != "network":
@@ -137,7 +137,7 @@ def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
 
 def _of_measurement(path: Path, how: ReconstructSettings) -> Reconstruction | None:
     """Return the clip that is reconstructed from a measurement file of another camera; None if
-    `path` is a frame file.
+    `path` is a frame file. `how` has the options of the command.
 
     Raises UsageError for options that do not apply to such a file."""
     from nscc_training.reconstruct_any import (

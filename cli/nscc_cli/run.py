@@ -315,7 +315,8 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
     """Raise Rejected (NS0770) if the user gave options that have no meaning for the device at
-    `place`. `scene` and `keep` are the values of these options."""
+    `place`. `place` is a port or host:MODULE. `scene` and `keep` are the values of these options;
+    without a scene, options that describe one are refused, too."""
     of_port = ("baud", "repeat", "scene", "params", "inputs") if place.startswith(HOST) else ()
     refused_options = given_options((*_MEANINGLESS, *of_port, *(() if scene else _SCENE)))
     if not scene:

@@ -44,7 +44,8 @@ def named_values(
     _context: click.Context, option: click.Parameter, values: tuple[str, ...]
 ) -> dict[str, str] | None:
     """Return the values of a repeatable option NAME=VALUE by name; None if the option was not
-    given. Raise BadParameter for a value without name or `=`."""
+    given. Of equal names the last counts, and blanks around both parts are dropped. Raise
+    BadParameter for a value without name or `=`."""
     split = [value.partition("=") for value in values]
     if not all(name and sign for name, sign, _ in split):
         raise click.BadParameter(f"write {option.opts[0]} {option.make_metavar(_context)}")

@@ -19,7 +19,8 @@ class _Dropping(io.RawIOBase):
     data that cannot be written is dropped."""
 
     def __init__(self, descriptor: int) -> None:
-        """Write to a descriptor, and remember the first failure."""
+        """Write to the file descriptor `descriptor`, a number such as 1 for standard output, and
+        remember the first failure."""
         self.descriptor = descriptor
         self.failure: OSError | None = None
 

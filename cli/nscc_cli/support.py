@@ -32,7 +32,8 @@ _BAR_WIDTH = 30
 
 @dataclass
 class Session:
-    """How one invocation of nscc prints messages, and its command line."""
+    """How one invocation of nscc prints messages (`message_format`), whether warnings are errors
+    (`deny_warnings`), and its command line."""
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
@@ -104,8 +105,8 @@ def show_gathered(of: Session) -> None:
 
 
 def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
-    """Write diagnostics to standard error in the given format. Colours are used if the terminal has
-    them."""
+    """Write diagnostics to standard error in the format `message_format`. Colours are used if the
+    terminal has them."""
     if message_format == "github" or message_format == "sarif":
         from nscc.diagnostics.reports import sarif, workflow_commands
 
@@ -119,7 +120,8 @@ def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> 
 
 
 def say(diagnostics: Sequence[Diagnostic]) -> None:
-    """Print warnings and notes of a command. Call this before writing products.
+    """Print `diagnostics`, warnings and notes of a command, to standard error. Call this before
+    writing products.
 
     With `--deny-warnings`, a warning raises Rejected (status 1) with all warnings turned into
     errors, so that no product is written."""
@@ -413,8 +415,9 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
 
 
 def bar_line(label: str, item_count: int, total: int | None, elapsed_s: float) -> str:
-    """Return a progress line after `item_count` of `total` items and `elapsed_s` seconds: a bar and
-    the remaining time, or a count if `total` is unknown (None or 0)."""
+    """Return a progress line, which begins with `label`, after `item_count` of `total` items and
+    `elapsed_s` seconds: a bar and the remaining time, or a count if `total` is unknown (None or 0).
+    """
     if not total:
         return f"{label}: {item_count}, {elapsed_s:.0f} s"
     share = min(item_count / total, 1.0)

@@ -101,8 +101,8 @@ def command(
 
 
 def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
-    """Return the limits of `target` for each length of a slot in `slots`, as text or JSON. Programs
-    are compiled at this `level` to find them."""
+    """Return the limits of `target` for each length of a slot in `slots`, as text, or as JSON
+    (`as_json`). Programs are compiled at this `level` to find them."""
     from nscc.limits.survey import Limit, limits_json, limits_text, survey
 
     limits: list[Limit] = []
@@ -157,8 +157,8 @@ def details(target: Target) -> str:
 
 
 def _value(target: Target, key: Key) -> str:
-    """Return the value of a target's key as text. A long sequence of registers is shortened to
-    R0..R12."""
+    """Return the value of a target's key as text. Registers R0, R1, .. are shortened to `R0..R12`
+    if there are more than three. No value is "none" or the file's word for it."""
     value = getattr(target, key.attribute)
     if value is None:
         return str(key.kind.plain(value))

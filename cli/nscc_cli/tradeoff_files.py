@@ -30,8 +30,9 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
-    """Return the path of each product of a tradeoff by name: `csv` and `png` if an option asks for
-    them, and with `-o` also `further_names`, which are other diagrams.
+    """Return the path of each product of a tradeoff by name, for the `options` of its command:
+    `csv` and `png` if an option asks for them, and with `-o` also `further_names`, which are other
+    diagrams.
 
     Raises Rejected: NS0745 for equal paths, and NS0786 for a picture that is not a .png."""
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
@@ -71,7 +72,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
 
 def _plain(value: Any) -> Any:
     """Return the value of an option in a form that can be compared: a text or path becomes [text,
-    digest of the file of that name]. Tuples become lists."""
+    digest of the file of that name]. Tuples become lists; other values stay as they are."""
     if isinstance(value, tuple):
         return [_plain(item) for item in value]
     if isinstance(value, str | Path):

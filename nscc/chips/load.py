@@ -81,7 +81,7 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
 
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """Yield the errors in a list of registers as (end of a message, help).
+    """Yield the errors in `names`, a list of registers, as (end of a message, help).
 
     A register must not be listed twice, and must be one of `known`, the registers that instruction
     words address."""
@@ -245,7 +245,7 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """Return the target with the given values, {"section.key": value}.
+    """Return the target with the values `key_values`, {"section.key": value}, which are valid.
 
     Missing keys have their default. If a key has none, its value is that of scamp5. Chips without
     words ("stream") have no registers: theirs are () and ""."""
@@ -264,7 +264,8 @@ def _target(key_values: KeyValues) -> Target:
 
 
 def _values(target: Target) -> dict[str, Any]:
-    """Return the values of a target as {"section.key": value}."""
+    """Return the values of all keys of a target, also those of the other kind of chip, as
+    {"section.key": value}."""
     return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}
 
 

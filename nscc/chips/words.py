@@ -83,7 +83,7 @@ class OwnWords(Kind):
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """Return the lines of a target file that define these operations, without line breaks."""
+    """Return the lines of a target file that define the operations `rows`, without line breaks."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
@@ -91,7 +91,7 @@ def words_toml(rows: Iterable[Operation]) -> list[str]:
 
 
 def _plain(row: Operation) -> dict[str, Any]:
-    """Return an operation as a `[[words]]` table of a target file.
+    """Return the operation `row` as a `[[words]]` table of a target file.
 
     The table has the required keys, and of the optional ones those whose value differs from the
     default."""
@@ -110,7 +110,7 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """Return the operation that one `[[words]]` table defines.
+    """Return the operation that `values`, one `[[words]]` table, defines.
 
     `who` names the table in messages until its own name is known. Raises ValueError with the reason
     if the table is invalid: the first fault that is found."""
@@ -189,8 +189,8 @@ def _lines(who: str, effect: WordEffect, names: Any) -> tuple[int, ...]:
     """Return the numbers of the control lines `names` that a word sets besides those of its
     operands, in ascending order and each once.
 
-    Raises ValueError, which calls the word `who`, for unknown lines and for lines that select an
-    operand."""
+    The `effect` decides whether operands are digital or analog registers. Raises ValueError, which
+    calls the word `who`, for unknown lines and for lines that select an operand."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:

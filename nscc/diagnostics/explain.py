@@ -13,7 +13,8 @@ _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?"
 
 
 def page(code_or_name: str) -> str:
-    """Return the page of a code (`NS0412` in any case, `412`) or of a name (`too-many-shutters`).
+    """Return the page, Markdown text, of a code (`NS0412` in any case, `412`) or of a name
+    (`too-many-shutters`).
 
     Raises Rejected (NS0790, status 2) for an unknown code or name."""
     known = names()

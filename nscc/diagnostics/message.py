@@ -32,7 +32,7 @@ class Severity(StrEnum):
 
 
 class Label(Record):
-    """A place in a source text, with a short text that is printed beside its marks."""
+    """A place (`span`) in a source text, with a short text that is printed beside its marks."""
 
     span: Span
     text: str = ""
@@ -106,6 +106,7 @@ def with_safe_fixes(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[
     text, count, changed_from = source.text, 0, len(source.text) + 1
     # From the end of the text, so that the places of the fixes before stay valid.
     for fix in sorted(fixes, key=lambda fix: fix.span.start, reverse=True):
+        # The second condition leaves out a second insertion at the same place.
         if fix.span.end <= changed_from and fix.span.start < changed_from:
             text = text[: fix.span.start] + fix.replacement + text[fix.span.end :]
             changed_from = fix.span.start

@@ -39,8 +39,8 @@ def names() -> dict[str, str]:
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
     """Return diagnostics as text that ends in a line break; "" without diagnostics.
 
-    `human` quotes the source lines, `short` has one line for each diagnostic, and `json` one object
-    per line. `color` adds escape sequences for terminals to `human`."""
+    `form` is the format: `human` quotes the source lines, `short` has one line for each diagnostic,
+    and `json` one object per line. `color` adds escape sequences for terminals to `human`."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
@@ -166,8 +166,8 @@ def _labelled(
 
 
 def _helps(diagnostic: Diagnostic) -> list[str]:
-    """Return the lines with help: the helps, the titles of fixes that no help quotes, and numbered
-    ways out."""
+    """Return the lines with help of a diagnostic, in this order: the helps, the titles of fixes
+    that no help quotes, and numbered ways out."""
     helps_text = "".join(diagnostic.helps)
     fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in helps_text]
     helps = [*diagnostic.helps, *fixes]
@@ -188,6 +188,7 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
     line = source.line(row)
     _, column = source.row_column(label.span.start)
     start = min(column - 1, len(line))
+    # At least one column is marked, also for an empty place and one after the last character.
     end = min(max(start + label.span.end - label.span.start, start + 1), max(len(line), start + 1))
     first = 0  # the first character of the line that is shown
     if len(line) > _WIDEST:

@@ -48,8 +48,8 @@ _ONCE = ("nsl", "target", "frame", "reset")
 
 
 class Offer(Record):
-    """A completion: its text, its kind and a one-line description, which may be empty. A "digest"
-    is the SHA-256 of a file."""
+    """A completion: its text, its kind and a one-line description (`detail`), which may be empty. A
+    "digest" is the SHA-256 of a file."""
 
     text: str
     kind: Literal["word", "name", "target", "file", "digest"]
@@ -96,8 +96,8 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
 
 
 class _Place(Record):
-    """The part of a text before the cursor: its tokens, and the indices of tokens that start
-    statements."""
+    """The part of a text before the cursor: its tokens, and the indices (`starts`) of tokens that
+    start statements. `document` is the whole text, whose declarations are offered."""
 
     document: Document
     tokens: Tokens
@@ -248,7 +248,7 @@ def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
 
 
 def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
-    """Yield the completions of a line of assembly text after the words `before`.
+    """Yield the completions of a line of the assembly text `listing` after the words `before`.
 
     The first word of a line is a directive or a mnemonic. Later words are a chip after `.target`, a
     kernel (list of words) after `.slot`, and else registers. Other directives without operands of

@@ -148,7 +148,8 @@ class OutlineEntry(Record):
     """A statement in the outline.
 
     `kind` is its first word, which is also its `name` if it declares no name. `detail` is a short
-    form of the rest of the statement. `at` is the place of the name."""
+    form of the rest of the statement. `span` is the place of the statement, and `at` that of the
+    name."""
 
     name: str
     detail: str

@@ -28,7 +28,7 @@ _MOST_VALUES = 12
 
 
 class Hover(Record):
-    """A place in a program, and its description in Markdown."""
+    """A place in a program (`span`), and its description in Markdown (`text`)."""
 
     span: Span
     text: str
@@ -87,7 +87,7 @@ def _bucket(document: Document, mention: Mention) -> str | None:
 
 
 def _meaning(document: Document, mention: Mention) -> str | None:
-    """Return what a name stands for; None for an unknown name.
+    """Return what the name at the place `mention` stands for; None for an unknown name.
 
     The text has the kind of the name and, as far as the program is valid, its value or size."""
     name, declared = mention.name, document.declared
@@ -190,8 +190,8 @@ def _field(document: Document, name: str) -> str:
 
 
 def _sense(document: Document, name: str) -> str:
-    """Return the description of a sense (a comparison of the pixel's light with a level), with its
-    boundaries."""
+    """Return the description of the declared sense `name` (a comparison of the pixel's light with a
+    level), with its first `_MOST_VALUES` boundaries."""
     senses = document.looking.senses if document.looking else ()
     sense = next((sense for sense in senses if sense.name == name), None)
     if sense is None:
@@ -205,8 +205,8 @@ def _sense(document: Document, name: str) -> str:
 
 
 def _state(document: Document, name: str) -> str:
-    """Return the description of a state: its values, its start, and whether it is kept or read
-    out."""
+    """Return the description of the declared state `name`: its values, its start, and whether it is
+    kept or read out."""
     states = document.looking.states if document.looking else ()
     state = next((state for state in states if state.name == name), None)
     if document.declared.keeps_planes:

@@ -66,7 +66,8 @@ def renameable(document: Document, offset: int) -> Mention:
 
 
 def _predefined(document: Document) -> Set[str]:
-    """Return the names that the language defines, which depend on the document's version of it."""
+    """Return the names that the language defines, which depend on the document's version of it:
+    `looks` exists from version 2 on."""
     return {*PREDEFINED, *([LOOKS] if document.tokens.version > 1 else [])}
 
 
@@ -79,7 +80,8 @@ DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "pla
 
 
 class Mention(Record):
-    """A name at a place; `declares` is true if the statement declares the name."""
+    """A name at the place `span`, without backquotes or blanks; `declares` is true if the statement
+    declares the name."""
 
     name: str
     span: Span

@@ -39,10 +39,10 @@ def judge_looking(
 ) -> None:
     """Report faults of a program whose pixels look at their light (statements `sense` and `state`).
 
-    These are readouts that do not determine open times (NS0324), resets of some pixels only on a
-    chip that cannot (NS0415), and rules that never open (NS0350, a warning). `untold` says which
-    bucket has an unknown open time; None if the readout determines all. `machine` is the program's
-    state machine."""
+    Readouts that do not determine open times are NS0324, and resets of some pixels only, on a chip
+    that cannot, are NS0415. Rules that never open are NS0350, a warning. `untold` says which bucket
+    has an unknown open time; None if the readout determines all. `declared` are the program's
+    statements, and `machine` is its state machine."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -84,9 +84,9 @@ def judge_looked_names(
 ) -> None:
     """Note unused senses and states, and states that never change (NS0355).
 
-    An unread sense counts as used if it is the only sense at a boundary where a state changes, or
-    that `looks` counts. `rules` are the rules of shutters. `machine` has the values that states
-    really reach."""
+    `declared` and `looking` are its statements, as written and checked. An unread sense counts as
+    used if it is the only sense at a boundary where a state changes, or that `looks` counts.
+    `rules` are the rules of shutters. `machine` has the values that states really reach."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -121,7 +121,8 @@ def judge_looked_names(
 def _judge_resets(
     statement: tree.Reset, machine: StateMachine, target: Target, problems: Problems
 ) -> None:
-    """Report the first boundary at which only some pixels reset their photodiode (NS0415).
+    """Report the first boundary at which only some pixels reset their photodiode by `statement`,
+    `reset when` (NS0415).
 
     `target` is a chip that can only reset all pixels. A pixel is any code with any answers so far.
     """
@@ -150,8 +151,8 @@ def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
     """Return the shutters of pixels whose light never exceeds a level: bool (behaviours, buckets,
     N).
 
-    A behaviour is a set of codes whose pixels act alike for all answers. Row k belongs to behaviour
-    k."""
+    `machine` is the program's state machine. A behaviour is a set of codes whose pixels act alike
+    for all answers. Row k belongs to behaviour k."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
@@ -215,8 +216,8 @@ def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
     """Return how to reduce the size of a state machine, as helps of an error; none if nothing can
     be reduced.
 
-    `most_senses` is the number of senses at the busiest boundary, `states` the number of combined
-    values of states."""
+    `looking` has the checked senses and states. `most_senses` is the number of senses at the
+    busiest boundary, `states` the number of combined values of states."""
     helps = []
     if most_senses > 1:
         helps.append("use fewer senses at one boundary: each sense doubles the number of answers")
@@ -237,8 +238,9 @@ def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
 def _state_combinations(looking: Looking, answers: int) -> int:
     """Return an upper bound on the number of combined values of states.
 
-    Kept states start with any value. Other states start with one, so each of 2^`answers` histories
-    of answers leads to one combined value, but at most to all in their ranges."""
+    `looking` has the states, with their ranges. Kept states start with any value. Other states
+    start with one, so each of 2^`answers` histories of answers leads to one combined value, but at
+    most to all in their ranges."""
     kept_values, reached = (
         prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
         for is_kept in (True, False)
@@ -256,6 +258,7 @@ def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str
     level_counts = Counter[int]()
     for sense in looking.senses:
         level_counts.update(dict.fromkeys(sense.at, levels[sense.name]))
+    # Of equal counts, the smallest boundary.
     busiest = max(level_counts, key=lambda n: (level_counts[n], -n), default=0)
     return busiest, {s.name: levels[s.name] for s in looking.senses if busiest in s.at}
 
@@ -268,7 +271,8 @@ def judge_rules(
     basis: str,
     problems: Problems,
 ) -> None:
-    """Warn about rules that never open (NS0350) and, if there are fields, always open (NS0351).
+    """Warn about rules that never open (NS0350) and, if the code has fields (`has_fields`), always
+    open (NS0351).
 
     Rules and tables have the buckets in the same order. Rules that never open are found among the
     compiled codes (`table`, described by `basis`), because the frame would stay dark. Rules that
@@ -298,8 +302,8 @@ def judge_names(
     """Warn about fields that no rule reads (NS0352); note unused `let` constants and codebooks
     (NS0355).
 
-    `fields` are in chunks: a long bit field has several. `rules` are all expressions on which
-    shutters depend. A field may also give the level of a sense."""
+    `fields` are in chunks: a long bit field has several. `books` are the codebooks by name. `rules`
+    are all expressions on which shutters depend. A field may also give the level of a sense."""
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
     for field in fields:
@@ -330,7 +334,7 @@ def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Pro
     """Warn about bumps (intervals of open slots) of fixed length that the end of the frame cuts
     short (NS0354).
 
-    `shape` is the recognised class of the shutters in `table`."""
+    The warning is placed at `rule`. `shape` is the recognised class of the shutters in `table`."""
     if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",

@@ -116,8 +116,8 @@ def _make_frame(
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
     """Return the ranges (low, high) of the fields that a text declares, by name.
 
-    Fields with errors are left out. Bit fields of more than 62 bits have one range for each chunk.
-    """
+    Both ends are included. Codebooks in files are looked up in the folder `base`. Fields with
+    errors are left out. Bit fields of more than 62 bits have one range for each chunk."""
     problems = Problems(source)
     declared = gather(parse(source)[0], problems)
     constants = resolve_constants(declared, target, problems)

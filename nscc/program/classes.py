@@ -43,6 +43,7 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
         return recognised[0]
     cut = sum(f.cut for f in recognised)
     names = {f.name for f in recognised}
+    # Letters are written `class a`, other names as they are.
     class_texts = ", ".join(
         f"{bucket} {'class ' * (len(f.name) == 1)}{f.name}"
         for bucket, f in zip(buckets, recognised, strict=True)

@@ -302,7 +302,8 @@ class Completion:
         """Report the problem and return the exception with all diagnostics so far, for the caller
         to raise.
 
-        TooMuch becomes NS0450 at `span`; NoValue becomes one error for each missing value."""
+        `mode` is "open" if all legal codes are compiled. TooMuch becomes NS0450 at `span`; NoValue
+        becomes one error for each missing value."""
         if isinstance(problem, TooMuch):
             reduce_help = "reduce the ranges of the fields, or use fewer slots"
             self.problems.error(
@@ -358,8 +359,8 @@ class Completion:
 
 
 def _proved(problem: TooMuch) -> dict[str, object]:
-    """Return the data of an error for programs: what is needed and available, and that no search
-    could help."""
+    """Return the data of the error NS0450, for programs that read messages: what is needed and
+    available, and that no search could help."""
     return {
         "resource": "proof",
         "required": problem.required,

@@ -34,7 +34,7 @@ Data = Any
 
 class Fault(NamedTuple):
     """Why an expression has no value: an error code, a message, the place in the program with a
-    label (`text`), and what to do about it."""
+    label (`text`), and what to do about it (`helps`)."""
 
     code: str
     message: str
@@ -133,7 +133,8 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:
-    """Return the product of two values, with faults where it exceeds 2^62 - 1 in magnitude."""
+    """Return a * b, with faults (NS0305) where it exceeds 2^62 - 1 in magnitude; `node` is the
+    place in the program."""
     # Compared by division, because the product itself could wrap.
     beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1, dtype=np.int64)
     return _limited(
@@ -142,8 +143,8 @@ def _product(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
-    """Return the divisors, with 1 in place of 0, and the operands' faults with those of divisors 0
-    (NS0302)."""
+    """Return the divisors `b` of the division `node` of `a`, with 1 in place of 0, and the
+    operands' faults with those of divisors 0 (NS0302)."""
     message = "division by zero" if node.op == "/" else "remainder of a division by zero"
     fault = Fault("NS0302", message, node.right.span, "this is 0", (_NOT_0,))
     return guard(
@@ -265,8 +266,8 @@ def _value(
     """Return the value of one node of the syntax tree from the values of its operands
     (`arguments`).
 
-    `constants` and `bindings` give the values of names, and `books` the digits of codebooks. Faults
-    of operands that do not decide the result are dropped."""
+    `constants` and `bindings` give the values of names (a constant comes first), and `books` the
+    digits of codebooks. Faults of operands that do not decide the result are dropped."""
     match node:
         case tree.Int():
             return Value(node.value)
@@ -346,7 +347,7 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
     """Return an index, with faults (NS0303) where it is outside 0..`size` - 1, and 0 there.
 
-    `size_text` is the size in words, such as "8 bits"."""
+    `node` is the expression with brackets. `size_text` is the size in words, such as "8 bits"."""
 
     def fault() -> Fault:
         """Return the error that names the first index out of range."""

@@ -47,9 +47,9 @@ VARIABLE = Meaning("variable")
 class Checked:
     """An expression with valid names and types.
 
-    `nodes` are in evaluation order, operands before their operator. `constants` contains the values
-    of constant names. `variables` are the fields and n, x, y that it reads, `books` its codebooks.
-    """
+    `nodes` are in evaluation order, operands before their operator; the last is the expression
+    itself, of the given `type`. `constants` contains the values of constant names. `variables` are
+    the fields and n, x, y that it reads, `books` its codebooks."""
 
     nodes: tuple[tree.Expr, ...]
     type: Type
@@ -156,7 +156,7 @@ class _Checker:
             operand_types = types[len(types) - count :]
             del types[len(types) - count :]
             types.append(self._type(node, operand_types))
-        actual = types[0]
+        actual = types[0]  # of the whole expression, the only type that is left
         if actual is not None and actual != expected:
             message = f"{role} must be {_a(expected)}, not {_a(actual)}"
             self._mismatch(expr.span, message, _a(actual), _CONVERT[expected])
@@ -309,8 +309,8 @@ class _Checker:
     def _branches(
         self, node: tree.IfElse, then: Type | None, otherwise: Type | None
     ) -> Type | None:
-        """Return the common type of both branches of `A if C else B`; None after reporting that
-        they differ.
+        """Return the common type of both branches, `then` and `otherwise`, of `A if C else B`; None
+        after reporting that they differ.
 
         A branch whose type is unknown (None) has the type of the other."""
         if then is None or otherwise is None:
@@ -328,8 +328,8 @@ class _Checker:
         nodes: Iterable[tree.Node],
         role: str,
     ) -> None:
-        """Report each operand whose type is known and not `expected`; `role` names the operator in
-        messages."""
+        """Report each of the operands `nodes` whose type, in `operand_types` at the same index, is
+        known and not `expected`; `role` names the operator in messages."""
         for actual, node in zip(operand_types, nodes, strict=True):
             if actual is not None and actual != expected:
                 message = f"{role} needs {_a(expected)}, not {_a(actual)}"

@@ -157,7 +157,7 @@ class PlaneMaker:
         scope = constants_scope(self.declared, self.constants)
         values = [
             [
-                # Large tiles are common; a plain number needs no scope.
+                # Large tiles are common; a plain number needs no scope, and a small one no check.
                 expr.value
                 if isinstance(expr, Int) and expr.value < 2**31
                 else constant(expr, scope, self.problems, "a value of a tile")
@@ -314,9 +314,9 @@ def planes_of(
 
     The array contains integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
     first. `shape` is (rows, cols). A field has `chunk_count` chunks, and `bits` bits or, if None,
-    as many as the chunks hold. `origin` names the file in messages. Each plane is returned with
-    marks, bool (rows, cols), of the values that int64 cannot hold. Integers set only the first
-    chunk, and the others become 0. Raises Rejected (NS0314) for other arrays."""
+    as many as the chunks hold. `name` is the field and `origin` the file in messages. Each plane is
+    returned with marks, bool (rows, cols), of the values that int64 cannot hold. Integers set only
+    the first chunk, and the others become 0. Raises Rejected (NS0314) for other arrays."""
     if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
         chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
         return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
@@ -341,7 +341,8 @@ def _single_bits(
     """Return `stored`, an array of single bits (rows, cols, bits), after checking it.
 
     Raises Rejected (NS0314) if its shape does not fit the pixel array and the field, or if values
-    other than 0 and 1 occur. `origin` names the file in messages."""
+    other than 0 and 1 occur. The field has `chunk_count` chunks, and `bits` bits, or any number
+    that takes these chunks if None. `name` is the field and `origin` the file in messages."""
     count = stored.shape[2]
     # Without `bits`, every number of bits that takes this many chunks is allowed.
     least = bits or (chunk_count - 1) * CHUNK_BITS + 1
@@ -363,8 +364,8 @@ def _single_bits(
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Return integers of any dtype as int64, and a bool array of the same shape that marks those
-    that int64 cannot hold; these are arbitrary."""
+    """Return `stored`, integers of any dtype, as int64, and a bool array of the same shape that
+    marks those that int64 cannot hold; these are arbitrary."""
     beyond = np.zeros(stored.shape, dtype=bool)
     # Only 64-bit unsigned integers exceed int64.
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:

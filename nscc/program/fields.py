@@ -28,8 +28,8 @@ Digits = NDArray[np.bool_]
 def make_books(
     books: dict[str, Book], slots: Meaning, base: Path, problems: Problems
 ) -> dict[str, Digits | None]:
-    """Return the digits of every codebook by name, bool (K, N); None after reporting an error in
-    it.
+    """Return the digits of every codebook in `books` by name, bool (K, N); None after reporting an
+    error in it.
 
     `slots` is the meaning of N: if it has an error, row lengths are not checked and every book is
     None. Files are relative to `base`. Reports rows of wrong length or with other digits (NS0310)
@@ -50,7 +50,8 @@ def make_books(
 def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | None:
     """Return the digits of a codebook that is written in the program, bool (rows, N).
 
-    Return None if N has an error, or after reporting an error in the rows."""
+    `slots` is the meaning of N. Return None if N has an error, or after reporting an error in the
+    rows."""
     has_errors = _wrong_digit(book, problems) or _wrong_length(book, slots, problems)
     if not book.rows:
         message = f"the codebook `{book.name.text}` has no rows"
@@ -94,10 +95,10 @@ def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
 def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
     """Return the digits of a codebook in an .npz file, bool (rows, N); None if N has an error.
 
-    The array is the one that the program names. If it names none, the array has the name of the
-    codebook, or it is the only one of the file. Raises Rejected for a missing file (NS0313), a
-    changed one (NS0315), a missing array or a wrong shape (NS0314) or values other than 0 and 1
-    (NS0310)."""
+    `slots` is the meaning of N, and the path is relative to the folder `base`. The array is the one
+    that the program names. If it names none, the array has the name of the codebook, or it is the
+    only one of the file. Raises Rejected for a missing file (NS0313), a changed one (NS0315), a
+    missing array or a wrong shape (NS0314) or values other than 0 and 1 (NS0310)."""
     file = ArraysFile(base / book.path.value, book.path.value)
     if book.sha256 is not None:
         file.require_sha256(book.sha256.value)

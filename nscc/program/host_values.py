@@ -83,6 +83,7 @@ class HostValues:
         if not text and None in numbers:
             return None
         if not text:
+            # None of the numbers is None here; `or 0` only tells the type checker so.
             low, high, start = (number or 0 for number in numbers)
             if not low <= start <= high:
                 text = f"its start {start} is outside {low} .. {high}"

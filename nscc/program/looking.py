@@ -20,7 +20,8 @@ from nscc.words import machine
 
 
 class CheckedSense(Record, eq=False):
-    """A comparison of the pixel's light with a level, at the boundaries `at`.
+    """A comparison of the pixel's light with a level, at the boundaries `at`. `span` is the place
+    of the statement.
 
     `signal` is -1 for the light since the reset (`machine.LIGHT`), or the index of a bucket whose
     exposure is compared. The answer is whether the signal is above its level, or below if not
@@ -78,10 +79,11 @@ def make_looking(
 ) -> Looking | None:
     """Return the checked senses, states, changes and resets of a program.
 
-    Return None if there are none, or after reporting errors: names that are not states (NS0209,
-    NS0214), levels that the well or IN (the level sent to all pixels) cannot represent (NS0320,
-    NS0321), senses without a boundary (NS0322), starts outside their range (NS0311) and signals
-    that cannot be compared (NS0323)."""
+    `constants` has the meanings of N, rows, cols and `let` names. Return None for a program without
+    such statements, or after reporting errors: names that are not states (NS0209, NS0214), levels
+    that the well or IN (the level sent to all pixels) cannot represent (NS0320, NS0321), senses
+    without a boundary (NS0322), starts outside their range (NS0311) and signals that cannot be
+    compared (NS0323)."""
     if not declared.looking:
         return None
     maker = _Maker(declared, constants, target, problems)
@@ -158,8 +160,8 @@ class _Maker:
         return CheckedSense(name, signal, above, at, steps, field=None, span=sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
-        """Return what a sense compares: `machine.LIGHT` (the light since the reset) or the index of
-        a bucket.
+        """Return what a sense compares, as `signal` names it: `machine.LIGHT` (the light since the
+        reset) or the index of a bucket.
 
         Return None after reporting an unknown bucket, or `exposure` without a name beside several
         buckets."""

@@ -180,7 +180,7 @@ class MachineBuilder:
         each node, a column for each slot from `begin` on.
 
         `bindings` are the values of names. `needed` marks the values that matter. Raises NoValue if
-        one of them does not exist."""
+        one of them does not exist; its text names the first of `nodes` and the slot."""
         data, gap = values_of(expr, bindings, self.rules.books, shape, needed)
         if gap is None:
             return data
@@ -249,7 +249,8 @@ class MachineBuilder:
         comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """Return the next node (state of the machine) for each outcome of a look.
+        """Return the next node (state of the machine) for each of `nodes` and each outcome of the
+        look at `boundary`.
 
         The first result (nodes, outcomes) has rows of the second, the nodes of the next stage. Bit
         k of an outcome is the answer of comparison k of `comparison_count`; `of_sense` gives each
@@ -307,8 +308,8 @@ class MachineBuilder:
         """Return the machine of all stages, and the behaviour (set of codes that act alike) of
         every code, int32 (codes,).
 
-        Codes of equal behaviour are merged: of each behaviour, only the nodes (states of the
-        machine) of its first code remain."""
+        `comparisons` are those of all looks in order. Codes of equal behaviour are merged: of each
+        behaviour, only the nodes (states of the machine) of its first code remain."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
         stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]

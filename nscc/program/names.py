@@ -140,8 +140,8 @@ class Declarations:
         """Report that a name is not of the required `kind` (NS0209, or NS0214 for an unknown name).
 
         `kind` is in words with an article, such as "a field". `known` are the names of this kind,
-        of which the most similar is suggested. `note` ends the message of NS0209. Names whose
-        declaration has an error are not reported."""
+        of which the most similar is suggested. `note` ends the message of NS0209. `helps` belong to
+        NS0209. Names whose declaration has an error are not reported."""
         text = name.text
         if text in self.refused:
             return
@@ -336,7 +336,7 @@ class _Gatherer:
         A program has one `open` or several buckets, not both."""
         rules = self.declared.rules
         if rules and isinstance(rules[0], tree.Open) != isinstance(rule, tree.Open):
-            if self.mixed:
+            if self.mixed:  # reported once for a program
                 return
             self.mixed = True
             self.problems.error(

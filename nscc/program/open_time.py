@@ -38,6 +38,7 @@ def with_open_times(
     for the nodes of the last stage. If code and readout do not determine it, return the machine
     unchanged and an Untold. Raises TooMuch for too many different times."""
     times = _times(machine, np.array(slot_us, np.float64))
+    # The nodes of the last stage: a slice, as the range of their numbers.
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
     bucket = _differing(machine, last, times, read)

@@ -69,7 +69,8 @@ class PictureComparer(ABC):
         return p.Inverse(condition)
 
     def _both(self, first: p.Condition, second: p.Condition) -> p.Condition:
-        """Return the condition that holds where both conditions hold."""
+        """Return the condition that holds where both `first` and `second` hold. From version 4 on
+        it has the form that needs the fewest words."""
         if self.declared.version > 3:
             # NOR is one word, and the negations often need none.
             return p.Neither(self._not(first), self._not(second))
@@ -131,8 +132,8 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else self._not(test)
 
     def _above(self, value: p.Value, level: tree.Expr) -> p.Condition:
-        """Return the condition that an image is above a level with a unit, 0, or a parameter that
-        the host sets.
+        """Return the condition that the image `value` is above a level with a unit, 0, or a
+        parameter that the host sets.
 
         Raises WrongPicture after reporting NS0533 for an invalid level, such as a parameter that is
         an integer."""
@@ -197,8 +198,8 @@ class PictureComparer(ABC):
     def _count_comparison(
         self, value: p.Value, counts: CountRange, op: str, level: tree.Expr
     ) -> p.Condition:
-        """Return the comparison of a count with an integer, as one with a level between two
-        possible counts.
+        """Return the comparison of `value`, a count, with the integer `level`, as one with a level
+        between two possible counts.
 
         `counts` is the range of the count, and `op` is >, <, >= or <=. Raises WrongPicture after
         reporting NS0533 if the answer would be the same in every pixel, or if the level has a unit.
@@ -229,8 +230,8 @@ class PictureComparer(ABC):
         return test if op[0] == ">" else p.Inverse(test)
 
     def _steps(self, expr: tree.Expr) -> int:
-        """Return a level, with its sign, in whole steps of IN (the level sent to all pixels); a
-        plain 0 needs no unit.
+        """Return the level `expr`, with its sign, in whole steps of IN (the level sent to all
+        pixels); a plain 0 needs no unit.
 
         Raises WrongPicture after reporting NS0533 for a level without a unit, or one that IN cannot
         represent."""
@@ -257,6 +258,7 @@ class PictureComparer(ABC):
         electrons = sign * target.level_e(float(inner.value), inner.unit)
         steps = round(electrons / target.electrons_per_step)
         reach = min(target.in_high, -target.in_low)
+        # A small level must not become 0, which would be another comparison.
         if abs(steps) > reach or steps == 0 != electrons:
             least, most = target.electrons_per_step, reach * target.electrons_per_step
             raise self._report(

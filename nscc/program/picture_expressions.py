@@ -161,8 +161,8 @@ class Reader(LoopReader):
         return p.Chosen(condition, then, otherwise)
 
     def _require_alike(self, first: p.Value, second: p.Value, span: Span) -> None:
-        """Report (NS0531) if one image is a count and the other in electrons, and raise
-        WrongPicture."""
+        """Report (NS0531) if one of the images `first` and `second` is a count and the other in
+        electrons, and raise WrongPicture."""
         counts = [counts_of(value, self.counts, self.kernels) for value in (first, second)]
         if counts.count(None) == 1:
             raise self._report(

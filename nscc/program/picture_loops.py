@@ -64,7 +64,8 @@ class LoopReader(PictureComparer):
     def _needs_outside(self, span: Span) -> None: ...
 
     def declare_places(self, name: str, condition: tree.Expr) -> bool:
-        """Declare a plane that depends on x and y only, which becomes an input plane.
+        """Declare the plane `name` if its `condition` depends on x and y only; it becomes an input
+        plane. Return whether it is one.
 
         Return False, and declare nothing, for any other condition and before version 4."""
         if self.declared.version < 4:
@@ -124,8 +125,8 @@ class LoopReader(PictureComparer):
         return self.image(expr) if kind == "image" else self.condition(expr)
 
     def _shifted(self, expr: tree.Place, base: p.Node) -> p.Node:
-        """Return an image or plane shifted by the offset `[dx, dy]` of `expr`; far shifts become
-        loops.
+        """Return `base`, an image or plane, shifted by the offset `[dx, dy]` of `expr`: columns to
+        the right, rows down; far shifts become loops.
 
         Raises WrongPicture after reporting NS0541 for a shift beyond the array, or an invalid
         offset."""
@@ -152,8 +153,8 @@ class LoopReader(PictureComparer):
         return base
 
     def _along(self, base: p.Node, distance: p.Times, step: tuple[int, int], name: str) -> p.Node:
-        """Return an image or plane shifted along one axis, by a constant or by a parameter of the
-        host.
+        """Return `base`, an image or plane, shifted along one axis by `distance`: a constant, or a
+        parameter of the host plus a constant.
 
         `step` is the axis: (1, 0) for columns to the right, (0, 1) for rows down. `name` names the
         loop that a far or variable shift needs."""
@@ -300,8 +301,8 @@ class LoopReader(PictureComparer):
 
 
 def _one_shift(base: p.Node, step: tuple[int, int], pixels: int) -> Any:
-    """Return an image or plane shifted by `pixels` times `step` (columns, rows); itself for 0
-    pixels. A negative number shifts in the other direction."""
+    """Return `base`, an image or plane, shifted by `pixels` times `step` (columns, rows); itself
+    for 0 pixels. A negative number shifts in the other direction."""
     if not pixels:
         return base
     make: Any = p.At if isinstance(base, p.Condition) else p.Shifted

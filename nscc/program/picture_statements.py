@@ -308,8 +308,9 @@ class PictureMaker:
     def _states(self, reader: Reader) -> tuple[KeptPlane, ...]:
         """Return the states of a program with images or planes, with their next values.
 
-        Invalid ones are left out and reported: a state that is not a kept bit (NS0543), a start
-        that is not 0 or 1 (NS0311), a `next` of an unknown state (NS0214)."""
+        `reader` reads the next values. Invalid ones are left out and reported: a state that is not
+        a kept bit (NS0543), a start that is not 0 or 1 (NS0311), a `next` of an unknown state
+        (NS0214)."""
         declared = self.declared
         known = {**declared.states, **declared.kept_images}
         for name, step in declared.nexts.items():
@@ -323,7 +324,7 @@ class PictureMaker:
         return tuple(states)
 
     def _start(self, name: str, state: State) -> int | None:
-        """Return the initial bit of a state; None after reporting an error.
+        """Return the initial bit of the state `name`; None after reporting an error.
 
         The state must be a kept bit (NS0543), and its start 0 or 1 (NS0311)."""
         if isinstance(state, tree.StateRange) or not state.kept:
@@ -370,8 +371,8 @@ class PictureMaker:
     def _kept_images(self, reader: Reader) -> tuple[KeptImage, ...]:
         """Return the states that are images, with their start in electrons and their next value.
 
-        Invalid ones are left out and reported: not kept, or a start that a register cannot hold
-        (NS0543)."""
+        `reader` reads the next values. Invalid ones are left out and reported: not kept, or a start
+        that a register cannot hold (NS0543)."""
         images = []
         for name, state in self.declared.kept_images.items():
             sign, level = signed_level(state.start) if state.start is not None else (1, None)

@@ -70,7 +70,7 @@ class Problems:
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 
     def adopt(self, rejected: Rejected, span: Span) -> None:
-        """Add the diagnostics of an exception, such as one from reading a file.
+        """Add the diagnostics of `rejected`, an exception such as one from reading a file.
 
         Those without a source (their text) get the program's text and the place `span`."""
         for diagnostic in rejected.diagnostics:
@@ -116,7 +116,7 @@ def clipped(text: object, most: int = 60) -> str:
     shown = printable(text)
     if len(shown) <= most:
         return shown
-    half = (most - 5) // 2
+    half = (most - 5) // 2  # ` ... ` between the halves has 5 characters
     return f"{shown[:half]} ... {shown[-half:]}"
 
 

@@ -41,7 +41,8 @@ class Field(Record):
 
 
 class SlotGrid(Record):
-    """The slots of a frame: the length of every slot in microseconds, and whether all are `equal`.
+    """The slots of a frame: the length of every slot in microseconds (`slot_us`), and whether all
+    are `equal`.
 
     `span` is the place of the `frame` statement, `count_span` that of the number of slots or their
     lengths."""
@@ -53,7 +54,7 @@ class SlotGrid(Record):
 
 
 class BucketRule(Record):
-    """A bucket: its name and the place of its rule."""
+    """A bucket: its name, "frame" for `open when`, and the place of its rule."""
 
     name: str
     span: Span
@@ -62,8 +63,9 @@ class BucketRule(Record):
 class Program(Record, eq=False):
     """A checked program, the input of all later passes.
 
-    `table` contains the codes that are compiled (`mode`), sorted by field values and distinct; its
-    shutters are distinct and sorted as rows of bits. `pixel_codes` int32 (rows, cols) is the row of
+    `source` is its text, `frame` has its slots, and `buckets` are in the order of the text. `table`
+    contains the codes that are compiled (`mode`), sorted by field values and distinct; its shutters
+    are distinct and sorted as rows of bits. `pixel_codes` int32 (rows, cols) is the row of
     `table.codes` at each pixel; None for a file without `pixels`, unless it has no fields and
     therefore one code. `class_name` is a, b, c, d, e, codebook or general; `class_reason` is a
     sentence on why. `legal_codes` is the number of codes that fields and `require` allow, None if

@@ -90,7 +90,7 @@ class Rules:
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
-    """Return which of `codes` (codes, fields) satisfy every `require`, as bool (codes,).
+    """Return which of `codes` (codes, fields) satisfy every `require` of `rules`, as bool (codes,).
 
     Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
     NoValue if a condition has no value, TooMuch beyond the work limit."""
@@ -178,7 +178,8 @@ def _decoded(
     """Return whether the shutter of each code is open, bool (codes, slots), and the first missing
     value.
 
-    The latter is None if the rule has a value for all codes and slots."""
+    The latter is None if the rule has a value for all codes and slots. `codes` is (codes, fields),
+    and `rule` is a boolean expression of `rules`."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = Value(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
@@ -191,8 +192,8 @@ def _decoded(
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
-    """Return the values of the fields of `codes` as columns (codes, 1), and their numbers of bits,
-    by name."""
+    """Return the values of the fields of `codes` as columns (codes, 1), and the numbers of bits of
+    bit fields, under the keys of `bit_count`."""
     bindings: dict[str, Value] = {}
     for k, field in enumerate(rules.fields):
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)

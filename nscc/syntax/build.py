@@ -29,8 +29,8 @@ _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s
 
 
 class _Part(NamedTuple):
-    """A node under construction, its depth, and its first and last token, with brackets outside the
-    node's span."""
+    """A node under construction (`value`), its depth, and its first and last token, with brackets
+    outside the node's span."""
 
     value: Any
     depth: int
@@ -61,6 +61,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         first = begin.first if isinstance(begin, _Part) else begin
         last = end.last if isinstance(end, _Part) else end
         nodes = [child for child in children if isinstance(child, _Part)]
+        # A node without parts has depth 0.
         depth = 1 + max([node.depth for node in nodes], default=-1)
         if depth > MOST_DEPTH:
             raise rejected(
@@ -95,7 +96,8 @@ def _from_file(
 
 
 def _kernel(span: Span, name: tree.Name, *rows_and_divisor: Any) -> tree.Kernel:
-    """Make a convolution kernel from its rows and, as the last value, an optional divisor."""
+    """Make the convolution kernel `name` from its rows and, as the last value, an optional
+    divisor."""
     has_divisor = not isinstance(rows_and_divisor[-1], tree.TileRow)
     rows, divisor = (
         (rows_and_divisor[:-1], rows_and_divisor[-1]) if has_divisor else (rows_and_divisor, None)
@@ -163,7 +165,7 @@ def _with(span: Span, *children: Any) -> tree.Repeated:
 
 
 def _amount(text: str, span: Span) -> tree.Amount:
-    """Return a level such as `10%`, `3lsb` or `500e` as a number with its unit.
+    """Return the level `text`, such as `10%`, `3lsb` or `500e`, as a number with its unit.
 
     Raises Rejected (NS0111) at `span` for too large a number or too many decimals."""
     unit = next(unit for unit in ("%", "lsb", "e") if text.endswith(unit))

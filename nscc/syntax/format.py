@@ -43,7 +43,7 @@ _LOOSEST_FIRST = (
 
 
 class _Token(Record):
-    """A token of a statement.
+    """A token of a statement: its text, and its kind as in `Tokens.kinds`.
 
     `line` is its line, from 0 at the statement's first; `comments` are the comments before it, by
     line. `close` means that no blank comes before it. `sign` marks a minus with one operand."""
@@ -247,7 +247,7 @@ def _statement_lines(tokens: list[_Token]) -> list[_Line]:
 
 @dataclass
 class _Rows:
-    """The rows of a codebook or a tile, with their comments.
+    """The rows of a codebook (`is_book`) or a tile, with their comments.
 
     `head` is the text before the rows, with `[`. `after[k]` is the comment after row k - 1, or
     after `head` for k = 0. `above[k]` are the comment lines above row k; the last are those above
@@ -336,7 +336,8 @@ def _depths(tokens: Sequence[_Token]) -> list[int]:
 
 
 def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
-    """Return a statement, or a part of one, in lines of at most WIDTH columns if possible.
+    """Return the `tokens` of a statement, or a part of one, in lines of at most WIDTH columns if
+    possible.
 
     A part that cannot be broken stays longer. The first line begins with `indent`, the others with
     more. Lines are broken at the outermost brackets and loosest operators first."""

@@ -16,7 +16,8 @@ from nscc.syntax.words import END, START, names_in, parser, spellings, statement
 
 
 class Tokens(Record):
-    """The tokens of a text, without blanks and comments.
+    """The tokens of a text, without blanks and comments, as lark has them, and the kind of each at
+    the same index.
 
     The kind of a token is its terminal in the grammar; the kind of a keyword or sign is its text.
     The kinds MALFORMED, UNCLOSED and STRAY are invalid in every statement."""
@@ -129,6 +130,7 @@ def _of_picture(
     if statement == "assume":
         return None
     is_step_count = tokens.kinds[-1] == "REPEAT"  # a name here is no function
+    # After `repeat K` the step begins: there, `repeat` and `with` are names.
     after_expression = tokens.kinds[-1] in _ENDS and tokens.kinds[-2] != "REPEAT"
     if tokens.version > 3 and after_expression and token in ("repeat", "with"):
         return token.update(type=token.upper())
@@ -147,8 +149,8 @@ def _is_share(tokens: Tokens, amount: re.Match[str]) -> bool:
     """Return whether `amount`, such as `5%`, in a `next` is a level: compared, or at the end of
     brackets.
 
-    From version 4 on, it is also a level if an image adds it. Otherwise it is a number and the sign
-    of a remainder."""
+    `tokens` are those before it. From version 4 on, it is also a level if an image adds it.
+    Otherwise it is a number and the sign of a remainder."""
     before = [kind for kind in tokens.kinds[-2:] if kind != "-"][-1:]  # a level may have a sign
     if before == ["COMPARISON"] or _NOT_DIVIDED.match(amount.string, amount.end()):
         return True

@@ -311,8 +311,8 @@ _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
     """Yield safe fixes for what is usual elsewhere, at the token at which parsing stopped.
 
-    These are spellings of units and comparisons, and a tile without its word. The statement ends
-    before token `last`."""
+    These are spellings of units and comparisons, and a tile without its word. Parsing stopped at
+    `stuck`, and the statement ends before token number `last`."""
     at = stuck.token
     text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
     if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
@@ -332,7 +332,7 @@ def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
 
 def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
     """Yield hints about what is usual in other languages, in the statement of tokens `first` to
-    `last` - 1."""
+    `last` - 1, at the token where parsing stopped (`stuck`)."""
     at, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
         # The tokens are `code`, the name, `:` and then the kind.

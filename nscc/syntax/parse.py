@@ -60,6 +60,7 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     MOST_ERRORS errors, NS0190 counts the others. If the text is too large or of another language or
     version, that is the only error. Never raises for invalid text."""
     span = Span(0, len(source.text))
+    # The first test spares the encoding of a huge text.
     if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
         return tree.File(span, ()), (too_large(source.name),)
     tokens = lex(source)
@@ -98,8 +99,8 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
 
 
 def declared_at(source: Source, name: str) -> Span:
-    """Return the place of the statement that declares an image, a plane or an input plane, or
-    changes a state.
+    """Return the place of the statement that declares `name`, an image, plane or input plane, or
+    changes the state `name`.
 
     Of several, it is the first in the text. Without one, return the place of the first statement;
     the text has at least one."""
@@ -211,7 +212,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
     """Return the error (NS0104) that a text does not begin with its language version, such as `nsl
     1`.
 
-    It also has the case of an empty file. `starts` are the numbers of the tokens that begin
+    An empty file gives this error, too. `starts` are the numbers of the tokens that begin
     statements."""
     source = tokens.source
     if not tokens.kinds:
@@ -275,7 +276,7 @@ def read_source(path: Path) -> Source:
 
 
 def source_of(path: Path, data: bytes) -> Source:
-    """Return the text in the bytes of a program file, without a byte order mark.
+    """Return the text in `data`, the bytes of a program file, without a byte order mark.
 
     `path` names the file in messages. Raises Rejected (status 1): NS0103 if it exceeds 256 KiB,
     NS0102 if it is not UTF-8 or contains a zero byte. The diagnostic has the file's name but no

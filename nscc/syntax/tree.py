@@ -71,7 +71,8 @@ class IfElse(Node):
 
 
 class Index(Node):
-    """The expression `base[index]`: a bit of a bit field, or digit n of a codebook's row."""
+    """The expression `base[index]`: bit number `index` of a bit field, from 0, or digit n (the
+    slot) of a codebook's row number `index`."""
 
     base: Name
     index: Expr
@@ -89,8 +90,8 @@ class Call(Node):
 
 
 class Place(Node):
-    """The expression `plane[right, down]`: the bit of the pixel at an offset of columns and rows;
-    in version 4 also the value of an image."""
+    """The expression `plane[right, down]`: the bit of the pixel that lies `right` columns to the
+    right and `down` rows down; in version 4 also the value of an image."""
 
     base: Name
     right: Expr
@@ -112,7 +113,7 @@ Expr = Int | Bool | Name | Unary | Binary | Compare | IfElse | Index | Call | Pl
 
 
 class Time(Node):
-    """A length of time in microseconds, exact."""
+    """A length of time in microseconds (`us`), exact."""
 
     us: Fraction
 
@@ -141,13 +142,15 @@ class Light(Node):
 
 
 class Exposure(Node):
-    """The expression `exposure [BUCKET]`: the light of the completed open slots."""
+    """The expression `exposure [BUCKET]`: the light of the completed open slots. `bucket` is None
+    if none is named, which only programs with one bucket may do."""
 
     bucket: Name | None
 
 
 class Levels(Node):
-    """The expression `[LEVEL, ...]`: a level for each look of a sense, in order."""
+    """The expression `[LEVEL, ...]`: a level for each look of a sense, in the order of
+    boundaries."""
 
     items: tuple[Amount | Expr, ...]
 
@@ -229,7 +232,8 @@ class BookInline(Node):
 
 
 class FromFile(Node):
-    """A statement `KEYWORD NAME from "FILE" [key KEY] [sha256 "..."]`."""
+    """A statement `KEYWORD NAME from "FILE" [key KEY] [sha256 "..."]`. `key` is the array's name in
+    the file, None for NAME; without `sha256` (None), the file's content is not checked."""
 
     name: Name
     path: Text
@@ -284,7 +288,7 @@ class StateBit(Node):
 
 
 class Next(Node):
-    """The statement `next NAME = EXPR [when CONDITION]`."""
+    """The statement `next NAME = EXPR [when CONDITION]`; `condition` is None without `when`."""
 
     name: Name
     value: Expr
@@ -304,7 +308,7 @@ class Read(Node):
 
 
 class Kernel(Node):
-    """The statement `kernel NAME = [[..], ..] / DIVISOR`."""
+    """The statement `kernel NAME = [[..], ..] / DIVISOR`; `divisor` is None if there is none."""
 
     name: Name
     rows: tuple[TileRow, ...]
@@ -369,7 +373,8 @@ class Param(Node):
 
 
 class StateImage(Node):
-    """The statement `state NAME : image kept [= START]`."""
+    """The statement `state NAME : image kept [= START]`; without a `start` (None), the image starts
+    at 0."""
 
     name: Name
     start: Expr | None
@@ -391,7 +396,8 @@ class Assume(Node):
 
 
 class Report(Node):
-    """The statement `report KIND PLANE [at most COUNT]`; `most` is the word before COUNT."""
+    """The statement `report KIND PLANE [at most COUNT]`; `most` is the word before COUNT, which a
+    later pass checks; both are None without `at most`."""
 
     kind: Name
     plane: Name
@@ -414,7 +420,8 @@ class PixelsTile(Node):
 
 
 class PixelsFromFile(Node):
-    """The statement `pixels from "FILE" [sha256 "..."]`."""
+    """The statement `pixels from "FILE" [sha256 "..."]`; without `sha256` (None), the file's
+    content is not checked."""
 
     path: Text
     sha256: Text | None

@@ -34,7 +34,8 @@ def argument(call: str, name: str, kind: Kind, value: Any) -> Any:
 
 
 def _checked(call: str, key: Key, value: Any) -> Any:
-    """Return an argument of the Python function `call`, checked and converted by its declaration.
+    """Return `value`, an argument of the Python function `call`, checked and converted by its
+    declaration `key`.
 
     None is allowed if it is the default. Raises WrongArgument for an invalid value."""
     if value is None and key.default is None:

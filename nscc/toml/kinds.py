@@ -58,11 +58,12 @@ class Kind(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite number in `low`..`high`; either bound may be excluded.
+    """A finite number in `low`..`high`; either bound may be excluded (`low_excluded`,
+    `high_excluded`).
 
     It is an int if `is_whole`, else a float. None in Python is "any" in a file if `unlimited`, and
-    "auto" if `automatic`; else it is not allowed. If 0 is an excluded bound, the values end at
-    LEAST or -LEAST instead, which are included."""
+    "auto" if `automatic`; else it is not allowed. `unit` is that of messages. If 0 is an excluded
+    bound, the values end at LEAST or -LEAST instead, which are included."""
 
     low: float
     high: float
@@ -240,10 +241,10 @@ class Several(Kind, Record):
 
 
 class Distinct(Kind, Record):
-    """Distinct values of one kind: in the order of its choices, or in ascending order.
+    """Distinct values of the kind `element`: in the order of its choices, or in ascending order.
 
-    On the command line they are one text, separated by commas; the text "none" is no value, if
-    that is allowed."""
+    On the command line they are one text, separated by commas; the text "none" is no value, if that
+    is allowed (`may_be_empty`)."""
 
     element: Kind
     may_be_empty: bool = False

@@ -80,6 +80,8 @@ class Key:
 @dataclass(frozen=True, slots=True)
 class FileCodes:
     """The codes of the errors that a kind of file can have, such as `unknown` for an unknown key.
+    `unreadable` is the code for a file that cannot be read, `not_toml` for one that is no TOML
+    table. `wrong_value` is for an invalid value, and `missing` for a missing key.
 
     `change` is the code for a change on the command line that is not KEY=VALUE."""
 
@@ -100,7 +102,7 @@ def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
-    """Return the keys that the fields of a dataclass declare, in order.
+    """Return the keys that the fields of `settings`, a dataclass, declare, in order.
 
     Fields without a kind are internal and left out. Keys without a section of their own are in
     `section`."""
@@ -214,6 +216,7 @@ class Schema(Generic[Row]):
             path, equals, spelled = (text.strip() for text in change.partition("="))
             section, _, name = path.rpartition(".") if self.tables else ("", "", path)
             key = self.by_path.get(path)
+            # Only the value of a text may be empty.
             if not name or not equals or not (spelled or (key and isinstance(key.kind, TextKind))):
                 form = "SECTION.KEY=VALUE" if self.tables else "NAME=VALUE"
                 message = f"{self.option} takes {form}, not {change[:60]!a}"
@@ -298,7 +301,8 @@ class Schema(Generic[Row]):
         help_text: str = "",
         note: str = "",
     ) -> Diagnostic:
-        """Return the error `code` at the key `name` of the table `section`.
+        """Return the error `code` with `message` at the key `name` of the table `section`; an empty
+        `help_text` or `note` is left out.
 
         With the section "", `name` may also be a table. `source` is the text of the file, for the
         place; None if there is no file."""

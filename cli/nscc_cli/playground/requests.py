@@ -48,7 +48,8 @@ class PageSettings:
 
     `picture` is empty, or the light of the user's picture relative to white, float32 (rows, cols)
     of the array in base64. Else `scene` names a built-in scene. `exposure_e` are the electrons of
-    white over the whole frame."""
+    white over the whole frame. `effects` are the simulated effects, and `seed` is that of their
+    random numbers."""
 
     program: str
     scene: Literal["", "builtin:hdr", "builtin:motion"]
@@ -68,8 +69,8 @@ class Playground:
     kept, so that requests about them are fast."""
 
     def __init__(self, folder: Path, file: Path | None = None) -> None:
-        """Begin without a program and a frame; each is computed at the first request that needs
-        it."""
+        """Begin without a program and a frame, for programs that may name files in `folder`; each
+        is computed at the first request that needs it."""
         self.folder, self.file = folder, file
         self._document = lru_cache(1)(self._opened)
         self._capture = lru_cache(1)(self._exposed)
@@ -127,7 +128,7 @@ class Playground:
         return {"saved": self.file.name}
 
     def _check(self, settings: PageSettings) -> dict[str, Any]:
-        """Return the messages of a program as JSON values.
+        """Return the messages of the program in `settings` as JSON values.
 
         Of a valid one also its report (`rows`), the size of the array, the chart of its shutters,
         and `map`: the rank of each pixel's shutter, uint16 in base64."""
@@ -147,7 +148,8 @@ class Playground:
 
     def _words(self, settings: PageSettings) -> dict[str, Any]:
         """Return the words of a frame exposed with `settings` and the registers of its chosen
-        pixel, as `traced` does. Raises Rejected for a pixel outside the array."""
+        pixel, as JSON values. The scene is exposed first if the last frame had other settings.
+        Raises Rejected for a pixel outside the array."""
         taken = self._capture(replace(settings, row=0, col=0))
         rows, cols = taken.container.target.rows, taken.container.target.cols
         if not (0 <= settings.row < rows and 0 <= settings.col < cols):
@@ -171,7 +173,8 @@ class Playground:
         tone = fitted("log", light_e)
         shown: dict[str, NDArray[Any]] = {"the light": tone(light_e)}
         shown |= {f"read out: {name}": taken.frame[k] for k, name in enumerate(buckets)}
-        for name, values in taken.images.items():  # from black to white
+        # From black to white; `or 1.0` is for an image with the same value everywhere.
+        for name, values in taken.images.items():
             shown[f"image {name}"] = 255 * (values - values.min()) / (np.ptp(values) or 1.0)
         shown |= {f"plane {name}": bits * 255 for name, bits in taken.planes.items()}
         with suppress(Rejected):  # of programs without buckets to merge
@@ -202,7 +205,7 @@ class Playground:
 
     def _exposed(self, settings: PageSettings) -> Capture:
         """Expose the scene of `settings` with their program. Raise Rejected with the compiler's
-        errors if it is invalid."""
+        errors if it is invalid. Warnings are dropped."""
         document = self._document(settings.program)
         compiled = document.checked.compiled
         if compiled is None or compiled.container is None:
@@ -217,8 +220,9 @@ class Playground:
 
 
 def _picture(text: str, shape: tuple[int, int]) -> NDArray[np.float32]:
-    """Return the light of a user's picture, float32 in base64, as an array of `shape` (rows, cols).
-    Raise Rejected (NS0796) for another length."""
+    """Return the light of a user's picture, which `text` has as little-endian float32 in base64,
+    row by row, as an array of `shape` (rows, cols). Raise Rejected (NS0796) for another length and
+    for text that is not base64."""
     try:
         return np.frombuffer(b64decode(text, validate=True), "<f4").reshape(shape)
     except ValueError as invalid:
@@ -234,7 +238,7 @@ def _text(path: Path) -> str:
 
 
 def _encoded(values: NDArray[Any]) -> str:
-    """Return the bytes of an array in base64."""
+    """Return the bytes of an array in base64, row by row and in its own type."""
     return b64encode(values.tobytes()).decode()
 
 
@@ -244,5 +248,6 @@ def _messages(diagnostics: Iterable[Diagnostic]) -> list[Any]:
 
 
 def _refused(message: str, help_text: str, **about: Any) -> Rejected:
-    """Return the error (NS0796) for an invalid request."""
+    """Return the error (NS0796) for an invalid request, for the caller to raise. `about` are
+    further fields of `Diagnostic`."""
     return rejected("NS0796", message, helps=(help_text,), **about)
