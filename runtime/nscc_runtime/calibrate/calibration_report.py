@@ -20,8 +20,9 @@ _BENT = 0.01
 
 
 def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
-    """Return a complete sensor file of the `chosen` parameters, every value with its standard
-    error or its source."""
+    """Return a complete sensor file of the `chosen` parameters, by name, as text. A comment gives
+    the standard error of each value or its source; the first lines say how `calibration` was
+    made."""
     flats, darks = calibration.flats, calibration.darks
     linear = calibration.quantities["linearity_error"]
     heading = [
@@ -38,20 +39,24 @@ def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
 
 
 def _source(choice: ParameterChoice) -> str:
-    """Return where the value of a parameter comes from, as text."""
+    """Return where the value of a parameter comes from, as text: for a measured one its value,
+    standard error and remark, else the remark."""
     if choice.status == "measured" and choice.se is not None:
         return f"measured {choice.value:.6g} +- {choice.se:.2g}: {choice.remark}"
     return f"measured: {choice.remark}" if choice.status == "measured" else choice.remark
 
 
 def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
-    """Return the calibration as JSON, with the points of the photon transfer curve."""
+    """Return the calibration and the `chosen` parameters, by name, as JSON. It has the key
+    `schema`, counts, the fit, quantities, parameters, and the points of the photon transfer curve
+    (`flats`, `darks`)."""
     curve = calibration.curve
+    # By identity, because two levels may have equal moments.
     reasons = {id(level): reason for level, reason in curve.left_out}
 
     def points(levels: tuple[LevelMoments, ...]) -> list[dict[str, Any]]:
-        """Return the moments of each of these `levels` as JSON values, with `used` and, if the fit
-        left the level out, the reason."""
+        """Return the moments of each of these `levels` as JSON values. `used` says whether the fit
+        used the level; `left_out` is the reason if it did not, None if it did or was not judged."""
         return [
             {
                 "exposure_s": level.exposure_s,
@@ -110,8 +115,9 @@ def as_table(calibration: Calibration) -> str:
 
 
 def messages(calibration: Calibration) -> list[Diagnostic]:
-    """Return diagnostics of a calibration: a note on unknown quantities, and a note or warning if
-    levels deviate from the fitted line."""
+    """Return diagnostics of a calibration: a note (NS0791) on unknown quantities, and one (NS0792)
+    if levels deviate from the fitted line, a warning above 1 %. The list is empty if all is
+    well."""
     diagnostics: list[Diagnostic] = []
     unknown: dict[str, list[str]] = {}
     for quantity in calibration.quantities.values():
@@ -133,6 +139,7 @@ def messages(calibration: Calibration) -> list[Diagnostic]:
             )
         )
     fit = calibration.curve.fit
+    # `excess` is 1 unless the deviation is improbable.
     if fit.excess > 1:
         bent = fit.apart > _BENT
         diagnostics.append(

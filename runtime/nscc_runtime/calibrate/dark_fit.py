@@ -16,11 +16,13 @@ class DarkFit:
     """The result of fitting the darks, in codes.
 
     `offset`: mean code without charge. `offset_se`: its standard error from temporal noise.
-    `offset_spread_se`: its standard error including the spread over the pixels. `current`: dark
-    current in codes per second; `current_se`: its standard error including the spread. `offsets`,
-    `currents` (2, rows, cols): maps from the even and from the odd frames. If all exposure times
-    are equal or unknown, `current`, `current_se` and `currents` are None, and `offset` includes the
-    dark charge."""
+    `offset_spread_se`: its standard error including the spread over the pixels. `offsets` (2, rows,
+    cols): code without charge of each pixel, from its even and from its odd frames. `times_s`: the
+    exposure times of the darks used, in ascending order, empty if unknown.
+
+    `current`: dark current in codes per second. `current_se`: its standard error including the
+    spread. `currents` (2, rows, cols): that of each pixel, like `offsets`. If all exposure times
+    are equal, or one is unknown, these three are None, and `offset` includes the dark charge."""
 
     offset: float
     offset_se: float
@@ -32,8 +34,9 @@ class DarkFit:
     currents: Map | None = None
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return mean codes (2, rows, cols) of even and odd frames without light after
-        `exposure_s`."""
+        """Return the mean codes (2, rows, cols) of even and odd frames without light after
+        `exposure_s` seconds. If that or the current is unknown, the charge of the fitted darks
+        stays included."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
@@ -45,8 +48,9 @@ def dark_of(
     """Fit the code of each pixel over exposure time through the unclipped darks; return None if all
     are clipped.
 
-    `levels` are the darks, `level_moments` their means and variances, and `good_mask` marks the
-    pixels that are not defects."""
+    `levels` are the darks, `level_moments` their means and variances in the same order, and
+    `good_mask` (rows, cols) marks the pixels that are not defects. Without two known exposure
+    times, the darks with the time of the darkest one are averaged."""
     usable = [
         (level, moments)
         for level, moments in zip(levels, level_moments, strict=True)
@@ -78,6 +82,7 @@ def dark_of(
     time, weight = np.array(known), _frames(usable_levels)
     centre = float((weight * time).sum() / weight.sum())
     moment = float((weight * (time - centre) ** 2).sum())
+    # The weights of the levels in the slope and in the intercept of a least-squares line.
     slopes = weight * (time - centre) / moment
     starts = weight / weight.sum() - centre * slopes
     currents, offsets = _combined(usable_levels, slopes), _combined(usable_levels, starts)
@@ -100,22 +105,24 @@ def dark_of(
 
 
 def _frames(levels: Sequence[Level]) -> np.ndarray:
-    """Return the number of frames of each level."""
+    """Return the number of frames of each of `levels`, as an array of their number."""
     return np.array([level.frames for level in levels], np.float64)
 
 
 def _size(terms: np.ndarray) -> float:
-    """Return the square root of the sum of squares."""
+    """Return the square root of the sum of the squares of `terms`: independent errors add up so."""
     return sqrt(float((terms**2).sum()))
 
 
 def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
-    """Return the weighted sum (2, rows, cols) of the levels' `halves`."""
+    """Return the weighted sum of the levels' `halves`, (2, rows, cols). `weights` has a weight for
+    each of `levels`, in the same order."""
     terms = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
     return sum(terms, start=np.zeros_like(levels[0].halves))
 
 
 def _mean(halves: Map, good_mask: Mask) -> tuple[float, float]:
-    """Return the mean over the good pixels, and the standard deviation over these pixels."""
+    """Return the mean and the standard deviation over the pixels in `good_mask` (rows, cols) of the
+    mean of both `halves` (2, rows, cols)."""
     both = (halves[0][good_mask] + halves[1][good_mask]) / 2
     return float(both.mean()), float(both.std())

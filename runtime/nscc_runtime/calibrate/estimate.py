@@ -25,6 +25,7 @@ ROUNDING = 1 / 12
 _SURE = 4.0
 """Smallest dark current, in standard errors, whose spread is estimated."""
 _MOST_PRNU = 0.2
+"""Largest spread of the pixels' response, relative to its mean, of frames that count as flat."""
 _CUT_OFF = "the codes of every dark reach the end of the ADC's scale: raise its offset"
 
 Known = Literal["measured", "at least", "at most", "given", "unknown"]
@@ -34,9 +35,9 @@ Known = Literal["measured", "at least", "at most", "given", "unknown"]
 class Quantity:
     """A measured quantity, or the reason why it is unknown.
 
-    `se`: standard error, None if not measured. `known`: "measured", a bound ("at least", "at
-    most"), "given" by the user, or "unknown" (`value` is None). `remark`: explains the value or why
-    it is missing."""
+    `title`: its name in tables. `unit`: "1" for a plain number. `value`: None if unknown. `se`:
+    standard error, None if not measured. `known`: "measured", a bound ("at least", "at most"),
+    "given" by the user, or "unknown". `remark`: explains the value or why it is missing."""
 
     title: str
     unit: str
@@ -46,6 +47,7 @@ class Quantity:
     remark: str = ""
 
 
+# The title and the unit of each quantity.
 _FIGURES = {
     "system_gain": ("system gain K", "DN/e"),
     "conversion_gain": ("conversion gain 1/K", "e/DN"),
@@ -67,23 +69,27 @@ _FIGURES = {
 def _quantities(
     remark: str, known: Known = "measured", **values: tuple[float, float | None]
 ) -> dict[str, Quantity]:
-    """Return measured quantities by name, each of `values` a pair of value and standard error,
-    with a common remark."""
+    """Return quantities by name, with a common `remark` and a common kind `known`.
+
+    `values`: for a name of `_FIGURES` the pair (value, standard error or None)."""
     return {
         name: Quantity(*_FIGURES[name], *value, known, remark) for name, value in values.items()
     }
 
 
 def _unknown(why: str, *names: str) -> dict[str, Quantity]:
-    """Return quantities without a value, and why they are unknown."""
+    """Return the quantities `names` of `_FIGURES`, by name, without a value; `why` is the
+    reason."""
     return {name: Quantity(*_FIGURES[name], None, None, "unknown", why) for name in names}
 
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """The result of a calibration. `curve`: the photon transfer curve. `flats`, `darks`: moments of
-    the levels. `pixels`, `defects`: number of used and of excluded pixels of the `shape` (rows,
-    cols)."""
+    """The result of a calibration.
+
+    `quantities`: by the names of `_FIGURES`. `curve`: the photon transfer curve. `flats`, `darks`:
+    moments of the levels, in the order given. `pixels`, `defects`: number of used and of excluded
+    pixels of the `shape` (rows, cols)."""
 
     quantities: dict[str, Quantity]
     curve: Transfer
@@ -106,8 +112,12 @@ def calibrate_files(
     crosstalk: float | None = None,
     progress: Progress = unseen,
 ) -> Calibration:
-    """Calibrate from files, folders or PATH@TIME, one level each. `crosstalk`: None to measure it.
-    Raises Rejected for unreadable or unsuitable frames."""
+    """Calibrate from files and folders of flats and of darks, each PATH or PATH@TIME (such as 2ms)
+    and one level.
+
+    `target` gives the largest code. `crosstalk`: a known value, None to measure it. `progress`
+    counts the files. Raises Rejected (status 2) like `load_stack` for unreadable frames, and like
+    `calibrated` for unsuitable ones."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
@@ -141,9 +151,11 @@ def calibrated(
     curve = transfer(flat_moments, dark_moments, offset, top_code, crosstalk)
     used = [i for i, flat in enumerate(flat_moments) if flat in curve.used]
     chosen = [light[i] for i in used]
+    # Only the levels of the fit must be flat: brighter ones may saturate in part.
     refuse_uneven(chosen, good_mask, 0.0 if dark is None else dark.offset, dim)
 
     spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good_mask)
+    # Without a saturated flat, the end of the ADC's scale limits the range.
     full = curve.saturation.mean if curve.saturation else float(top_code)
     quantities = {
         **_gain(curve, crosstalk),
@@ -174,11 +186,12 @@ def calibrated(
 
 
 def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]:
-    """Return system gain (codes per electron), conversion gain (its inverse) and crosstalk, with
-    errors.
+    """Return system gain (codes per electron), conversion gain (its inverse) and crosstalk as
+    quantities by name, with errors.
 
-    `known_crosstalk` is used as given; if it is None, crosstalk is measured from the covariance of
-    neighbours."""
+    `curve` is the fitted photon transfer curve. `known_crosstalk` is used as given; if it is None,
+    the curve has measured it from the covariance of neighbours, and a negative value counts as
+    0."""
     remark = f"slope of variance over mean through {len(curve.used)} levels, " + (
         "neighbours' covariance included"
         if known_crosstalk is None
@@ -198,13 +211,16 @@ def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]
 def _noise(
     curve: Transfer, darks: Sequence[LevelMoments], dark: DarkFit | None
 ) -> dict[str, Quantity]:
-    """Return the noise without light, in codes and in electrons, with rounding to codes subtracted.
+    """Return the noise without light in codes and in electrons, as quantities by name, with
+    rounding to codes subtracted.
 
-    If rounding hides it, the result is an upper limit. It is unknown if darks are cut off at code 0
-    (`dark` is None)."""
+    If rounding hides it, the result is an upper limit. It is unknown if `dark` is None, because all
+    darks are cut off at an end of the scale. `curve` is the fitted photon transfer curve, `darks`
+    are the moments of the darks."""
 
     def at_most(most: float, why: str) -> dict[str, Quantity]:
-        """Return the dark noise as an upper limit, in codes and in electrons."""
+        """Return `most` codes as the upper limit of the dark noise, in codes and in electrons, with
+        the reason `why`."""
         in_electrons = (most / curve.gain, None)
         return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
 
@@ -212,6 +228,7 @@ def _noise(
         return _unknown(_CUT_OFF, "dark_noise_lsb", "dark_noise_e")
     if not any(level in curve.used for level in darks):
         most = sqrt(QUIET)
+        # `transfer` leaves out darks whose variance is below `QUIET`.
         return at_most(
             most, f"the noise of the darks is below {most:.2f} codes, so rounding hides it"
         )
@@ -230,11 +247,12 @@ def _noise(
 
 
 def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Quantity]:
-    """Return offset, dark-signal non-uniformity, dark current and its spread over the pixels, with
-    errors.
+    """Return offset, dark-signal non-uniformity, dark current and its spread over the pixels, as
+    quantities by name, with errors.
 
-    All are unknown without a fit of the darks; the currents are unknown without darks of several
-    exposure times."""
+    All are unknown if `dark`, the fit of the darks, is None. The currents are unknown without darks
+    of several exposure times, and the spread if the current is below four standard errors. `curve`
+    gives gain and crosstalk; `good_mask` (rows, cols) marks the pixels that are not defects."""
     if dark is None:
         return _unknown(_CUT_OFF, "offset", "dsnu_lsb", "dsnu_e", "dark_current", "dark_spread")
     if dark.currents is None:
@@ -272,7 +290,8 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
 
 
 def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
-    """Return a variance over the pixels before crosstalk, and its standard error."""
+    """Return a variance over the pixels before crosstalk smoothed it, and its standard error.
+    `variance` is the measured variance with its standard error, `curve` gives the crosstalk."""
     errors = np.diag([variance[1] ** 2, float(curve.covariance[2, 2])])
     return propagated(lambda v: v[0] / kept_variance(v[1]), [variance[0], curve.crosstalk], errors)
 
@@ -288,7 +307,11 @@ def _fits(dark: DarkFit | None, flats: Sequence[LevelMoments]) -> bool:
 
 
 def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str, Quantity]:
-    """Return the PRNU. `freed`: whether the spread of the dark charge has been subtracted."""
+    """Return the PRNU as a quantity by name: the relative spread of the pixels' response to light.
+
+    `spread`: its variance over the pixels with standard error, `curve` gives the crosstalk.
+    `freed`: whether the spread of the dark charge has been subtracted; if not, the result is an
+    upper limit. Raises Rejected (NS0759) above 20 %: the frames are not flat."""
     value, error = root(*_unsmeared(spread, curve))
     if value > _MOST_PRNU:
         raise rejected(
@@ -307,9 +330,12 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
 
 
 def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dict[str, Quantity]:
-    """Return the saturation in codes and in electrons; a lower limit if no flat is saturated.
+    """Return the saturation in codes and in electrons (full well), as quantities by name. They are
+    lower limits if no flat is saturated, or if the ADC saturates before the pixels, and unknown
+    without a dark.
 
-    `top_code` is the largest converter code."""
+    `curve` is the fitted photon transfer curve, `flats` are the moments of the flats, and
+    `top_code` is the largest code of the ADC."""
     if curve.offset is None:
         return _unknown("no dark measures the code without charge", "saturation_lsb", "full_well")
     zero = curve.offset

@@ -31,19 +31,23 @@ Codes = NDArray[np.uint16]
 
 TIME_KEY = "exposure_us"
 KEYS = ("frame", "frames")
+"""Names of the array of frames in a file; the first one that exists counts."""
 _SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 _TIME = re.compile(r"([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
 _MOST_PIXELS, _MOST_BYTES = 1 << 24, 1 << 30
 _no_frames = partial(rejected, "NS0757")
 _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
+"""Entries of a frame file's `meta` that are equal in frames that differ in noise only."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stack:
     """Frames of one light and one exposure time.
 
-    `codes` uint16 (K, rows, cols): codes of the ADC. `valid` bool (rows, cols). `exposure_s`: None
-    if unknown. `origin`: identifies the run of a frame file; None for other frames."""
+    `name`: what messages call them. `codes` uint16 (K, rows, cols): codes of the ADC. `valid` bool
+    (rows, cols): pixels that are valid in all frames. `exposure_s`: seconds, None if unknown.
+    `origin`: the same text for frame files of one program, scene and sensor; None for other
+    frames."""
 
     name: str
     codes: Codes
@@ -53,8 +57,11 @@ class Stack:
 
 
 def load_stack(source: str, top_code: int) -> Stack:
-    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`. Raises Rejected (status
-    2): NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable pictures."""
+    """Read the frames of PATH or PATH@TIME (such as 2ms), with codes in 0..`top_code`.
+
+    PATH is a frame file, an array, a picture or a folder of pictures; the head of this module says
+    where the exposure time comes from. Raises Rejected (status 2): NS0757 for unsuitable frames and
+    exposure times, NS0732, NS0734, NS0735 for unreadable pictures."""
     path, time_s = _timed(source)
     name = str(path)
     if not path.exists():
@@ -74,10 +81,12 @@ def load_stack(source: str, top_code: int) -> Stack:
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
             time_s = from_meta if time_s is None else time_s
             frame_valid = arrays.get("valid")
+            # A mask of another size belongs to another array: all pixels count as valid.
             if frame_valid is not None and frame_valid.size == np.prod(values.shape):
                 is_valid = frame_valid.reshape(values.shape).astype(np.bool_)
                 valid = np.asarray(is_valid.all(axis=0))
         elif path.suffix.lower() == ".mat" and values.ndim == 3:
+            # MATLAB's frames are (rows, cols, K).
             values = np.moveaxis(values, 2, 0)
         if time_s is None and TIME_KEY in arrays:
             with suppress(ValueError, TypeError):
@@ -95,7 +104,10 @@ def load_stack(source: str, top_code: int) -> Stack:
 
 
 def grouped(stacks: Iterable[Stack]) -> list[Stack]:
-    """Return the stacks. Stacks of the same run (same light, other seeds) are merged into one."""
+    """Return the stacks in order, those of the same run merged into the first of them.
+
+    Stacks of a run have the same `origin`, exposure time and size; their valid pixels are those
+    that are valid in all. A stack without an origin stays alone."""
     stacks_by_run: dict[object, Stack] = {}
     for stack in stacks:
         run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
@@ -109,8 +121,8 @@ def grouped(stacks: Iterable[Stack]) -> list[Stack]:
 
 
 def _timed(source: str) -> tuple[Path, float | None]:
-    """Split PATH@TIME into path and seconds (None without TIME), unless a file has this name.
-    Raises Rejected for an invalid TIME."""
+    """Split PATH@TIME into path and seconds; None without TIME, or if a file has this name. TIME is
+    a number with s, ms or us. Raises Rejected (NS0757) for another TIME."""
     path, at, time = source.rpartition("@")
     if not at or Path(source).exists():
         return Path(source), None
@@ -127,7 +139,8 @@ def _is_time(us: float) -> bool:
 
 
 def _wrong_time(name: str, text: str) -> Rejected:
-    """Return the error for an exposure time `text` that cannot be read, in the argument `name`."""
+    """Return the error (NS0757) that the exposure time of the argument `name` is invalid; `text` is
+    what was found."""
     return _no_frames(
         f"invalid exposure time of '{name[:200]}': {text}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
@@ -135,12 +148,14 @@ def _wrong_time(name: str, text: str) -> Rejected:
 
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
-    """Return the needed arrays of a file by key; the array of an .npy file has the key `frame`.
-    Sizes are checked before data is read. Raises Rejected (NS0757)."""
+    """Return the needed arrays of the file `path` by key; the array of an .npy file has the key
+    `frame`. Sizes are checked before data is read. Raises Rejected (NS0757) for arrays that are too
+    large and for a damaged file."""
     reads(path)
     try:
         if path.suffix.lower() == ".mat":
             for key, shape in mat_shapes(path).items():
+                # The type is unknown here: a number has one byte or more.
                 _check_size(path, key, shape, frame=shape[:2], itemsize=1)
             return mat_arrays(path)
         if path.suffix.lower() == ".npy":
@@ -168,7 +183,8 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
-    """Check an array by its .npy header, before it is read."""
+    """Raise Rejected (NS0757) if the array `key` of the file `path` is too large, by the .npy
+    header at the start of the open `file`, before its data is read."""
     _, shape, _, dtype = npy_header(file)
     _check_size(path, key, shape, frame=shape[-2:], itemsize=dtype.itemsize)
 
@@ -176,10 +192,11 @@ def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
 def _check_size(
     path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
 ) -> None:
-    """Raise Rejected (NS0757) for an array `key` of frames that are too large, or too many.
+    """Raise Rejected (NS0757) for an array `key` of the file `path` with frames that are too large,
+    or too many.
 
-    `shape` is that of the array, and `frame` those of its axes that belong to one frame. `itemsize`
-    is in bytes."""
+    `shape` is that of the array, `frame` are the sizes of its two axes that belong to one frame,
+    and `itemsize` is the number of bytes of a sample."""
     if prod(frame) > _MOST_PIXELS:
         raise _no_frames(
             f"'{key}' in '{path}' is {size(shape)}, but a frame has at most "
@@ -195,9 +212,10 @@ def _check_size(
 
 
 def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
-    """Return the array of frames in a file and its name: one of `KEYS`, or the only array.
+    """Return the key and the array of the frames in the file `name`, among its `arrays` by key. It
+    is the first of `KEYS` that exists, or the only array beside the exposure time.
 
-    Raises Rejected if there are several arrays without such a name."""
+    Raises Rejected (NS0757) if there are several arrays, or none, without such a key."""
     for key in KEYS:
         if key in arrays:
             return key, arrays[key]
@@ -215,10 +233,12 @@ def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray
 def _ours(
     name: str, values: NDArray[Any], meta: Mapping[str, Any]
 ) -> tuple[NDArray[Any], float | None]:
-    """Return the codes (K, rows, cols) of a frame file, and for how long (s) its pixels were open,
-    None if unknown.
+    """Return the codes (K, rows, cols) of the frame file `name`, and for how long (s) its pixels
+    were open, None if unknown.
 
-    Raises Rejected for several buckets, or pixels with different open times."""
+    `values` are its codes, (buckets, rows, cols) or (K, buckets, rows, cols), and `meta` its
+    description. Raises Rejected (NS0757) for several buckets, for pixels with different open times,
+    and for an invalid time."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise _no_frames(
@@ -240,8 +260,9 @@ def _ours(
 
 
 def _pictures(path: Path) -> NDArray[Any]:
-    """Return the stored values (K, rows, cols) of a grey picture or a folder of pictures. Raises
-    Rejected (NS0757) for other files."""
+    """Return the stored values (K, rows, cols) of the pictures in the file or folder `path`; of
+    colours with equal channels one is kept. Raises Rejected: NS0757 for a file with another ending
+    or in colour, and the errors of `files_of` and `open_pages`."""
     from nscc_runtime.scenes.picture_files import PICTURES, open_pages
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
@@ -267,10 +288,11 @@ def _pictures(path: Path) -> NDArray[Any]:
 
 
 def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
-    """Return the codes `values` of the array `key` of file `name` as (K, rows, cols).
+    """Return the codes `values`, (K, rows, cols) or (rows, cols), of the array `key` of file `name`
+    as uint16 (K, rows, cols).
 
-    Raises Rejected (NS0757) for other shapes, types that are not numbers, and values that are not
-    integers from 0 to `top_code`."""
+    Raises Rejected (NS0757) for other shapes, fewer than 2 rows or columns, types that are not
+    numbers, and values that are not integers from 0 to `top_code`."""
     if values.ndim == 2:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:

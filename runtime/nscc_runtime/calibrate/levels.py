@@ -26,11 +26,12 @@ CLIPPED = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Level:
-    """The moments of `frames` frames of one light and exposure time, in codes.
+    """The moments of `frames` frames (2 or more) of one light and exposure time, in codes.
 
-    Maps are (rows, cols). `halves` (2, rows, cols): the means of the even and of the odd frames.
-    `variance`: variance over time. `beside` (rows, cols - 1), `below` (rows - 1, cols): covariance
-    over time of a pixel and its neighbour. `at_zero`, `at_top`: number of frames in which the pixel
+    `exposure_s`: seconds, None if unknown. `valid` (rows, cols): pixels valid in all frames.
+    `halves` (2, rows, cols): the means of the even and of the odd frames. `variance` (rows, cols):
+    variance over time. `beside` (rows, cols - 1), `below` (rows - 1, cols): covariance over time of
+    a pixel and its neighbour. `at_zero`, `at_top` (rows, cols): number of frames in which the pixel
     had code 0 or the top code."""
 
     name: str
@@ -54,12 +55,13 @@ class Level:
 
 @dataclass(frozen=True)
 class LevelMoments:
-    """Moments of a level over the good pixels, in codes.
+    """Moments of a level over its `pixels` good pixels, in codes.
 
-    `mean_se`: standard error of `mean` from noise and rounding. `mean_rounding`, `rounding`:
-    standard deviations that rounding adds to `mean`, and to `variance` beyond 1/12. `neighbours`:
-    covariance of neighbouring pixels. `share_at_zero`, `share_at_top`: fractions of samples at the
-    ends of the scale."""
+    `exposure_s`: seconds, None if unknown. `mean_se`: standard error of `mean` from noise and
+    rounding. `variance`: mean variance over time. `mean_rounding`, `rounding`: standard deviations
+    that rounding adds to `mean`, and to `variance` beyond 1/12. `neighbours`: mean covariance of
+    neighbouring pixels. `share_at_zero`, `share_at_top`: fractions of samples at the ends of the
+    scale."""
 
     name: str
     exposure_s: float | None
@@ -86,7 +88,9 @@ class LevelMoments:
 
 
 def level_of(stack: Stack, top_code: int) -> Level:
-    """Compute the moments of a stack. Raises NS0758 for a single, NS0757 for a repeated frame."""
+    """Return the moments of the frames of `stack`, whose largest possible code is `top_code`.
+    Raises Rejected: NS0758 for a single frame, NS0757 for a frame that is repeated in a level with
+    noise."""
     count = len(stack.codes)
     if count < 2:
         raise rejected(
@@ -135,7 +139,8 @@ def level_of(stack: Stack, top_code: int) -> Level:
 
 
 def moments(level: Level, good_mask: Mask) -> LevelMoments:
-    """Return the moments over the pixels of `good_mask`. Covariances use pairs of good pixels."""
+    """Return the moments of `level` over the pixels of `good_mask` (rows, cols). The covariance
+    uses pairs of good pixels; it is 0 if there are none."""
     pixels = int(np.count_nonzero(good_mask))
     variance = float(level.variance[good_mask].mean())
     pairs = (
@@ -164,13 +169,14 @@ def moments(level: Level, good_mask: Mask) -> LevelMoments:
 
 def _rounding(variance: float, spread: float) -> tuple[float, float]:
     """Return the standard deviations in codes that rounding adds to the mean and to the variance of
-    a level.
+    a level. `variance` is its measured variance over time, `spread` the variance of the pixels'
+    means, both in squared codes.
 
     For normal noise of variance v, rounded at fraction f of a code, the error of the mean is a
     sin(2 pi f) / pi and that of the variance 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2
     v), without smaller terms. f is unknown. Pixels with different means have different fractions:
-    their average adds a factor exp(-2 pi^2 spread), where `spread` is the variance of the pixels'
-    means."""
+    their average adds a factor exp(-2 pi^2 spread)."""
     noise = max(variance - 1 / 12, 0.0)
+    # 1 / sqrt(2) is the RMS of a sine over all fractions f.
     amplitude = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
     return float(amplitude / np.pi), float(amplitude * (4 * noise + np.pi**-2))

@@ -15,14 +15,15 @@ Vector = NDArray[np.float64]
 
 
 IMPROBABLE = 1e-4
+"""Probability of a misfit below which the points are said to deviate from the line."""
 
 
 @dataclass(frozen=True, eq=False)
 class Line:
     """A fitted line y = start + slope x, with the covariance (2, 2) of (start, slope).
 
-    `misfit`: chi squared. `freedom`: degrees of freedom. `apart`: root mean square distance of the
-    points, relative to the fitted y."""
+    `misfit`: chi squared. `freedom`: degrees of freedom, the number of points less 2. `apart`: root
+    mean square distance of the points, relative to the fitted y."""
 
     start: float
     slope: float
@@ -47,8 +48,8 @@ class Line:
 
 
 def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
-    """Fit a line by weighted least squares. `errors` returns the points' standard errors from
-    fitted y.
+    """Fit a line to points `x`, `y` (one axis, two or more different x) by weighted least squares.
+    `errors` is a function that returns the points' standard errors, above 0, for fitted y.
 
     Weights use the fitted y instead of the measured y, because points that are low by chance would
     get more weight and bias the line."""
@@ -73,7 +74,8 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
 def propagated(
     function: Callable[[Vector], float], values: Sequence[float], covariance: Vector
 ) -> tuple[float, float]:
-    """Return `function` of uncertain `values`, and its standard error to first order."""
+    """Return `function` of uncertain `values` (n of them), and its standard error to first order.
+    `covariance` (n, n) is that of the values; a value of variance 0 is exact."""
     at = np.array(values, np.float64)
     gradient = np.zeros(len(at))
     for i, error in enumerate(np.sqrt(np.diag(covariance))):
@@ -86,10 +88,11 @@ def propagated(
 
 def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:
     """Return the variance over the good pixels of the common pattern of two maps, and its standard
-    error.
+    error. The variance may be negative by chance.
 
-    `maps` is (2, rows, cols); independent noise of the two cancels in the mean. `parameter_count`:
-    number of parameters fitted and subtracted before, including the mean."""
+    `maps` is (2, rows, cols); independent noise of the two cancels in the mean of their product.
+    `good_mask` (rows, cols) marks the pixels that count. `parameter_count`: number of parameters
+    fitted and subtracted before, including the mean; there must be more pixels."""
     even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
     product = even * odd
     count = len(product)
@@ -97,8 +100,9 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
 
 
 def root(variance: float, error: float) -> tuple[float, float]:
-    """Return the square root of a variance, which may be negative, and its standard error. Near 0
-    the error is the increase of the root if the variance grows by its error."""
+    """Return the square root of a `variance` and its standard error; `error` is that of the
+    variance. A negative variance counts as 0. Near 0 the error is the increase of the root if the
+    variance grows by its error."""
     value = sqrt(max(variance, 0.0))
     if value > 0 and variance > error:
         return value, error / (2 * value)
@@ -106,8 +110,8 @@ def root(variance: float, error: float) -> tuple[float, float]:
 
 
 def surface(values: Map, good_mask: Mask) -> Map:
-    """Return the quadratic surface (rows, cols) with six parameters that fits the `values` of the
-    pixels in `good_mask` with the least squared error."""
+    """Return the quadratic surface (rows, cols) with six parameters that fits `values` (rows, cols)
+    at the pixels in `good_mask` with the least squared error. It covers all pixels."""
     rows, cols = values.shape
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)
@@ -117,3 +121,4 @@ def surface(values: Map, good_mask: Mask) -> Map:
 
 
 SURFACE_TERMS = 6
+"""Number of parameters of `surface`."""

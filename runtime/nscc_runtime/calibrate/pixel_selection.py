@@ -19,15 +19,17 @@ _LEAST_SCALE = 0.3
 LEAST_PIXELS = 64
 """Minimum number of pixels for surfaces, medians and standard errors."""
 MOST_DEFECTS = 0.01
+"""Largest fraction of pixels that may be outliers."""
 MOST_UNEVEN = 0.2
 """Largest variation of a flat over the array, relative to its mean."""
 
 
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
-    """Return a mask (rows, cols) of the pixels that are valid in all levels and not outliers.
+    """Return a mask (rows, cols) of the pixels that are valid in all levels, `flats` and `darks`,
+    and outliers in none. Saturated flats are not searched for outliers.
 
-    Raises Rejected: NS0757 for levels of different sizes or too few pixels; NS0759 if more than 1 %
-    of the pixels are outliers."""
+    Raises Rejected: NS0757 for levels of different sizes or fewer than 64 valid pixels; NS0759 if
+    more than 1 % of the pixels, and more than 2, are outliers."""
     first = darks[0]
     for level in (*flats, *darks):
         if level.variance.shape != first.variance.shape:
@@ -52,6 +54,7 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     for level in darks:
         good_mask &= ~_outliers(level, good_mask, flat=False)
     for level in flats:
+        # At the end of the scale pixels are equal: those that are not would seem to be outliers.
         if not moments(level, good_mask).share_at_top > MOST_DEFECTS:
             good_mask &= ~_outliers(level, good_mask, flat=True)
     defect_count = start - int(np.count_nonzero(good_mask))
@@ -71,15 +74,18 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
 
 
 def valid_pixels(levels: Sequence[Level]) -> Mask:
-    """Return a mask (rows, cols) of the pixels that are valid in every frame."""
+    """Return a mask (rows, cols) of the pixels that are valid in every frame of `levels`, one or
+    more of one size."""
     return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
 
 
 def refuse_uneven(
     flats: Sequence[Level], good_mask: Mask, zero: float, darks: Sequence[Level]
 ) -> None:
-    """Raise NS0759 for a flat whose light varies too much. `zero`: code without charge. The pattern
-    of the darks is subtracted."""
+    """Raise NS0759 for a flat whose light varies over the array by more than 20 % of its mean.
+
+    `good_mask` (rows, cols) marks the pixels that count. `zero`: code without charge. The mean
+    pattern of `darks` is subtracted first."""
     dark_map = sum((level.mean_map for level in darks), np.zeros(good_mask.shape))
     pattern = (dark_map - dark_map[good_mask].mean()) / max(len(darks), 1)
     for level in flats:
@@ -101,11 +107,11 @@ def refuse_uneven(
 
 
 def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
-    """Return the good pixels whose mean differs from the median by more than `OUTLIER` standard
-    deviations.
+    """Return a mask (rows, cols) of the pixels of `good_mask` whose mean code in `level` differs
+    from the median by more than `OUTLIER` standard deviations.
 
-    The standard deviation is estimated robustly. With `flat`, a smooth surface is subtracted first.
-    """
+    The standard deviation is estimated robustly. With `flat`, a smooth surface is subtracted
+    first."""
     values = level.mean_map
     if flat:
         values = values - surface(values, good_mask)

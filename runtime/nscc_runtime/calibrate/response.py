@@ -15,6 +15,7 @@ from nscc_runtime.calibrate.line_fit import SURFACE_TERMS, line, shared_variance
 _RANGE = (0.05, 0.95)
 """Linearity is measured between these fractions of the range up to saturation (EMVA 1288)."""
 _SAME = 0.01
+"""Largest relative difference of flats of one light and time."""
 
 
 def response_variance(
@@ -26,9 +27,11 @@ def response_variance(
     """Return the variance over the pixels of the response to light, relative to its mean, and its
     standard error.
 
-    The response of a pixel is the weighted slope of its signal over the mean signal of the levels.
-    With darks the line passes through them; without darks each pixel has its own intercept. A
-    smooth surface, the fall-off of the light, is subtracted."""
+    `levels` are the flats and `level_moments` their moments, in the same order; `good_mask` (rows,
+    cols) marks the pixels that count. The response of a pixel is the weighted slope of its signal
+    over the mean signal of the levels. If `dark` is None, each pixel has its own intercept, else
+    the line passes through the fitted darks. A smooth surface, the fall-off of the light, is
+    subtracted."""
     halves = np.stack([_response(levels, level_moments, dark, good_mask, half) for half in (0, 1)])
     smooth = surface((halves[0] + halves[1]) / 2, good_mask)
     return shared_variance(halves - smooth, good_mask, SURFACE_TERMS)
@@ -41,11 +44,12 @@ def _response(
     good_mask: Mask,
     half: int,
 ) -> Map:
-    """Return each pixel's response to light relative to the mean, from one half of the frames (0 or
-    1).
+    """Return each pixel's response to light relative to the mean, (rows, cols), from one `half` of
+    the frames: 0 for even and 1 for odd ones.
 
-    The response is the slope of a weighted least-squares line of the pixel's signal over the mean
-    signal. Without a fit of darks, the line has an intercept."""
+    `levels` are the flats and `level_moments` their moments, in the same order; `good_mask` (rows,
+    cols) marks the pixels of the mean. The response is the slope of a weighted least-squares line
+    of the pixel's signal over the mean signal. If `dark` is None, the line has an intercept."""
     weight = np.array([moments.frames / moments.variance for moments in level_moments])
     signal = [
         level.halves[half] - (0.0 if dark is None else dark.at(level.exposure_s)[half])
@@ -75,8 +79,11 @@ def linearity(
     level_moments: Sequence[LevelMoments], dark: DarkFit | None, full: float
 ) -> Linearity | str:
     """Return EMVA 1288's linearity error of flats of one light and several exposure times, or a
-    text with the reason why it is unknown. `full`: the code at which flats saturate. `dark` is
-    the fit of the frames without light."""
+    text with the reason why it is unknown.
+
+    `level_moments` are those of the flats. `dark` is the fit of the frames without light, None if
+    there is none. `full`: the code at which flats saturate. Flats between 5 % and 95 % of that
+    range count; three different times are needed."""
     if dark is None:
         return "no dark tells the code without charge"
     if any(level.exposure_s is None for level in level_moments):
@@ -96,6 +103,7 @@ def linearity(
         same = signal[time == t]
         if np.ptp(same) > _SAME * same.mean():
             return "flats of the same time differ: the light was not constant"
+    # Errors in proportion to the signal: EMVA 1288 minimizes relative deviations.
     fit = line(time, signal, lambda _: signal)
     fitted = fit.start + fit.slope * time
     apart = np.abs(signal - fitted) / fitted

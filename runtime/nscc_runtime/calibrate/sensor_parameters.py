@@ -19,6 +19,7 @@ from nscc_runtime.sensor import Sensor, completed, schema
 
 Status = Literal["measured", "bound", "given", "contained", "default"]
 _NO_PART = 1e-9
+"""Factors of `Chain` below this are 0 but for rounding."""
 
 _TAKEN = {
     "electrons_per_lsb": "conversion_gain",
@@ -57,8 +58,8 @@ class ParameterChoice:
 def parameters(
     calibration: Calibration, target: Target, chain: Chain
 ) -> dict[str, ParameterChoice]:
-    """Return a value for every parameter of a sensor file, in the order of the schema: measured,
-    bounded, or the default.
+    """Return a value for every parameter of a sensor file, by name in the order of the schema:
+    measured, bounded, or the default of `target`.
 
     `chain` tells how often a frame reads, resets and runs words, so that noise of frames can be
     attributed to them."""
@@ -85,13 +86,13 @@ def parameters(
 
 
 def sensor_of(chosen: Mapping[str, ParameterChoice]) -> Sensor:
-    """Return the sensor with these parameters."""
+    """Return the sensor with the `chosen` parameters, which must be all, by name."""
     return Sensor({name: choice.value for name, choice in chosen.items()})
 
 
 def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> None:
-    """Store a quantity in `chosen` as the parameter `name` if it was measured, given or bounded
-    above."""
+    """Store `quantity` in `chosen`, by parameter, as the parameter `name` if it was measured, given
+    or bounded above. Change nothing if it is unknown or bounded below."""
     kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
     if quantity.value is not None and quantity.known in kinds:
         prefix = "" if quantity.known == "measured" else f"{quantity.known}: "
@@ -104,8 +105,8 @@ def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> 
 def _contain(
     chosen: dict[str, ParameterChoice], name: str, value: float, sum_parameter: str
 ) -> None:
-    """Set a parameter, in place, whose effect the frames show only together with others, in
-    `sum_parameter`."""
+    """Set the parameter `name` in `chosen`, in place, to `value`. Frames show its effect only
+    together with others, in the parameter `sum_parameter`, which the remark names."""
     chosen[name] = ParameterChoice(
         value,
         se=None,
@@ -115,8 +116,11 @@ def _contain(
 
 
 def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
-    """Set the noise of one read from the temporal noise of dark frames, which contains that of
-    `chain.reads` reads."""
+    """Set the noise of one read in `chosen`, in place, from `noise`, the temporal noise of dark
+    frames in electrons, which contains that of `chain.reads` reads. The parts of that noise become
+    0.
+
+    Change nothing if the noise is unknown or no read counts."""
     if noise.value is None or chain.reads < _NO_PART:
         return
     read_factor = sqrt(chain.reads)
@@ -129,6 +133,7 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
         chosen["read_noise_e"] = ParameterChoice(
             noise.value / read_factor, se=None, status="bound", remark=f"at most: {text}"
         )
+    # A program without resets shows no noise of them: it keeps the default.
     if chain.resets > _NO_PART:
         _contain(chosen, "reset_noise_e", value=0.0, sum_parameter="read_noise_e")
     _contain(chosen, "analog_noise_lsb", value=0.0, sum_parameter="read_noise_e")
@@ -139,10 +144,12 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
 def _pattern(
     chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
 ) -> None:
-    """Set the code without charge and the fixed pattern of the pixels.
+    """Set the code without charge and the fixed pattern of the pixels in `chosen`, in place, from
+    `quantities` by name. Change nothing if one of both is unknown.
 
     Whole codes become the ADC's offset, which is added after rounding; the remainder becomes an
-    error of the words. The pattern becomes that of the readout."""
+    error of the words, of which `chain.word_sum` count. If they cancel, all becomes the offset. The
+    pattern becomes that of the readout."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
@@ -175,8 +182,11 @@ def _pattern(
 
 
 def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
-    """Set the full well, in place in `chosen`; enlarge the range of registers if necessary,
-    because words move the charge through registers."""
+    """Set the full well in `chosen`, in place, from `full`, in electrons. A lower limit counts if
+    it is above the full well of `target`. Change nothing if it is unknown.
+
+    The range of registers is enlarged if necessary, because words move the charge through
+    registers."""
     if full.value is None:
         return
     if full.known == "measured":
@@ -196,8 +206,8 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
-    """Return why a parameter has no measured value: the reason of the quantity that would give
-    it."""
+    """Return why the parameter `name` has no measured value, as text: the reason of the quantity
+    that would give it. `quantities` are those of the calibration, by name."""
     quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"
@@ -215,8 +225,8 @@ def _shown(quantity: Quantity) -> str:
 
 
 def _rounded(choice: ParameterChoice) -> ParameterChoice:
-    """Return the choice rounded to six digits, which is more precise than its error and equal on
-    every machine."""
+    """Return the choice with the value rounded to six digits and the error to three, which is more
+    precise than the error and equal on every machine. A default stays exact."""
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")
@@ -240,7 +250,8 @@ class Chain:
 
     @classmethod
     def of(cls, container: Container) -> Chain:
-        """Compute the factors of a program from its words, as the mean over the codes in use.
+        """Return the factors of the program in `container`, from its words, as the mean over the
+        codes in use.
 
         The program must open all pixels alike. Raises Rejected like
         `nscc_runtime.reference.trace.analog_words`."""

@@ -28,7 +28,8 @@ _STILL = 0.1
 
 @dataclass(frozen=True)
 class Saturation:
-    """The mean code of saturated flats. `of_pixel`: whether pixels saturate before the ADC."""
+    """The mean code of the brightest flat, which is saturated, and its standard error. `of_pixel`:
+    whether pixels saturate before the ADC."""
 
     mean: float
     mean_se: float
@@ -39,10 +40,12 @@ class Saturation:
 class Transfer:
     """The fitted photon transfer curve.
 
-    `offset`: code without charge, None without darks. `noise`: variance of codes without charge
-    including rounding, meaningless without an offset. `gain`: K in codes per electron. `covariance`
-    (3, 3): of (gain, noise, crosstalk). `used`: the levels of the fit. `left_out`: the other levels
-    with the reasons. `saturation`: None if no flat is saturated."""
+    `offset`: code without charge, None without darks; `offset_se` is its standard error. `gain`: K
+    in codes per electron. `noise`: variance of codes without charge including rounding, meaningless
+    without an offset. `crosstalk`: the fraction of its charge that a pixel gives to each neighbour.
+    `covariance` (3, 3): of (gain, noise, crosstalk). `fit`: the line of variance over mean. `used`:
+    the levels of the fit. `left_out`: the other levels with the reasons. `saturation`: None if no
+    flat is saturated."""
 
     offset: float | None
     offset_se: float
@@ -68,11 +71,12 @@ def transfer(
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """Fit the photon transfer curve of levels.
+    """Fit the photon transfer curve to the moments of `flats` and `darks`, whose largest possible
+    code is `top_code`.
 
-    `offset`: code without charge with its standard error, or None. `crosstalk`: a known value, or
-    None to measure it. Raises Rejected: NS0758 for fewer than two usable levels of light, NS0759 if
-    the variance does not increase with the mean."""
+    `offset`: code without charge with its standard error; if None, darks are not used. `crosstalk`:
+    a known value, or None to measure it. Raises Rejected: NS0758 for fewer than two usable levels
+    of light, NS0759 if the variance does not increase with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)
@@ -80,6 +84,7 @@ def transfer(
     full = highest.mean if fallen or highest.cut_at_top else float(top_code)
     limit = zero + LINEAR_PART * (full - zero)
     judged = [(level, _unfit(level, limit)) for level in flats]
+    # Levels whose means differ by less than a code are one point of the line.
     if len({round(level.mean) for level, reason in judged if not reason}) < 2:
         raise _too_few(judged, limit)
     if offset is not None:
@@ -95,7 +100,8 @@ def transfer(
 
 
 def _unfit(level: LevelMoments, limit: float) -> str:
-    """Return the reason why a level is excluded from the fit; empty if it is used."""
+    """Return the reason why `level` is excluded from the fit; "" if it is used. `limit`: the
+    largest mean code of a level that is used."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
     if level.cut_at_zero:
@@ -110,12 +116,12 @@ def _unfit(level: LevelMoments, limit: float) -> str:
 def _fitted(
     used: Sequence[LevelMoments], offset: tuple[float, float] | None, known: float | None
 ) -> Transfer:
-    """Fit the photon transfer line of variance over mean to the used levels, with the covariance of
-    neighbours.
+    """Return the photon transfer line of variance over mean through the `used` levels, with the
+    covariance of neighbours; without saturation and levels left out.
 
-    `offset` is the code without charge and its standard error, and `known` a known crosstalk.
-    Raises Rejected (NS0759) if the variance does not increase with the mean. Errors are propagated
-    with a numerical Jacobian."""
+    `offset` is the code without charge and its standard error, None if unknown. `known` is a known
+    crosstalk, None to measure it. Raises Rejected (NS0759) if the variance does not increase with
+    the mean. Errors are propagated with a numerical Jacobian."""
     zero, zero_se = offset or (0.0, 0.0)
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
@@ -140,11 +146,13 @@ def _fitted(
         raise _no_transfer("all levels have the same mean")
     fit = line(x, variance, standard_errors)
     across = line(x, neighbours, lambda _: standard_errors(fit.start + fit.slope * x) / 2)
+    # A slope within three standard errors of 0 is no increase.
     if fit.slope <= 3 * sqrt(fit.covariance[1, 1]):
         raise _no_transfer(f"from {variance.min():.3g} to {variance.max():.3g} squared codes")
 
     values = np.array([fit.slope, fit.start, across.slope])
     errors = np.zeros((3, 3))
+    # The line's covariance is of (start, slope), `values` begins with the slope.
     errors[:2, :2] = fit.covariance[::-1, ::-1] * fit.excess
     errors[2, 2] = across.covariance[1, 1]
     jacobian = np.zeros((3, 3))
@@ -171,19 +179,23 @@ def _fitted(
 
 
 def _solved(slopes: Vector, known: float | None) -> Vector:
-    """Return gain, noise and crosstalk from the variance's slope and intercept and the covariance's
-    slope."""
+    """Return an array of gain, noise and crosstalk. `slopes`: slope and intercept of the variance
+    over the mean, and slope of the covariance of neighbours. `known` is a known crosstalk, None to
+    compute it."""
     crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
     return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
 
 
 def kept_variance(crosstalk: float) -> float:
-    """Return the factor by which crosstalk to each neighbour changes the variance of pixels."""
+    """Return the factor by which crosstalk changes the variance of pixels. `crosstalk` is the
+    fraction of its charge that a pixel gives to each of its four neighbours."""
     return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
 
 
 def _crosstalk(variance: float, covariance: float) -> float:
-    """Solve covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2) for c."""
+    """Return the crosstalk c that solves covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4
+    c^2): the smaller solution, or the nearest value if there is none. `variance` (above 0) and
+    `covariance` of neighbours are slopes over the mean."""
     ratio = covariance / variance
     a, half_b = 20 * ratio + 8, 4 * ratio + 1
     return float((half_b - np.sqrt(max(half_b**2 - a * ratio, 0.0))) / a)
@@ -191,8 +203,8 @@ def _crosstalk(variance: float, covariance: float) -> float:
 
 def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Rejected:
     """Return the error (NS0758) that too few levels can be used, with the reason for each unused
-    one. `judged` are all levels with the reason why they cannot be used or "", and `limit` is
-    the code where flats saturate."""
+    one. `judged` are all flats, each with the reason why it cannot be used or "". `limit` is the
+    largest mean code of a level that is used."""
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]

@@ -30,6 +30,7 @@ class EmulatedChip:
     """A chip that exposes frames of `scene` with the emulator; slots of equal lengths see equal
     light.
 
+    `sensor`: None for the defaults of `target`. `device_seed` numbers the chip's fixed patterns.
     `report` is called with each error, because the host only learns that an error occurred."""
 
     scene: Scene
@@ -40,8 +41,11 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def execute(self, program: BoardProgram, channels: int) -> ExecutedFrame:
-        """Expose one frame of a program with the requested `channels`. The bytes are all codes,
-        then all exposures, by readout and column, then all planes of states."""
+        """Expose one frame of `program`. `channels` are the bits of `Channel` that are read out.
+
+        The bytes of the frame are, as far as they are requested, all codes, then all exposures, by
+        readout, column and row, then all planes of states. Raises what the scene raises for these
+        slots."""
         from nscc_runtime.frame_file import read_out
         from nscc_runtime.interface import Exposure
         from nscc_runtime.neighbours.pictured_program import image_sensor
@@ -76,13 +80,15 @@ class EmulatedChip:
         return ExecutedFrame(b"".join(chunks), dict(loaded), kept)
 
     def _converting(self, registers: Sequence[str]) -> Sensor:
-        """Return the sensor with the code scale of a program that reads these registers, not spread
-        if registers forbid it."""
+        """Return the sensor with the code scale of a program that reads the analog registers named
+        `registers`. Exposures are not spread over the whole scale if these registers forbid it."""
         from nscc_runtime.sensor import default_sensor
 
         program_sensor = default_sensor(converter_of_registers(self.target, registers))
         if self.sensor is None:
             return program_sensor
+        # The chip's sensor describes a program that spreads: what this program changes is applied
+        # to it.
         common = default_sensor(self.target)
         return self.sensor.changed(
             electrons_per_lsb=self.sensor.electrons_per_lsb
@@ -94,12 +100,14 @@ class EmulatedChip:
 
 
 def in_columns(frame: NDArray[Any]) -> bytes:
-    """Return the bytes of values (.., rows, cols) column by column, as loaders send them."""
+    """Return the bytes of `frame` (.., rows, cols) column by column, each from the top, as loaders
+    send them."""
     return np.ascontiguousarray(frame.swapaxes(-2, -1)).tobytes()
 
 
 def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
-    """Run `work` in a daemon thread, which does not delay exit, and return its future."""
+    """Run `work` in a daemon thread, which does not delay exit, and return the future of its
+    result. An exception of `work` is raised by the future."""
     future: Future[ExecutedFrame] = Future()
 
     def run() -> None:

@@ -37,9 +37,12 @@ def exposed(
     progress: Progress = unseen,
     setting: HostSetting | None = None,
 ) -> tuple[Frame, dict[str, Any]]:
-    """Expose one frame, or `repeat` frames, with a program on a device. Return the frame and its
-    meta. `light`: the scene, if known. `setting`: what the host sets before each frame. Raises
-    Rejected (status 3) if the device fails."""
+    """Expose frames with a program on a device, and return them and their meta.
+
+    `repeat`: the number of frames, stacked as first axis; None for one frame without that axis.
+    `light`: the scene, if known. `setting`: what the host sets before each frame, None for the
+    starts of the program. `progress` counts the frames. Raises Rejected (status 3) if the device
+    fails, and what `DeviceChip.upload` raises."""
     chip.upload(container)
     most = repeat or 1
     setting = setting or HostSetting.at_start(container)
@@ -62,8 +65,8 @@ def device_meta(
     """Return the `meta` of the `frame` that `chip` just exposed with `sensor`.
 
     `container` and `light` are the program and the scene, None if unknown. Seeds, plan and audit
-    are None, because a device has none. `params`: the parameters of each frame, levels in
-    electrons."""
+    are None, because a device has none. `params`: for each frame the values of the parameters by
+    name, levels in electrons. The entry `device` has the names of target and loader."""
     info = chip.link.host.info
     assert info is not None  # known since the frame was received
     origin = Provenance(chip.label.hex(), sensor, None, None, "device", params=params)
@@ -72,8 +75,9 @@ def device_meta(
 
 
 def target_of(chip: DeviceChip, named: str | None = None) -> Target:
-    """Return the target of a device: the target named by the user, or else by the device. Raises
-    Rejected if the device was built for another target table."""
+    """Return the target of the device `chip`: the one `named` by the user, or else by the device,
+    or scamp5 if nscc has no target of that name. Raises Rejected if the device was built for
+    another target table."""
     info = chip.info()
     name = named or (info.target_name if info.target_name in target_names() else "scamp5")
     target = load_target(name, Path())
@@ -83,8 +87,11 @@ def target_of(chip: DeviceChip, named: str | None = None) -> Target:
 
 
 def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
-    """Yield up to `most` unused paths frame-000001.npz and so on in `folder`, `every_s` seconds
-    apart. Raises Rejected (NS0784) if the folder cannot be created."""
+    """Yield unused paths frame-000001.npz and so on in `folder`, which is created, `every_s`
+    seconds apart.
+
+    `most`: their number, None for no end. A path that the caller is late for comes at once. Raises
+    Rejected (NS0784) if the folder cannot be created."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -109,9 +116,12 @@ def capture_to(
     container: Container | None,
     setting: HostSetting | None = None,
 ) -> None:
-    """Expose a frame of `container`, or of the program on the device if None, and write its file.
-    `setting`: what the host sets before the frame. `meta` additionally contains `time_utc` and
-    `device_time_us`."""
+    """Expose a frame with the device `chip` and write its file to `path`.
+
+    `container`: the program; None for the one on the device, decoded for `target`. `sensor`
+    describes the converter. `setting`: what the host sets before the frame, None for the starts of
+    the program. `meta` additionally contains `time_utc` and `device_time_us`. Raises Rejected:
+    status 3 if the device fails, and if the file cannot be written."""
     stamp = datetime.now(UTC).isoformat(timespec="microseconds")
     params: tuple[Mapping[str, float], ...] = ()
     if container is None:

@@ -54,7 +54,7 @@ _STEP = 1024
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """A frame from a device; `captured` is the loader's reply."""
+    """A frame from a device; `captured` is the loader's reply about it."""
 
     frame: Frame
     captured: CaptureReply
@@ -70,8 +70,10 @@ class DeviceChip:
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
     ) -> None:
         """Use an open link. `sensor` describes the chip's converter; by default it is that of the
-        program."""
+        program. `progress` counts kilobytes of uploads."""
         self.link, self.sensor, self.progress = link, sensor, progress
+        # Frames are numbered from a random number, so that none has the number of another host's
+        # frame.
         self._number = SystemRandom().randrange(1 << 63)
         self._made: tuple[Container, Upload] | None = None
         self._reaches: dict[str, Reach] = {}
@@ -87,7 +89,7 @@ class DeviceChip:
         return selected("none") if exact else everything()
 
     def info(self) -> Info:
-        """Ask the loader for its description, in a new session."""
+        """Ask the loader for its description, in a new session, and return it."""
         host = self.link.host
         host.info = None
 
@@ -100,10 +102,11 @@ class DeviceChip:
         return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
-        """Upload a program unless the device has it already; return the uploaded objects.
+        """Upload a program unless the device has it already; return it in the form that is sent.
 
-        A program that keeps states is always sent, which resets the states. Raises Rejected
-        (NS0764, NS0765) for programs that the loader would refuse."""
+        A program that keeps states is always sent, which resets the states, and so is one with
+        values of the host. Raises Rejected (NS0764, NS0765) for programs that the loader would
+        refuse."""
         info = self.info()
         program = self._program(container)
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
@@ -113,7 +116,8 @@ class DeviceChip:
         return program
 
     def _program(self, container: Container) -> Upload:
-        """Return the container as a program for the loader; the last one is cached."""
+        """Return the container in the form that is sent, for the loader of the device. The last one
+        is cached, and `label` becomes its SHA-256."""
         if self._made is None or self._made[0] is not container:
             label = sha256(to_bytes(container)).digest()
             info = self.link.host.info or self.info()
@@ -124,11 +128,12 @@ class DeviceChip:
 
     def _upload(self, program: Upload, *, anew: bool) -> None:
         """Upload a program and show the progress. With `anew`, the loader first forgets the
-        program."""
+        program, so that it starts with fresh registers."""
         sent, host = 0, self.link.host
 
         def watch(sent_bytes: int) -> None:
-            """Note how much was sent, for the progress."""
+            """Note that `sent_bytes` bytes have been acknowledged, for the progress. A repeated
+            upload does not move it back."""
             nonlocal sent
             sent = max(sent, sent_bytes // _STEP)
 
@@ -149,9 +154,9 @@ class DeviceChip:
         """Capture one frame of the uploaded program; the program is sent again if the device lost
         it.
 
-        `setting`: what the host sets before the frame, by default the starts of the program.
-        Raises NS0774 if a lost program keeps states from frame to frame, because these cannot be
-        restored."""
+        `setting`: what the host sets before the frame, by default the starts of the program. Raises
+        Rejected: NS0774 if a lost program keeps states from frame to frame, because these cannot be
+        restored, and status 3 if the device fails."""
         program = self._program(container)
         setting = setting or HostSetting.at_start(container)
         return self._shot(container.target, container, program, setting)
@@ -172,9 +177,12 @@ class DeviceChip:
         program: Upload | None,
         setting: HostSetting | None = None,
     ) -> Shot:
-        """Expose a frame and fetch it. Without `program`, the device runs the program it has.
+        """Expose a frame and fetch it, decoded for `target`.
 
-        Raises Rejected if the device has lost the program, and with it the kept states."""
+        `container` is the program and `program` the same in the form that is sent; both are None
+        for the program that the device has. `setting`: planes and values of parameters that the
+        host sets before the frame, None for none. Raises Rejected (NS0774) if the device has lost
+        the program, and with it the kept states."""
         host = self.link.host
         self._number += 1
         request = FrameRequest(self._number, 0, program, target.rows * target.cols)
@@ -197,6 +205,7 @@ class DeviceChip:
             if program is not None:
                 already_held = yield from tasks.upload(host, program)
                 program_lost = program_lost or not already_held
+                # A program that was sent again has none of the planes that the host loaded.
                 self._loaded = self._loaded if already_held else {}
             for register, plane in planes.items():
                 if self._loaded.get(register) != plane:
@@ -217,7 +226,8 @@ class DeviceChip:
 
 
 def channels_of(info: Info, program: Upload | None = None) -> int:
-    """Return the channels to request from a loader: all that it supports for a program."""
+    """Return the bits of `Channel` to request from the loader described by `info`: all that it
+    supports for `program`. If that is None, states and reports are left out."""
     exact = info.capabilities & Capability.EXACT
     states = Channel.STATES if program and program.states else 0
     reports = Channel.REPORTS if program and program.report_bytes else 0
@@ -233,14 +243,17 @@ def frame_of(
     container: Container | None = None,
     reaches: Mapping[str, Reach] | None = None,
 ) -> Frame:
-    """Convert the bytes of a frame's channels to a frame.
+    """Convert the bytes of a frame to a frame. `data` has the `channels`, bits of `Channel`, in the
+    order of their numbers.
 
-    `shape`: (readouts, rows, cols). `reaches`: see `told_of_planes`. Without the channel EXPOSURE,
-    electrons are computed from the codes. Codes decide which pixels are saturated: the last code of
-    the scale and, with a program, the codes of a full well or register. With a program whose pixels
-    look, the frame contains the light that follows from the planes of STATES."""
+    `shape`: (readouts, rows, cols). `sensor` converts codes to electrons if there is no channel
+    EXPOSURE. `target` decides which pixels are saturated: the last code of the scale and, with a
+    program `container`, the codes of a full well or register. With a program whose pixels look, the
+    frame contains the light that follows from the planes of STATES. `reaches`: see
+    `told_of_planes`; None if the program's own apply."""
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
+    # Loaders send values column by column (`in_columns`).
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
     codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
     exposure: NDArray[np.float64] | None = None
@@ -267,8 +280,10 @@ def frame_of_readouts(
 ) -> Frame:
     """Return the frame of what a chip sent.
 
-    `codes` (readouts, rows, cols): converter codes of buckets, then of images. `exposure_e`: the
-    electrons before the converter, or None to compute them from the codes."""
+    `codes` (readouts, rows, cols): converter codes of buckets, then of images. `exposure_e` (the
+    same shape): the electrons before the converter, or None to compute them from the codes.
+    `container`: the program, None if unknown; then nothing follows from planes. `sent`: the sensor,
+    and the planes that came with the codes."""
     electrons, sensor = exposure_e, sent.sensor
     if electrons is None:
         electrons = np.asarray(
@@ -281,8 +296,8 @@ def frame_of_readouts(
 def _planes_at_end(
     data: bytes, names: Sequence[str], target: Target
 ) -> dict[str, NDArray[np.bool_]]:
-    """Return the bit planes of the registers `names`, which are the last bytes of a frame's
-    `data`, in this order."""
+    """Return the bit planes (rows, cols) of the registers `names`, by name. They are the last bytes
+    of a frame's `data`, in this order."""
     shape = target.rows, target.cols
     size = plane_bytes(shape[0] * shape[1])
     ends = (len(data) - size * k for k in reversed(range(len(names))))

@@ -16,6 +16,7 @@ from nscc_runtime.device.packets import VERSION, PacketKind
 from nscc_runtime.device.port import PortTrouble
 
 FAILED = 3
+"""Exit status of the command line if a device fails."""
 TOO_LONG, NO_BREATH, FADES = 7, 8, 9
 """Details of the fault SCHEDULE: invalid times of a schedule."""
 _UNTIMED = {
@@ -28,13 +29,14 @@ _STAND_IN = "`nscc device serve --scene SCENE` starts a simulated device and pri
 
 
 def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
-    """Return a device failure (exit status 3). `options`: see `nscc.diagnostics.rejection`."""
+    """Return a device failure (exit status 3) with an error `code` such as NS0760. `helps` are
+    remedies. `options`: notes and data, see `nscc.diagnostics.rejection`."""
     return rejection.rejected(code, message, helps=helps, status=FAILED, **options)
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
-    """Return the error for a port that cannot be opened (NS0760) or is in use (NS0761), with
-    what to do."""
+    """Return the error for a `port` that cannot be opened (NS0760) or is in use (NS0761). `trouble`
+    has the kind, which selects the remedies, and the reason."""
     shown = port[:200]
     if trouble.kind == "busy":
         return rejected(
@@ -55,7 +57,7 @@ def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
 
 
 def port_lost(port: str, seconds: float) -> Rejected:
-    """Return the error NS0766 for a port that was lost and did not return."""
+    """Return the error NS0766 for a `port` that was lost and did not return within `seconds`."""
     return rejected(
         "NS0766",
         f"the connection to the device at '{port[:200]}' was lost and did not return within "
@@ -68,7 +70,8 @@ def port_lost(port: str, seconds: float) -> Rejected:
 
 @contextmanager
 def explained(port: str, patience_s: float) -> Iterator[None]:
-    """Convert exceptions of a host's task, in a with block, to errors of the device at `port`."""
+    """Convert exceptions of a host's task, in a with block, to Rejected (status 3) about the device
+    at `port`. `patience_s`: how long a lost port was waited for. Other exceptions pass."""
     try:
         yield
     except Silent as silent:
@@ -113,7 +116,9 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
 
 
 def _refused(port: str, refused: RequestRefused) -> Rejected:
-    """Return the error for a request that the device at `port` rejected, with what to do."""
+    """Return the error for a request that the device at `port` rejected, with what to do. `refused`
+    has the fault and its detail; faults without a text of their own get NS0767, with their
+    names."""
     failure = refused.failure
     at = f"the device at '{port[:200]}'"
     match failure.fault:

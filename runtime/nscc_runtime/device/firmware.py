@@ -38,10 +38,14 @@ WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _PORT = b"P"
+"""Kind of the record with the name of the process's terminal."""
 _RECORD = Struct("<BI")
+"""Head of a record: its kind, a letter, and the number of bytes of data that follow."""
 _RESULT = Struct("<IB")
+"""Start of the answer to a job: its number, and 1 if the frame was exposed."""
 _MOST_READ = 1 << 16
 _START_S = 10.0
+"""Time for the process to end when its input is closed, in seconds."""
 
 
 class NotBuilt(Exception):
@@ -61,14 +65,18 @@ class Built(NamedTuple):
 
 
 def compiler() -> str | None:
-    """Return the name of a C++ compiler (`CXX`, g++ or clang++); None if there is none."""
+    """Return the name of a C++ compiler on this machine: `CXX` if it names one, else g++ or
+    clang++; None if there is none."""
     names = [os.environ.get("CXX", ""), "g++", "clang++"]
     return next((name for name in names if name and shutil.which(name)), None)
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled now or cached in `folder` (by default nscc's cache
-    folder, or a temporary folder without a cache). Raises NotBuilt if it cannot be compiled."""
+    """Return the loader for `target`, compiled now or taken from the cache.
+
+    `extra`: further options of the compiler. `folder`: where it is cached; None for nscc's cache
+    folder, or a temporary folder without a cache. Raises NotBuilt if it cannot be compiled, or not
+    be stored in `folder`."""
     compiler_path = compiler()
     if compiler_path is None:
         raise NotBuilt("no C++ compiler was found")
@@ -81,7 +89,12 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """Return the firmware of `subfolders` for a target, compiled or cached. Raises NotBuilt."""
+    """Return the path of the firmware for `target`, compiled or cached.
+
+    `command`: the compiler with its options. `subfolders`: those of the firmware whose sources are
+    compiled. `folder`: where it is cached, None for nscc's cache folder or a temporary one. Raises
+    NotBuilt if sources are missing, if they do not compile, for a target that the loader does not
+    support, or if `folder` cannot be written."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]
@@ -91,6 +104,7 @@ def compiled(
         header = target_header(target)
     except ValueError as reason:
         raise NotBuilt(str(reason)) from None
+    # All sources, headers (.hpp) and linker scripts (.ld): the name changes with any of them.
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
     key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
     name = f"loader-{key.hexdigest()[:32]}"
@@ -109,10 +123,11 @@ def compiled(
 
 
 def _compile(command: list[str], header: str) -> bytes:
-    """Return the program that a compiler makes of the firmware with this target header.
+    """Return the bytes of the program that a compiler makes of the firmware with `header`, the text
+    of `target.hpp`.
 
-    `command` is the compiler with its options and sources. Raises NotBuilt with the first error
-    line."""
+    `command` is the compiler with its options and sources. Raises NotBuilt with the first line that
+    mentions an error."""
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
@@ -131,7 +146,8 @@ def _digest_of(place: Path) -> Path:
 
 
 def is_whole(place: Path) -> bool:
-    """Return whether the cached loader at `place` is intact, executable and this user's."""
+    """Return whether the cached loader at `place` is intact (by its stored SHA-256), executable and
+    this user's. False if it does not exist."""
     try:
         digest = sha256(place.read_bytes()).hexdigest().encode()
         return (
@@ -142,8 +158,8 @@ def is_whole(place: Path) -> bool:
 
 
 def keep(place: Path, image: bytes) -> None:
-    """Store a compiled loader and its SHA-256 at `place`, executable. Raises Rejected if the
-    folder is not writable."""
+    """Store a compiled loader `image` and its SHA-256 at `place`, executable, in place of an older
+    one. Raises Rejected if the folder is not writable."""
     # A file keeps the permissions of the one that it replaces. So a process that stores the same
     # loader a little later never makes it impossible to execute.
     with suppress(OSError):
@@ -153,7 +169,8 @@ def keep(place: Path, image: bytes) -> None:
 
 
 def cached_folder() -> Path:
-    """Return the cache folder of loaders, or a temporary folder for this process."""
+    """Return the cache folder of loaders, which is created, or a temporary folder for this process
+    if there is no cache, or it is not this user's or not writable."""
     cache = cache_folder()
     if cache is not None:
         folder = cache / "firmware"
@@ -172,11 +189,13 @@ def passing_folder() -> Path:
 
 
 class Firmware:
-    """The process of the loader. Its jobs arrive as records and run on `chip`."""
+    """The process of the loader. The frames that it requests (jobs) arrive as records and run on
+    `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
-        """Start the firmware by `command` as a process with pipes. `chip` executes the words that
-        it sends to its board, recorded as words of `target`."""
+        """Start the firmware by `command`, a program and its arguments, as a process with pipes.
+        `chip` executes the words that it sends to its board, recorded as words of `target`. Raises
+        OSError if it cannot be started."""
         self.chip, self.target = chip, target
         self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self._process.stdin is not None
@@ -198,21 +217,23 @@ class Firmware:
         return self._out.fileno()
 
     def write_record(self, kind: bytes, data: bytes = b"") -> None:
-        """Send a record to the process."""
+        """Send a record to the process: its `kind`, one byte, and its `data`. Waits until all is
+        written; raises OSError if the process has ended."""
         view = memoryview(_RECORD.pack(kind[0], len(data)) + data)
         while view:
             view = view[os.write(self._in.fileno(), view) :]
 
     def fill(self) -> None:
-        """Wait for bytes of the process and store them. Raises RuntimeError if the process has
-        ended."""
+        """Wait for bytes of the process and store them for `next`. Raises RuntimeError if the
+        process has ended."""
         data = os.read(self.fileno(), _MOST_READ)
         if not data:
             raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
         self._held += data
 
     def next(self) -> tuple[bytes, bytes] | None:
-        """Return kind and data of the next complete record; None if it is not complete yet."""
+        """Return kind (one byte) and data of the next record among the stored bytes, and remove it;
+        None if it is not complete yet."""
         if len(self._held) < _RECORD.size:
             return None
         kind, size = _RECORD.unpack_from(self._held)
@@ -228,12 +249,12 @@ class Firmware:
         self.write_record(b"X")
 
     def execute(self, job: BoardJob) -> ExecutedFrame:
-        """Execute a job of the loader's board."""
+        """Return the frame of `job`, executed on the chip. Raises what the chip raises."""
         return self.chip.execute(job.program, job.channels)
 
     def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
-        """Send the loader the frame that `exposed` returns, or that the job failed; an exception
-        is reported to the chip's owner."""
+        """Send the loader the frame that `exposed` returns, or that the `job` failed. An exception
+        of `exposed` is reported to the chip's owner, and not raised."""
         try:
             executed = exposed()
         except Exception as error:
@@ -244,7 +265,8 @@ class Firmware:
             self.write_record(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
 
     def sent(self, job: BoardJob, frame: bytes) -> bytes:
-        """Return the part of a frame that is sent with the reply to its job: all of it."""
+        """Return the part of `frame` that is sent with the reply to `job`: all of it. Subclasses
+        send less."""
         return frame
 
     def close(self) -> int:
@@ -261,7 +283,7 @@ class Firmware:
 
 
 class RunningFirmware(Firmware):
-    """A loader in real time behind a non-blocking file descriptor."""
+    """A loader in real time behind a non-blocking file descriptor, its line to the host."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         """Start the firmware by `command`, without a port and with no frame being exposed. `chip`
@@ -281,13 +303,15 @@ class RunningFirmware(Firmware):
         return [self._line, self.fileno()]
 
     def receive(self, data: bytes, now_us: int) -> None:
-        """Send bytes to the loader. `now_us` is ignored, because the loader has its own clock."""
+        """Send `data` of the host to the loader; what its line does not take now is sent at the
+        next call. `now_us` is ignored, because the loader has its own clock."""
         self._unsent += data
         with suppress(BlockingIOError):
             self._unsent = self._unsent[os.write(self._line, self._unsent) :]
 
     def poll(self, now_us: int, room: int) -> bytes:
-        """Handle the loader's records, and return at most `room` bytes that it has sent."""
+        """Handle the loader's records and finished frames, and return at most `room` bytes that it
+        has sent to the host; empty if there are none. `now_us` is ignored."""
         self.receive(b"", now_us)
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
@@ -302,13 +326,15 @@ class RunningFirmware(Firmware):
             return b""
 
     def follow(self, kind: bytes, data: bytes) -> None:
-        """Handle a record of the loader."""
+        """Handle a record of the loader, by `kind` (one byte) and `data`: a job begins to run in
+        the background. Raises ValueError for an unknown kind."""
         job = self._recording.take(kind, data)
         if job is not None:
             self._exposing.append((job, in_background(partial(self.execute, job))))
 
     def close(self) -> int:
-        """Close the line and end the process; return its exit status."""
+        """Close the line and end the process; return its exit status, not 0 if a sanitizer found an
+        error."""
         if self._line >= 0:
             os.close(self._line)
         return super().close()
@@ -330,8 +356,8 @@ class Process(RunningFirmware):
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:
-        """Return the name of the terminal that the process opens; records that come before it
-        are handled."""
+        """Return the name of the terminal that the process opens; records that come before it are
+        handled. Raises RuntimeError if the process ends first."""
         while True:
             record = self.next()
             if record is None:

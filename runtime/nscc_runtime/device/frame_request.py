@@ -12,13 +12,16 @@ LONGEST_US = 1_200_000_000
 CHUNK = 64
 """Bytes of a frame are sent in multiples of this number, except at the end of the frame."""
 _BESIDE_S = 10.0
+"""Time beside exposure and readout that any frame may take, in seconds."""
 
 
 @dataclass(eq=False)
 class FrameRequest:
-    """A frame to be exposed, with a unique number. `received`: its bytes so far. `program` is None
-    if only the device knows it; `pixels` is then the number of pixels of the frame. `values`: those
-    of the program's parameters."""
+    """A frame to be exposed, with a unique `number`.
+
+    `channels`: bits of `Channel`. `program`: None if only the device knows it; `pixels` is then the
+    number of pixels of the frame. `received`: its bytes so far, None before the loader's first
+    reply. `values`: those of the program's parameters, in their order."""
 
     number: int
     channels: int
@@ -28,7 +31,8 @@ class FrameRequest:
     values: tuple[int, ...] = ()
 
     def bytes(self, readouts: int) -> int:
-        """Return the expected number of bytes of the frame; 0 for a wrong number of readouts."""
+        """Return the expected number of bytes of the frame if the loader reports this number of
+        `readouts`; 0 if the program has another number."""
         program = self.program
         if program is None:
             return frame_bytes(self.channels, self.pixels, readouts, 0)
@@ -38,7 +42,8 @@ class FrameRequest:
         )
 
     def exposure_s(self, captured: CaptureReply) -> float:
-        """Return the shorter of the loader's and the host's estimates of the exposure time."""
+        """Return the shorter of two estimates of the exposure time in seconds: the loader's, in its
+        reply `captured`, and the host's if it knows the program."""
         own_ms = captured.estimate_ms if self.program is None else self.program.frame_ms
         return min(own_ms, captured.estimate_ms) / 1000
 
@@ -53,13 +58,16 @@ class FrameRequest:
 
 
 class FrameBytes:
-    """The received bytes of a frame. `origin` identifies the exposure. They are kept when the line
-    is lost, because a loader discards bytes that the host has confirmed."""
+    """The received bytes of a frame. `origin` identifies the exposure: the loader's start
+    (`Info.boot`) and its clock when the exposure began.
+
+    They are kept when the line is lost, because a loader discards bytes that the host has
+    confirmed. `missing` has a byte for each chunk of `CHUNK` bytes, 1 until it has arrived, and
+    `missing_count` counts the ones."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
-        """Begin with all chunks of `length` bytes missing.
-
-        `origin` names the frame: the loader's start and the time of the exposure."""
+        """Begin with all chunks of the frame's `length` bytes missing. `origin` is explained at the
+        class."""
         self.origin = origin
         self.data = bytearray(length)
         self.missing = bytearray(b"\1" * -(-length // CHUNK))
@@ -72,8 +80,9 @@ class FrameBytes:
         return len(self.data) if first < 0 else first * CHUNK
 
     def store(self, offset: int, data: bytes) -> bool:
-        """Store bytes of complete chunks at `offset`; return whether any of them were missing
-        before."""
+        """Store bytes of complete chunks at `offset`, a multiple of `CHUNK`; only the frame's last
+        chunk may be shorter. Return whether any of them were missing before; if none was, change
+        nothing."""
         first, last = offset // CHUNK, -(-(offset + len(data)) // CHUNK)
         fresh = self.missing.count(1, first, last)
         if fresh:

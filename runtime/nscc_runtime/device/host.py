@@ -29,10 +29,13 @@ LONGEST_WAIT_S = 0.5
 """Longest interval between retries, short compared with two seconds for resuming a link."""
 _SHORTEST_WAIT_S = 0.05
 _MOST_RESTARTS = 40
+"""Number of sessions of one task after which Stalled is raised."""
 _MOST_TAKEN = 4
 """Number of sessions lost to other hosts after which Contested is raised."""
 _STALL_FACTOR = 6
+"""Patiences without progress after which a task that still gets replies counts as stalled."""
 _SHOWN_BYTES = 24
+"""Number of bytes of noise that a message shows."""
 
 
 @dataclass(eq=False)
@@ -83,15 +86,14 @@ class Host:
     """The host's end of a line.
 
     `new_session` returns a different number in 1 .. 2^32 - 1 each time. `patience_s`: longest
-    silence. `line_s`: transfer time of a window of bytes, in seconds."""
+    silence. `line_s`: the time in seconds that a full window of bytes takes on the line. `info`:
+    the loader's description, None without a session. `resent`: number of repeated packets."""
 
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
     ) -> None:
-        """Begin without a session, a task or an estimate of the round trip.
-
-        `new_session` returns a random session number. `patience_s` is the longest wait without an
-        answer, `line_s` the time that a full window of bytes takes on the line."""
+        """Begin without a session, a task or an estimate of the round trip. The arguments are
+        explained at the class."""
         self.patience_s = patience_s
         self.info: Info | None = None
         self.now = 0.0
@@ -114,7 +116,9 @@ class Host:
         self.result: object = None
 
     def start(self, task: Generator[float, Packet | None, object], now: float) -> None:
-        """Start a task at the time `now` (s); unsent bytes of the previous task are discarded."""
+        """Start a task at the time `now` (s, of any clock that `receive` and `poll` use too) up to
+        its first wait. Unsent bytes and the rest of the previous task are discarded. Raises the
+        exceptions of the task."""
         self.now = self._heard = self._moved = now
         self._out.clear()
         self.result = None
@@ -127,8 +131,9 @@ class Host:
         return self._task is not None
 
     def receive(self, data: bytes, now: float) -> None:
-        """Process bytes that arrived from the line at the time `now` (s): valid packets of this
-        session resume the task.
+        """Process bytes that arrived from the line at the time `now` (s): each valid packet of this
+        session resumes the task. Other bytes are ignored; that the loader restarted raises
+        SessionLost in the task.
 
         Raises the exceptions of the task."""
         self.now = now
@@ -145,8 +150,8 @@ class Host:
                 self._step(packet)
 
     def poll(self, now: float) -> bytes:
-        """Resume the task if its wait has expired, and return the bytes to send. `now` is in
-        seconds."""
+        """Resume the task if its wait has expired at the time `now` (s), and return the bytes to
+        send, which may be none. Raises the exceptions of the task."""
         self.now = now
         if self._task is not None and now >= self.deadline:
             self._step(None)
@@ -155,8 +160,8 @@ class Host:
         return out
 
     def line_restored(self, now: float) -> None:
-        """Tell the task that the line was lost and is available again at the time `now`: it gets
-        SessionLost."""
+        """Tell the task that the line was lost and is available again at the time `now` (s):
+        SessionLost is raised in it. Bytes of the lost line are discarded."""
         self.now = self._heard = now
         self._unpacker = Unpacker()
         self._out.clear()
@@ -164,7 +169,8 @@ class Host:
             self._step(None, SessionLost())
 
     def _step(self, packet: Packet | None, thrown: Exception | None = None) -> None:
-        """Resume the task with a packet, None or an exception, up to its next wait.
+        """Resume the task up to its next wait, with the packet that it waits for, None at its
+        deadline, or the exception `thrown`.
 
         Stores the task's result or its next deadline; an exception of the task ends it and is
         raised."""
@@ -179,7 +185,8 @@ class Host:
             raise
 
     def send(self, kind: PacketKind, body: bytes = b"") -> int:
-        """Send a request and return its sequence number."""
+        """Send a request with this `body` at the next `poll`, and return its sequence number, 0 to
+        65535."""
         self._sequence = self._sequence + 1 & 0xFFFF
         self._out += Packet(kind, self._sequence, self._session, body).wire()
         return self._sequence
@@ -189,7 +196,8 @@ class Host:
         self._moved = self.now
 
     def check_patience(self, extra_s: float = 0.0) -> None:
-        """Raise Silent or Stalled after too long a wait; `extra_s` is expected silence."""
+        """Raise Silent if nothing arrived for `patience_s`, or Stalled if the task made no progress
+        for six times as long. `extra_s` is expected silence, which both may last longer."""
         if self.now - self._heard > self.patience_s + extra_s:
             raise Silent(self._ever_heard, self._first_bytes)
         if self.now - self._moved > _STALL_FACTOR * self.patience_s + extra_s:
@@ -212,8 +220,10 @@ class Host:
         return max(self._round_s + 4 * self._spread_s, _SHORTEST_WAIT_S) + self._line_s
 
     def ask(self, kind: PacketKind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
-        """Send a request, repeatedly if necessary, and return its reply. Raises RequestRefused,
-        SessionLost, Silent or Stalled."""
+        """Send a request with this `body`, again after each wait without a reply, and return its
+        reply. `extra_s`: how long the loader may be silent beyond the patience.
+
+        Raises RequestRefused, SessionLost, Silent or Stalled."""
         sent: dict[int, float] = {}
         wait = self.wait_s
         while True:
@@ -222,6 +232,7 @@ class Host:
             self.resent += len(sent) > 1
             until = self.now + wait
             while self.now < until:
+                # A reply to any of the repetitions counts.
                 packet = yield until
                 if packet is None or packet.sequence not in sent:
                     continue
@@ -234,7 +245,8 @@ class Host:
             wait = min(2 * wait, max(LONGEST_WAIT_S, self.wait_s))
 
     def hello(self) -> Task[Info]:
-        """Start a session and return the loader's description, which is also stored in `info`."""
+        """Start a session and return the loader's description, which is also stored in `info`.
+        Raises like `ask`."""
         self._session = self._new_session()
         self.info = None
         reply = yield from self.ask(PacketKind.HELLO, Hello(VERSION, VERSION).pack())
@@ -242,19 +254,20 @@ class Host:
         return self.info
 
     def status(self) -> Task[Status]:
-        """Return the loader's state and counters."""
+        """Return the loader's state and counters. Raises like `ask`."""
         reply = yield from self.ask(PacketKind.STATUS)
         return checked(Status.unpack, reply)
 
     def cancel(self) -> Task[None]:
-        """Stop the loader's current activity."""
+        """Stop the loader's current activity. Raises like `ask`."""
         yield from self.ask(PacketKind.CANCEL)
 
     def lasting(self, work: Callable[[], Task[Result]]) -> Task[Result]:
-        """Say hello and do `work`; after a lost session, start again from the loader's state.
+        """Say hello if there is no session, do the task `work` and return its result. After a lost
+        session, start `work` again, which continues from the loader's state.
 
-        Raises Stalled if the loader keeps restarting, and Contested if other hosts take the
-        sessions of a loader that does not restart."""
+        Raises Stalled if the session is lost 40 times, Contested if other hosts take the sessions
+        of a loader that does not restart, and the other exceptions of `work`."""
         lost_sessions, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:
@@ -274,7 +287,8 @@ class Host:
 
 
 def raise_failure(packet: Packet) -> None:
-    """Raise the exception of an ERROR packet: SessionTaken or RequestRefused."""
+    """Raise the exception of an ERROR packet: SessionTaken if the loader does not know the session,
+    else RequestRefused."""
     failure = checked(LoaderFailure.unpack, packet)
     if failure.fault == LoaderFault.NO_SESSION:
         raise SessionTaken

@@ -27,6 +27,7 @@ from nscc_runtime.sensor import Sensor
 
 PREFIX = "host:"
 _PORT = 27888
+"""TCP port of a relay if the user names none."""
 _POLL_S = 0.002
 _MOST_INCOMPLETE = 3
 """Number of frames without all pictures after which the chip is assumed to run another program."""
@@ -36,6 +37,7 @@ SHOWN_UPRIGHT = Orientation(flip="rows")
 """Public users of the module reverse the rows of its pictures before they show them."""
 
 Pictures = dict[str, tuple[str, NDArray[np.uint8]]]
+"""By readout: the origin of the picture, for messages, and its values (rows, cols)."""
 
 
 def expose_by_host(
@@ -44,9 +46,10 @@ def expose_by_host(
     """Return the file of the next whole frame that a host module receives.
 
     `place`: host:MODULE for a chip at USB, or host:MODULE@ADDRESS[:PORT] for a relay at TCP.
-    `patience_s`: longest time without a picture. Raises Rejected (status 3): NS0795 for a module
-    that cannot be used, a lost link, silence, or frames with other readouts than the program's, and
-    NS0794 for pictures of another size."""
+    `container`: the program that runs on the chip. `sensor` converts codes to electrons, None for
+    the program's default. `patience_s`: longest time without a picture. Raises Rejected (status 3):
+    NS0795 for a module that cannot be used, a lost link, silence, or frames with other readouts
+    than the program's, and NS0794 (status 2) for pictures of another size."""
     name, _, address = place.removeprefix(PREFIX).partition("@")
     module = _imported(name)
     try:
@@ -74,9 +77,10 @@ def _imported(name: str) -> Any:
 
 
 def _open(module: Any, address: str) -> None:
-    """Open the chip by the vendor's module: USB without an address, else TCP at ADDRESS[:PORT].
+    """Open the chip by the vendor's `module`: at USB if `address` is "", else at TCP. `address` is
+    ADDRESS or ADDRESS:PORT.
 
-    Raises ValueError for an invalid port."""
+    Raises ValueError for an invalid port, and what the module raises."""
     if not address:
         module.open_usb("0")
         return
@@ -91,7 +95,10 @@ def _next_frame(
 ) -> tuple[int, Pictures]:
     """Return number and pictures of the first frame that began after the link was opened.
 
-    The pictures of a frame have one number and come in the order of the program's readouts."""
+    `module` is the vendor's and `name` its name in messages. `analog` and `digital` are the
+    program's readouts, in the order in which the pictures of a frame come; these have one number.
+    `patience_s`: longest time without a picture. Raises Rejected (NS0795) after that, for frames
+    without all pictures, and for frames with more."""
     wanted = {_ANALOG: analog, _DIGITAL: digital}
     first: int | None = None
     number, pictures, last_picture_s = -1, dict[str, list[NDArray[np.uint8]]](), monotonic()
@@ -114,6 +121,7 @@ def _next_frame(
             continue  # texts and numbers of the program
         last_picture_s = monotonic()
         if packet["loopcounter"] != number:
+            # Before the first frame there is none, and the first may have begun before.
             incomplete += number not in (-1, first)
             if incomplete == _MOST_INCOMPLETE:
                 raise _failed(
@@ -140,7 +148,8 @@ def _next_frame(
 
 
 def _picture_of(packet: Mapping[str, Any], name: str) -> NDArray[np.uint8]:
-    """Return the picture of a packet; raise Rejected (NS0795) if it is cut off."""
+    """Return the picture (rows, cols) of a packet of the module `name`. Raises Rejected (NS0795) if
+    it has another number of bytes than pixels."""
     rows, cols, data = int(packet["height"]), int(packet["width"]), bytes(packet["buffer"])
     if len(data) != rows * cols:
         raise _failed(
@@ -150,7 +159,8 @@ def _picture_of(packet: Mapping[str, Any], name: str) -> NDArray[np.uint8]:
 
 
 def _call(name: str, function: Callable[[], Any]) -> Any:
-    """Call a function of the module `name`; raise Rejected (NS0795) if it fails in any way."""
+    """Return the result of `function`, which calls the module `name`. Raises Rejected (NS0795) if
+    it fails in any way."""
     try:
         return function()
     except Rejected:

@@ -53,7 +53,7 @@ class Orientation:
     transpose: bool = False
 
     def __str__(self) -> str:
-        """Return what was cut and turned, as text."""
+        """Return what was cut and turned, as text: "no flip" if nothing."""
         cut = "" if self.crop is None else f"cut from row {self.crop[0]}, column {self.crop[1]}; "
         turned = "no flip" if self.flip == "none" else f"{self.flip} reversed"
         return cut + turned + (", rows and columns exchanged" if self.transpose else "")
@@ -114,9 +114,10 @@ def frame_of_pictures(
 ) -> FrameFile:
     """Return the frame file of pictures of a host.
 
-    `pictures`: for each name of `readout_names` the origin of the picture, for messages, and its
-    8-bit values (rows, cols). `about`: what `meta["imported"]` tells beside the orientation. Raises
-    Rejected as `import_frame`."""
+    `container`: the program that ran. `pictures`: for each name of `readout_names` the origin of
+    the picture, for messages, and its 8-bit values (rows, cols). `orientation`: how they lie on the
+    array. `sensor` converts codes to electrons, None for the program's default. `about`: what
+    `meta["imported"]` tells beside the orientation. Raises Rejected as `import_frame`."""
     target = container.target
     check_adc(target)
     sensor = sensor or default_sensor(converter_of(container))
@@ -149,10 +150,10 @@ def frame_of_pictures(
 
 def readout_names(container: Container) -> tuple[tuple[str, ...], dict[str, str]]:
     """Return the names of the analog readouts of a program, and the registers of digital readouts
-    by name.
+    by the names of these, both in the order of readout.
 
-    Analog readouts are buckets, then images. Digital readouts are planes; of a program that reads
-    states they are the registers of the states."""
+    Analog readouts are buckets, then images. Digital readouts are planes, by their names in the
+    program; of a program that reads states they are the registers of the states."""
     registers = state_registers(container)
     pictures = container.pictures
     by_register = {pictures.registers[name]: name for name in pictures.outputs}
@@ -161,7 +162,8 @@ def readout_names(container: Container) -> tuple[tuple[str, ...], dict[str, str]
 
 
 def _by_name(files: Sequence[Path] | Mapping[str, Path], names: Sequence[str]) -> dict[str, Path]:
-    """Return the file of each name; raise Rejected (NS0794) unless files and names match."""
+    """Return the file of each of the readouts `names`. `files` are by name, or in the order of
+    `names`. Raises Rejected (NS0794) for a missing or superfluous file."""
     listed = ", ".join(names) or "nothing"
     if isinstance(files, Mapping):
         unknown = [name for name in files if name not in names]
@@ -185,8 +187,8 @@ def _by_name(files: Sequence[Path] | Mapping[str, Path], names: Sequence[str]) -
 
 
 def _bytes_of(path: Path) -> bytes:
-    """Return the bytes of a picture file; raise Rejected (NS0794) for other endings, or if it
-    cannot be read."""
+    """Return the bytes of the picture file `path`. Raises Rejected (NS0794) for an ending not in
+    `PICTURES`, or if it cannot be read."""
     if path.suffix.lower() not in PICTURES:
         again = "save the codes without loss, as 8-bit grey values: .png for example"
         raise _refused(path, "its ending is none of " + ", ".join(PICTURES), (again,))
@@ -199,8 +201,9 @@ def _bytes_of(path: Path) -> bytes:
 
 
 def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
-    """Return the 8-bit picture (rows, cols) that the content `data` of file `path` holds; colour
-    with three equal channels counts as grey. Raises Rejected (NS0794) for other arrays."""
+    """Return the 8-bit picture (rows, cols) that the content `data` of file `path` holds. Colour
+    with three equal channels counts as grey, and alpha is dropped; true and false are 1 and 0.
+    Raises Rejected (NS0794) for other arrays, and for values that are not whole or not 0 to 255."""
     values = _values(path, data)
     if values.ndim == 3 and values.shape[2] in (3, 4):
         grey = values[..., 0]
@@ -222,7 +225,8 @@ def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
 
 def _values(path: Path, data: bytes) -> NDArray[Any]:
     """Return the array of a .npy or .csv file with the content `data`, or of the picture file
-    `path`. Raises Rejected if it cannot be read."""
+    `path`, of any shape and type. A .csv has a row on each line, with commas between numbers.
+    Raises Rejected if it cannot be read."""
     suffix = path.suffix.lower()
     if suffix == ".npy":
         try:
@@ -244,10 +248,12 @@ def _values(path: Path, data: bytes) -> NDArray[Any]:
 def _laid(
     picture: NDArray[np.uint8], origin: str, shape: tuple[int, int], orientation: Orientation
 ) -> NDArray[np.uint8]:
-    """Return the picture of a file as it lies on the array of `shape` (rows,
-    cols): cropped, then mirrored, then transposed, as `orientation` says.
+    """Return `picture` (rows, cols) as it lies on the array of `shape` (rows, cols): cropped, then
+    mirrored, then transposed, as `orientation` says.
 
-    `origin` names the file in messages. Raise Rejected (NS0794) for a picture of another size."""
+    `origin` names the file in messages. Raises Rejected (NS0794) if what is left has another size
+    than the array."""
+    # The transposition comes last: before it the picture has the exchanged size.
     size = shape[::-1] if orientation.transpose else shape
     if orientation.crop is not None:
         row, col = orientation.crop
@@ -272,7 +278,8 @@ def _laid(
 
 
 def _bits(origin: str, picture: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Return a picture of bits; raise Rejected (NS0794) for more than one value beside 0."""
+    """Return the bits (rows, cols) of a `picture`: True where it is not 0. `origin` names it in
+    messages. Raises Rejected (NS0794) for more than one value beside 0."""
     values = np.unique(picture)
     if len(values[values > 0]) > 1:
         raise _refused(
@@ -282,5 +289,6 @@ def _bits(origin: str, picture: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
 
 def _refused(origin: Path | str, reason: str, helps: tuple[str, ...] = ()) -> Rejected:
-    """Return the error (NS0794) for an array that is not a readout of the program."""
+    """Return the error (NS0794) that the picture `origin` is not a readout of the program, for this
+    `reason`, with the remedies `helps`."""
     return rejected("NS0794", f"'{origin}' is not a readout of this program: {reason}", helps=helps)

@@ -21,11 +21,12 @@ _LONGEST_REOPEN_S = 0.25
 _GOODBYE_S = 0.5
 _LONGEST_SLEEP_S = 0.25
 _WINDOW_BITS = 16384 * 10
+"""Bits on the line of the largest window of a loader: a byte takes 10, with start and stop bit."""
 
 
 class SerialLink:
     """An open port with its host. Methods raise Rejected (status 3) if the device fails. A lost
-    port is reopened for at most `patience_s` seconds, and the task resumes."""
+    port is reopened for at most `patience_s` seconds, and the task continues."""
 
     def __init__(
         self,
@@ -34,9 +35,10 @@ class SerialLink:
         baud: int = LinkSettings.baud,
         patience_s: float = LinkSettings.patience_s,
     ) -> None:
-        """Open the port at `path` with `baud` bits per second; raise Rejected if this fails.
+        """Open the port at `path` with `baud` bits per second; raise Rejected (NS0760, NS0761) if
+        this fails.
 
-        `patience_s` is the longest wait for an answer, and for a lost port to return."""
+        `patience_s` is the longest wait in seconds for an answer, and for a lost port to return."""
         self.path, self.baud, self.patience_s = path, baud, patience_s
         source = SystemRandom()
         self.host = Host(
@@ -53,8 +55,8 @@ class SerialLink:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Close the port. If an exception of type `kind` ends the block, first stop the device, for
-        at most `_GOODBYE_S`."""
+        """Close the port. If an exception ends the block (`kind` is its type, None without one),
+        first stop the device, for at most `_GOODBYE_S`. The exception is raised again."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):
                 until = monotonic() + _GOODBYE_S
@@ -65,13 +67,16 @@ class SerialLink:
             self._port.close()
 
     def run(self, work: Callable[[], Task[Result]]) -> Result:
-        """Run the task `work` to its end, despite interruptions of the line; return its result."""
+        """Run the task that `work` returns to its end, and return its result. After a lost line
+        `work` is called again. Raises Rejected (status 3) if the device fails."""
         for _ in self.steps(work, lambda: 0):
             pass
         return self.host.result  # type: ignore[return-value]
 
     def steps(self, work: Callable[[], Task[Any]], reached: Callable[[], int]) -> Iterator[int]:
-        """Run `work`, and yield a count once for each unit by which `reached()` has grown."""
+        """Run the task that `work` returns like `run`, and yield a count once for each unit by
+        which `reached()`, the progress of the task, has grown. The result is then in
+        `host.result`."""
         with explained(self.path, self.patience_s):
             self.host.start(self.host.lasting(work), monotonic())
             before = reached()

@@ -12,7 +12,9 @@ from nscc.words.container import Container, steered_launches, with_picture_words
 
 
 class Loader(NamedTuple):
-    """The limits of a loader, as in `limits.hpp` of its `folders` in `runtime/firmware`."""
+    """The limits of a loader, as in `limits.hpp` of its `folders` in `runtime/firmware`. `kernels`,
+    `rows` and `runs` are the most kernels, rows of the schedule and runs of equal slots of a
+    program. `name` is for messages."""
 
     name: str
     folders: tuple[str, ...]
@@ -28,9 +30,10 @@ LOADERS = (
 
 
 def loader_notes(container: Container, source: Source, frame: Span) -> list[Diagnostic]:
-    """Return a note (NS0507) for each loader that has too little room for a program's words.
+    """Return a note (NS0507) for each loader that has too little room for a program's words; none
+    for a target without logic, which no loader runs.
 
-    `frame` is the place of the statement `frame` in the program's text."""
+    `frame` is the place of the statement `frame` in the program's text `source`."""
     if not container.target.has_logic:
         return []
     sent = with_picture_words(container)
@@ -39,6 +42,7 @@ def loader_notes(container: Container, source: Source, frame: Span) -> list[Diag
         "rows of its schedule": len(sent.launches),
         "runs of equal slots": sum(1 for _ in groupby(container.slot_us)),
     }
+    # Equal launches share a row: rows are counted only if one for each would be too many.
     if needed["rows of its schedule"] > min(loader.rows for loader in LOADERS):
         from nscc_runtime.device.objects import schedule_rows  # a row can repeat a launch
 

@@ -34,16 +34,21 @@ from nscc_runtime.device.objects import (
 )
 
 LAUNCHES = 2001
+"""Number of launches of a measured frame: many, so that the clock's resolution matters little."""
 WORDS = 100
+"""Number of words that are measured in each launch."""
 _NO_LIMIT = (1 << 32) - 1
 _NO_TIME_US = 1e-3
+"""A word that takes less is not executed by a chip. Also the length of a negligible slot."""
 _LONGEST_MS = 10_000
 """Upper limit of the time of a frame's words, in milliseconds."""
 
 
 @dataclass(frozen=True)
 class MeasuredTimes:
-    """Measured times in microseconds. `wait_us`: of the loop that waits for a boundary."""
+    """Measured times in microseconds: of a launch, of an analog and of a digital word, of the loop
+    that waits for a boundary (`wait_us`), and of the readout of a register. The names are those of
+    the target's keys."""
 
     launch_us: float
     analog_word_us: float
@@ -57,13 +62,15 @@ class MeasuredTimes:
 
 
 def measured(link: SerialLink, target: Target) -> MeasuredTimes:
-    """Measure the times of the device behind a link; its program is replaced. Raises Rejected
-    (NS0723, status 3) for a device on which words take no time."""
+    """Measure the times of the device behind `link`, of the chip `target`; its program is replaced.
+    Raises Rejected (status 3): NS0723 for a device on which words take no time, and others if the
+    device fails."""
     register = target.digital_registers[-1]
     analog, digital = op("nop"), op("CLR", [register])
 
     def took(kernel: Sequence[Op], launches: int, waits: bool = False) -> CaptureReply:
-        """Return the reply of a frame that runs a kernel this often."""
+        """Return the reply of a frame that runs `kernel` in this number of launches: at once, or
+        with `waits` each at a boundary of its own."""
         return _captured(link, _program(target, kernel, launches, waits))
 
     once = took([analog], 1).lasted_us
@@ -82,6 +89,7 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
             "of its target",
         )
     return MeasuredTimes(
+        # The frames differ in all launches but one; each of these also runs the word of its kernel.
         round((plain.lasted_us - once) / (LAUNCHES - 1) - analog_us, 4),
         round(analog_us, 4),
         round(digital_us, 4),
@@ -91,7 +99,8 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
 
 
 def _captured(link: SerialLink, program: Upload) -> CaptureReply:
-    """Capture and fetch a frame of a program, and return the loader's reply about it."""
+    """Upload a program, capture and fetch a frame of it, and return the loader's reply about it.
+    Raises Rejected (status 3) if the device fails."""
     request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.FetchedFrame]:
@@ -103,8 +112,9 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
 
 
 def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -> Upload:
-    """Return a program that launches a kernel `launches` times: at once, or with `waits` after a
-    slot of negligible length each. Late launches are allowed."""
+    """Return a program for `target` that launches `kernel`, its operations, `launches` times (at
+    most 65535): at once, or with `waits` after a slot of negligible length each. Late launches are
+    allowed."""
     slots = launches if waits else 1
     words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
     objects = (

@@ -13,7 +13,8 @@ from typing import Any, ClassVar, Self
 
 
 class LoaderState(IntEnum):
-    """The state of a loader."""
+    """The state of a loader: without a program, receiving one, having all of its bytes, ready to
+    expose, exposing, or having refused a program."""
 
     EMPTY = 0
     RECEIVING = 1
@@ -24,7 +25,11 @@ class LoaderState(IntEnum):
 
 
 class LoaderFault(IntEnum):
-    """The reason why a loader refused a request."""
+    """The reason why a loader refused a request.
+
+    A detail goes with it (`LoaderFailure`). DIGEST: data do not match their checksum. LATE:
+    launches were later than the program allows. NO_SESSION: the request has another session's
+    number."""
 
     NO_SESSION = 1
     VERSION = 2
@@ -78,7 +83,9 @@ class Channel(IntFlag):
 def frame_bytes(
     channels: int, pixels: int, readouts: int, states: int, report_bytes: int = 0
 ) -> int:
-    """Return the bytes of a frame: all readouts in these channels, `states` planes, and reports."""
+    """Return the number of bytes of a frame in these `channels`, bits of `Channel`: CODES and
+    EXPOSURE of `readouts` registers of `pixels` each, `states` planes in STATES, and `report_bytes`
+    in REPORTS."""
     bytes_per_pixel = (1 if channels & Channel.CODES else 0) + (
         8 if channels & Channel.EXPOSURE else 0
     )
@@ -88,12 +95,13 @@ def frame_bytes(
 
 
 def plane_bytes(pixels: int) -> int:
-    """Return the number of bytes of a plane of one bit per pixel."""
+    """Return the number of bytes of a plane of one bit for each of `pixels`; the last byte may be
+    filled up."""
     return (pixels + 7) // 8
 
 
 class _Body:
-    """A body of fixed layout, whose fields are those of the dataclass, in order."""
+    """A body of fixed layout (`layout`), whose fields are those of the dataclass, in order."""
 
     layout: ClassVar[Struct]
 
@@ -108,8 +116,8 @@ class _Body:
 
 
 def _fields(layout: Struct, body: bytes) -> tuple[Any, ...]:
-    """Return the values that a body contains; raise ValueError if its length does not fit the
-    layout."""
+    """Return the values in `layout` that `body` contains; raise ValueError if its length is not
+    that of the layout."""
     try:
         return layout.unpack(body)
     except error as wrong:
@@ -129,11 +137,14 @@ class Hello(_Body):
 class Info(_Body):
     """The description of a loader.
 
-    `boot`: identifies its current run; another number means that all uploads are lost. `window`:
-    number of unacknowledged bytes on the wire. `most_..`, `longest_ms`: limits of words, kernels,
-    rows of the schedule, runs of equal slots, bytes of all channels of a frame, and milliseconds
-    from first to last word. `hold`: number of bytes of a frame that stay available after the host
-    has confirmed them. `program`, `label`: zeros without a program."""
+    `version`: of the protocol. `state`: see `LoaderState`. `most_data`: bytes of data in one
+    packet. `window`: number of unacknowledged bytes on the wire. `boot`: identifies its current
+    run; another number means that all uploads are lost. `capabilities`: bits of `Capability`.
+    `most_..`, `longest_ms`: limits of words, kernels, rows of the schedule, runs of equal slots,
+    bytes of all channels of a frame, and milliseconds from first to last word. `hold`: number of
+    bytes of a frame that stay available after the host has confirmed them. `rows`, `cols`: size of
+    the array. `target`, `program`: their digests; `label`: chosen by the host of the program. The
+    last two are zeros without a program."""
 
     version: int
     state: int
@@ -159,10 +170,11 @@ class Info(_Body):
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
-        """Read the description of a device: fixed fields, then two texts with their lengths.
+        """Read the description of a loader from a body: fixed fields, then two texts (names of
+        target and firmware), each after a byte with its length.
 
         Characters that a terminal could interpret are replaced. Raises ValueError if the body is
-        cut short."""
+        cut short; bytes after the texts are ignored."""
         fixed = _fields(cls.layout, body[: cls.layout.size])
         texts, at = [], cls.layout.size
         for _ in range(2):
@@ -191,7 +203,8 @@ class Begin(_Body):
 
 @dataclass(frozen=True)
 class ObjectEntry(_Body):
-    """The announcement of an object: kind, register of a plane, number of bytes, SHA-256."""
+    """The announcement of an object: its kind (`ObjectKind`), the register of a plane (0 for other
+    kinds), number of bytes, SHA-256."""
 
     kind: int
     register: int
@@ -202,7 +215,7 @@ class ObjectEntry(_Body):
 
 @dataclass(frozen=True)
 class Declare(_Body):
-    """Consecutive entries of a program, from number `first` on."""
+    """Consecutive entries of a program, from entry number `first` on, counted from 0."""
 
     first: int
     entries: tuple[ObjectEntry, ...]
@@ -220,8 +233,11 @@ MOST_ENTRIES = 26
 
 @dataclass(frozen=True)
 class UploadProgress(_Body):
-    """The progress of an upload. `declared`: number of announced objects. `position`: bytes
-    received of all objects in order. `failures`: objects dropped because of a wrong digest."""
+    """The progress of an upload.
+
+    `state`: see `LoaderState`. `failures`: number of objects dropped because of a wrong digest.
+    `declared`: number of announced objects. `position`: number of bytes received of all objects in
+    order."""
 
     state: int
     failures: int
@@ -233,6 +249,7 @@ class UploadProgress(_Body):
 @dataclass(frozen=True)
 class CaptureRequest(_Body):
     """A request to expose a frame, unless the frame `number` exists or is being exposed.
+    `channels`: bits of `Channel`.
 
     In CAPTURE_WITH the values of all parameters follow, as i32."""
 
@@ -245,12 +262,13 @@ class CaptureRequest(_Body):
 class CaptureReply(_Body):
     """The state of a capture.
 
-    `ready`: whether its frame can be read. `estimate_ms`: time of exposure and readout.
-    `started_us`: the loader's clock at the start. `released`: bytes before this offset are no
-    longer available. `lasted_us`: time from first to last word. `readout_us`: time of readout so
-    far. `late`: number of launches that exceeded the program's tolerance, the latest by
-    `latest_us`. `crc32`, `adler32`: checksums of all `length` bytes, 0 until the loader has all of
-    them (`complete`)."""
+    `number`, `channels`: those of the request. `ready`: whether its frame can be read, 0 or 1.
+    `readouts`: number of registers. `estimate_ms`: time of exposure and readout. `length`: number
+    of bytes of the frame. `released`: bytes before this offset are no longer available.
+    `started_us`: the loader's clock at the start. `lasted_us`: time from first to last word.
+    `readout_us`: time of readout so far. `late`: number of launches that exceeded the program's
+    tolerance, the latest by `latest_us`. `crc32`, `adler32`: checksums of all bytes, 0 until the
+    loader has all of them (`complete` is 1)."""
 
     number: int
     ready: int
@@ -272,8 +290,8 @@ class CaptureReply(_Body):
 
 @dataclass(frozen=True)
 class ReadRequest(_Body):
-    """A request for `length` bytes of a frame from `offset` on, at most `chunk` bytes per packet.
-    The host has all bytes before `confirmed`."""
+    """A request for `length` bytes of the frame `number` from `offset` on, at most `chunk` bytes
+    per packet. The host has all bytes before `confirmed`."""
 
     number: int
     offset: int
@@ -285,8 +303,10 @@ class ReadRequest(_Body):
 
 @dataclass(frozen=True)
 class Status(_Body):
-    """The state of a loader. `boot`: number of its current run. `uptime_us`: microseconds since its
-    start. `position`: bytes received of an upload. `packets`, `damaged`: packets received and
+    """The state of a loader.
+
+    `state`: see `LoaderState`. `boot`: number of its current run. `uptime_us`: microseconds since
+    its start. `position`: bytes received of an upload. `packets`, `damaged`: packets received and
     dropped since its start."""
 
     state: int
@@ -300,7 +320,8 @@ class Status(_Body):
 
 @dataclass(frozen=True)
 class LoaderFailure(_Body):
-    """The failure of a request. `detail` depends on the fault, for example the number of a word."""
+    """The failure of a request. `request`: kind of its packet. `fault`: see `LoaderFault`; a newer
+    loader may send others. `detail` depends on the fault, for example the number of a word."""
 
     request: int
     fault: int
@@ -316,8 +337,8 @@ the plane the loader has."""
 
 
 def loaded_bytes(body: bytes) -> int:
-    """Return how many bytes of a plane the loader has, from its reply to LOAD. Raises ValueError
-    for a body of another length."""
+    """Return how many bytes of a plane the loader has, from `body`, that of its reply to LOAD.
+    Raises ValueError for a body of another length."""
     (position,) = _fields(DATA, body)
     return int(position)
 
@@ -327,7 +348,8 @@ FRAME = Struct("<QI")
 
 
 def info_text(info: Info, status: Status) -> str:
-    """Return the description `info` of a loader and its `status` as text, one property per line."""
+    """Return the description `info` of a loader and its `status` as text, one property per line,
+    with a newline at the end."""
     state = (
         LoaderState(info.state).name.lower() if info.state in set(LoaderState) else str(info.state)
     )
@@ -349,8 +371,8 @@ def info_text(info: Info, status: Status) -> str:
 
 
 def info_json(info: Info, status: Status) -> str:
-    """Return the description `info` of a loader and its `status` as JSON, with digests in
-    hexadecimal."""
+    """Return the description `info` of a loader and its `status` as JSON: the fields of `info`,
+    with digests in hexadecimal, and those of `status` under that key."""
     values = {**asdict(info), "status": asdict(status)}
     for name in ("target", "program", "label"):
         values[name] = values[name].hex()

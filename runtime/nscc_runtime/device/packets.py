@@ -11,6 +11,7 @@ from struct import Struct
 from zlib import crc32
 
 VERSION = 2
+"""Version of the protocol that this host uses."""
 MOST_DATA = 1024
 """Largest number of bytes of an object or a frame in one packet."""
 MOST_BODY = MOST_DATA + 16
@@ -20,6 +21,7 @@ _CRC = Struct("<I")
 OVERHEAD = _HEADER.size + _CRC.size
 _LARGEST = OVERHEAD + MOST_BODY
 _BLOCK = 254
+"""Largest number of bytes without a zero that one overhead byte can count."""
 
 
 class PacketKind(IntEnum):
@@ -41,6 +43,7 @@ class PacketKind(IntEnum):
 
 
 REPLY = 0x80
+"""Added to the kind of a request in its reply."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,8 +63,8 @@ class Packet:
 
 
 def unpacked(stuffed_bytes: bytes) -> Packet | None:
-    """Return the packet in `stuffed_bytes`, which stood between two zero bytes; None if it is
-    damaged."""
+    """Return the packet in `stuffed_bytes`, the bytes between two zero bytes. Return None if they
+    are damaged: no valid stuffing, a wrong length or checksum, or a reserved byte that is not 0."""
     plain = unstuffed(stuffed_bytes)
     if plain is None or not OVERHEAD <= len(plain) <= _LARGEST:
         return None
@@ -75,7 +78,8 @@ def unpacked(stuffed_bytes: bytes) -> Packet | None:
 
 
 class Unpacker:
-    """Finds the packets in a stream of bytes. `damaged`: number of dropped packets."""
+    """Finds the packets in a stream of bytes. `damaged`: number of pieces between zero bytes that
+    were dropped."""
 
     def __init__(self) -> None:
         """Begin without bytes of a packet."""
@@ -84,8 +88,8 @@ class Unpacker:
         self._overlong = False
 
     def feed(self, data: bytes) -> list[Packet]:
-        """Return the packets that these bytes complete, together with bytes of earlier calls;
-        damaged ones are counted."""
+        """Return the packets that `data` completes, together with bytes of earlier calls. Damaged
+        ones are left out and counted."""
         *pieces, tail = (self._waiting + data).split(b"\0")
         packets = []
         for piece in pieces:
@@ -97,6 +101,8 @@ class Unpacker:
                 self.damaged += 1
             else:
                 packets.append(packet)
+        # No packet is that long: its bytes are not stored, and what follows up to a zero is
+        # dropped.
         if len(tail) > LONGEST_WIRE:
             tail, self._overlong = b"", True
         self._waiting = tail
@@ -104,7 +110,8 @@ class Unpacker:
 
 
 def stuffed(data: bytes) -> bytes:
-    """Encode `data` without zero bytes (consistent overhead byte stuffing), up to 1/254 longer."""
+    """Return `data` encoded without zero bytes (consistent overhead byte stuffing); the result is
+    longer by at least one byte and at most 1/254."""
     out = bytearray()
     for piece in data.split(b"\0"):
         while len(piece) >= _BLOCK:
@@ -115,8 +122,8 @@ def stuffed(data: bytes) -> bytes:
 
 
 def unstuffed(data: bytes) -> bytes | None:
-    """Return the bytes that `stuffed` has encoded without zeros (COBS); None for bytes that it
-    cannot produce."""
+    """Return the bytes that `stuffed` has encoded as `data` (COBS); None for bytes that it cannot
+    produce: a zero, or a block that is cut off."""
     out = bytearray()
     at = 0
     while at < len(data):
@@ -125,6 +132,7 @@ def unstuffed(data: bytes) -> bytes | None:
             return None
         out += data[at + 1 : at + length]
         at += length
+        # A full block is not followed by a zero, nor is the last block.
         if length < 0xFF and at < len(data):
             out.append(0)
     return bytes(out)

@@ -14,7 +14,8 @@ _MOST_READ = 1 << 16
 
 @dataclass(eq=False)
 class PortTrouble(Exception):
-    """A port cannot be opened. `kind`: missing, forbidden, busy, unsuited, baud or other."""
+    """A port cannot be opened. `kind`: "missing", "forbidden", "busy", "unsuited" (no serial port),
+    "baud" (its speed) or "other". `reason`: a text."""
 
     kind: str
     reason: str
@@ -35,7 +36,8 @@ class Port:
         return int(self.serial.fileno())
 
     def read(self) -> bytes:
-        """Return the received bytes; empty if there are none. Raises PortGone if the port is lost.
+        """Return the received bytes, at most 65536; empty if there are none. Raises PortGone if the
+        port is lost.
 
         Call it when select reports the port as readable: a port that is readable without bytes is
         lost."""
@@ -50,8 +52,8 @@ class Port:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write `data` and return how many of its bytes were accepted. Raises PortGone if the port
-        is lost."""
+        """Write `data` and return how many of its bytes, from the start, were accepted; 0 if none
+        can be written now. Raises PortGone if the port is lost."""
         try:
             return os.write(self.fileno(), data)
         except BlockingIOError:
@@ -69,7 +71,7 @@ def open_port(path: str, baud: int) -> Port:
     """Open the port at `path` exclusively, with `baud` bits per second, 8 data bits, no parity and
     1 stop bit.
 
-    Raises PortTrouble."""
+    Raises PortTrouble with the kind of trouble if that fails; ImportError without pyserial."""
     import serial
 
     try:
@@ -85,7 +87,8 @@ def open_port(path: str, baud: int) -> Port:
 
 
 def _trouble(error: OSError) -> PortTrouble:
-    """Return the kind of an operating-system error and what it means for the port."""
+    """Return the trouble with a port that an operating-system error means: its kind by the number
+    of the error, and a text."""
     number = error.errno
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV, errno.ENOTDIR):
         return PortTrouble("missing", "the port does not exist")
@@ -100,8 +103,8 @@ def _trouble(error: OSError) -> PortTrouble:
 
 
 def list_ports(list_comports: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
-    """Return names and descriptions of this machine's serial ports, sorted by name. Tests
-    replace `list_comports`."""
+    """Return names and descriptions of this machine's serial ports, sorted by name; a description
+    may be "". `list_comports` returns the ports, None for pyserial's function; tests replace it."""
     from serial.tools.list_ports import comports
 
     ports = (list_comports or comports)()

@@ -56,7 +56,9 @@ def missing() -> str | None:
 
 
 def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled for a core. Raises NotBuilt if that fails."""
+    """Return the loader for `target`, compiled for a Cortex of the kind `core`. `folder`: where it
+    is cached, None for nscc's cache folder. Raises NotBuilt if a program is missing or compiling
+    fails."""
     absent = missing()
     if absent is not None:
         raise NotBuilt(f"{absent} is not installed")
@@ -71,7 +73,8 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
 
 
 def command(core: Core, image: Path, time: str) -> list[str]:
-    """Return the command that runs an image without serial ports; `time`: QEMU's -icount."""
+    """Return the command that runs the program file `image` on an emulated `core`, without serial
+    ports. `time`: the argument of QEMU's -icount, such as `_TIME`."""
     return [
         EMULATOR,
         "-M",
@@ -91,9 +94,10 @@ class Emulated(RunningFirmware):
     """A loader on an emulated board."""
 
     def __init__(self, loader: Built, chip: EmulatedChip, core: Core = "m4") -> None:
-        """Start the firmware on an emulated Cortex-M, with a socket as its serial line.
+        """Start the firmware `loader` on an emulated Cortex-M, with a socket as its serial line.
+        `chip` executes its words. `core` must be the one that it was compiled for.
 
-        Raises NotBuilt if the emulator does not connect within `_START_S`."""
+        Raises NotBuilt if the emulator does not connect within `_START_S` seconds."""
         self._frame: tuple[int, bytes] = 0, b""
         with tempfile.TemporaryDirectory(prefix="nscc-qemu-") as name:
             path = f"{name}/line"
@@ -125,13 +129,15 @@ class Emulated(RunningFirmware):
             self._line = line.detach()
 
     def sent(self, job: BoardJob, frame: bytes) -> bytes:
-        """Store the frame and return nothing: the board requests its bytes column by column."""
+        """Store the `frame` of `job` and return no bytes: the board requests them column by
+        column."""
         self._frame = job.number, frame
         return b""
 
     def follow(self, kind: bytes, data: bytes) -> None:
-        """Handle a record of the loader: a request for bytes of the last frame here, any other
-        in the base class."""
+        """Handle a record of the loader, by `kind` (one byte) and `data`. A request for bytes of
+        the last frame is answered here, with no bytes if it is for another frame; any other goes to
+        the base class."""
         if kind != b"C":
             super().follow(kind, data)
             return
@@ -140,6 +146,6 @@ class Emulated(RunningFirmware):
         self.write_record(b"B", frame[offset : offset + count] if number == frame_number else b"")
 
     def close(self) -> int:
-        """End the emulator; return its exit status."""
+        """End the emulator, which does not stop by itself; return its exit status."""
         self._process.kill()
         return super().close()

@@ -21,6 +21,7 @@ _READOUT = Struct("<Id")
 _EVENT = Struct("<Ii")
 _LIGHT_FALLS = 0xFFFF_FFFF
 _IN_IS_SET = 0xFFFF_FFFE
+"""Numbers of events that are no launches. A launch has the offset of its kernel in the words."""
 IMAGE = 256
 """Added to the register number of a readout that is an image, not a bucket."""
 
@@ -28,9 +29,10 @@ IMAGE = 256
 class BoardProgram(NamedTuple):
     """What a board executes in a frame, and what it reads out.
 
-    `readouts`: names and gains of the registers of buckets. `images`: names of those of images.
-    `states`: names of the digital registers that are sent with the frame. `slot_us`: lengths of the
-    slots. `kept`: names of the analog registers that are kept from frame to frame."""
+    `chip`: the words and launches. `slot_us`: lengths of the slots in microseconds. `readouts`:
+    names and gains of the registers of buckets. `images`: names of those of images. `states`: names
+    of the digital registers that are sent with the frame. `kept`: names of the analog registers
+    that are kept from frame to frame."""
 
     chip: ChipProgram
     slot_us: tuple[float, ...]
@@ -42,9 +44,11 @@ class BoardProgram(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ExecutedFrame:
-    """One frame of the emulator. `frame`: its bytes as a loader sends them. `planes`: the code
-    registers after the frame as bytes of PLANE objects, by register; kept states are stored in code
-    registers. `kept`: electrons (rows, cols) of the analog registers that are kept, by register."""
+    """One frame of the emulator.
+
+    `frame`: its bytes as a loader sends them. `planes`: the digital registers with codes after the
+    frame, as bytes of PLANE objects, by register; kept states are stored in them. `kept`: electrons
+    (rows, cols) of the analog registers that are kept, by register."""
 
     frame: bytes
     planes: Mapping[str, bytes]
@@ -52,7 +56,8 @@ class ExecutedFrame:
 
 
 class BoardJob(NamedTuple):
-    """A frame that a loader requests: number, channels to read out as a bit mask, program."""
+    """A frame that a loader requests: its number, the channels to read out (bits of `Channel`), and
+    the program."""
 
     number: int
     channels: int
@@ -76,8 +81,12 @@ class Recording:
         self._events: list[tuple[int, int]] = []
 
     def take(self, kind: bytes, data: bytes) -> BoardJob | None:
-        """Process a record; return a job for the kind "J". Raises ValueError for an unknown
-        kind."""
+        """Process a record of this `kind`, one letter, with its `data`; return a job for the kind
+        "J", None for others.
+
+        F forgets all; D is a plane after the number of its register; W are the words; S are runs of
+        equal slots; N begins a frame; E is an event; J asks for the frame. Raises ValueError for an
+        unknown kind."""
         match kind:
             case b"F":
                 self._forget()
@@ -105,7 +114,8 @@ class Recording:
         return None
 
     def keep(self, job: BoardJob, executed: ExecutedFrame) -> None:
-        """Store the registers after a frame with which the program's next frame starts."""
+        """Store the registers after a frame `executed`, with which the program's next frame starts.
+        A `job` that is not the latest changes nothing, because the program was replaced since."""
         if job is self._latest:
             names = self.target.digital_registers
             self._planes = {names.index(name): plane for name, plane in executed.planes.items()}
@@ -120,7 +130,9 @@ class Recording:
         """Return the commands since the frame began as a program of the board.
 
         Events become launches of kernels at boundaries, with the value of IN set before them.
-        `readouts` are registers with their gains, `kept` those that go on to the next frame."""
+        `readouts` are numbers of registers (see IMAGE) with their gains, `states` numbers of
+        digital registers that are sent, and `kept` names of analog registers that go on to the next
+        frame."""
         numbers: dict[tuple[int, int], int] = {}
         launches: list[Launch] = []
         boundary, level = 0, None
@@ -130,6 +142,7 @@ class Recording:
             elif event == _IN_IS_SET:
                 level = count
             else:
+                # A launch is the byte offset of its kernel in the words, and their number.
                 kernel = numbers.setdefault((event, count), len(numbers))
                 launches.append(Launch(boundary, kernel, level))
                 level = None
@@ -161,11 +174,14 @@ def program_of(
     kept: Sequence[str],
     analog: Mapping[str, Any],
 ) -> BoardProgram:
-    """Return the commands to a chip as a program for the emulator.
+    """Return the commands to a chip of `target` as a program for the emulator.
 
-    Registers are numbers; IMAGE is added to the number of an image's register. `runs`: numbers of
-    equal slots, with their lengths in microseconds. `kept`: names of the registers that go on from
-    frame to frame; `analog` are the electrons (rows, cols) that the previous frame left in them."""
+    Registers are numbers, those of `kept` names; IMAGE is added to the number of an image's
+    register in `readouts`, which have gains. `kernels`: the words of each. `launches`: kernels at
+    boundaries. `runs`: numbers of equal slots, with their lengths in microseconds. `states`:
+    digital registers that are sent. `planes`: bytes of PLANE objects by register. `kept`: registers
+    that go on from frame to frame; `analog` are the electrons (rows, cols) that the previous frame
+    left in them."""
     registers, digital = target.analog_registers, target.digital_registers
     slot_us = tuple(us for count, us in runs for _ in range(count))
     shape = target.rows, target.cols

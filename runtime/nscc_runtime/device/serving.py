@@ -23,6 +23,7 @@ from nscc.diagnostics.suggest import meant
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")
 _UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
 _LONGEST_S = 3600.0
+"""Longest delay or outage, in seconds."""
 EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after:40000"
 
 
@@ -30,10 +31,10 @@ EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after
 class LineFaults:
     """Simulated faults of a line.
 
-    `corrupt`, `drop`: rates per byte. `delay_s`: delay in both directions. `disconnect_after`:
-    number of bytes, in both directions together, after which the line is interrupted for
-    `outage_s`. `reboot_after`: number of bytes after which the loader reboots. Both happen once;
-    None for never."""
+    `corrupt`, `drop`: rates per byte, 0 to 1. `delay_s`: delay in each direction.
+    `disconnect_after`: number of bytes, in both directions together, after which the line is
+    interrupted for `outage_s`. `reboot_after`: number of such bytes after which the loader reboots.
+    Both happen once; None for never. `seed`: of the random faults."""
 
     corrupt: float = 0.0
     drop: float = 0.0
@@ -44,7 +45,7 @@ class LineFaults:
     seed: int = 0
 
     def __str__(self) -> str:
-        """Return the faults as `--fault` takes them."""
+        """Return the faults as `--fault` takes them, times in seconds."""
         terms = [f"corrupt={self.corrupt:g}", f"drop={self.drop:g}", f"delay={self.delay_s:g}s"]
         for name, after in (("disconnect", self.disconnect_after), ("reboot", self.reboot_after)):
             if after is not None:
@@ -52,6 +53,7 @@ class LineFaults:
         return ",".join([*terms, f"outage={self.outage_s:g}s", f"seed={self.seed}"])
 
 
+# The field of `LineFaults` for each name of `--fault`.
 NAMES = {
     "corrupt": "corrupt",
     "drop": "drop",
@@ -64,8 +66,9 @@ NAMES = {
 
 
 def parse_faults(text: str) -> LineFaults:
-    """Return the faults of a line from a `text` such as EXAMPLE. Raises Rejected (NS0769, status 2)
-    for other texts."""
+    """Return the faults of a line from a `text` such as EXAMPLE: NAME=VALUE, separated by commas,
+    each name at most once; others keep their defaults. Raises Rejected (NS0769, status 2) for other
+    texts."""
     values: dict[str, Any] = {}
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
@@ -78,7 +81,8 @@ def parse_faults(text: str) -> LineFaults:
 
 
 def _value(name: str, text: str) -> float | int:
-    """Return the value of the fault `name`: a rate per byte, a time (s), or a number of bytes.
+    """Return the value of the fault `name` that `text` gives: a rate per byte from 0 to 1, a time
+    such as 50ms in seconds, `after:` with a number of bytes, or the whole number of a seed.
 
     Raises Rejected (NS0769) for other texts."""
     shown = f"{name}={text[:40]}"
@@ -117,7 +121,8 @@ class Spoiler:
     """Corrupts and drops bytes at the rates of `faults`; the seed determines the sequence."""
 
     def __init__(self, faults: LineFaults, seed: int) -> None:
-        """Draw when the first faults occur; `seed` distinguishes the two directions of the line."""
+        """Draw when the first faults occur. `seed` distinguishes the two directions of the line;
+        the random sequence follows from it and from `faults.seed`."""
         self._random = Random(f"{faults.seed} {seed}")
         self._faults = faults
         self._to_corrupt = self._gap(faults.corrupt)
@@ -125,16 +130,17 @@ class Spoiler:
 
     def _gap(self, rate: float) -> int:
         """Return the random number of undamaged bytes before the next fault, if each byte is
-        damaged with this rate."""
+        damaged with the probability `rate`. At rate 0 it is more than will ever pass."""
         if rate <= 0:
             return 1 << 62
         if rate >= 1:
             return 0
+        # The inverse of the distribution: the next n bytes pass with probability (1 - rate)^n.
         return int(log(1 - self._random.random()) / log(1 - rate))
 
     def spoiled(self, data: bytes) -> bytes:
-        """Return the bytes that arrive at the other end of the line, with some changed and some
-        missing."""
+        """Return what arrives of `data` at the other end of the line, with some bytes changed and
+        some missing."""
         if self._to_corrupt >= len(data) and self._to_drop >= len(data):
             self._to_corrupt -= len(data)
             self._to_drop -= len(data)
@@ -144,6 +150,7 @@ class Spoiler:
             value = byte
             if self._to_corrupt == 0:
                 value ^= self._random.randrange(1, 256)
+                # Plus 1, because the byte itself is counted below.
                 self._to_corrupt = self._gap(self._faults.corrupt) + 1
             if self._to_drop == 0:
                 self._to_drop = self._gap(self._faults.drop) + 1
@@ -164,7 +171,8 @@ class Accidents:
         self._passed = 0
 
     def passed(self, count: int) -> list[str]:
-        """Return the accidents ("disconnect", "reboot") within the next `count` bytes."""
+        """Return the accidents ("disconnect", "reboot") that fall due with `count` more bytes; each
+        is returned once."""
         self._passed += count
         due = [name for name, after in self._to_come.items() if self._passed >= after]
         for name in due:
@@ -177,14 +185,18 @@ if TYPE_CHECKING:
 
 _MOST_READ = 4096
 _ROOM = 4096
+"""Number of bytes of the loader that wait for the terminal before no more are taken."""
 _NOBODY_S = 0.01
 _BUSY_S = 0.002
 _PAUSE_S = 0.0002
 _IDLE_S = 0.25
+"""Longest pauses in seconds: without a host, in an outage, with a busy loader, and else."""
 _BOOT_S = 0.1
+"""Time of a reboot, in seconds."""
 _LET_GO_S = 2.0
 """Time for a host to close a port that vanished, in seconds."""
 _MOST_TRIES = 64
+"""Number of terminals that are opened to get one of the wanted name."""
 
 
 class Terminal:
@@ -192,7 +204,7 @@ class Terminal:
 
     def __init__(self, name: str | None = None) -> None:
         """Open a pseudo-terminal, if possible with this `name`, so that a device seems to return to
-        its port."""
+        its port. If the name cannot be had, or is None, it has another one (attribute `name`)."""
         self.name = ""
         spare_masters = []
         try:
@@ -215,7 +227,8 @@ class Terminal:
         self.opened = False
 
     def read(self) -> bytes | None:
-        """Return the bytes written by the other side; None while the port is not open."""
+        """Return the bytes written by the other side, b"" if there are none; None while the port is
+        not open."""
         try:
             data = os.read(self.fd, _MOST_READ)
         except BlockingIOError:
@@ -228,15 +241,15 @@ class Terminal:
         return data
 
     def write(self, data: bytes) -> int:
-        """Write `data` and return how many of its bytes were accepted: 0 if the terminal is
-        full."""
+        """Write `data` and return how many of its bytes, from the start, were accepted: 0 if the
+        terminal is full."""
         try:
             return os.write(self.fd, data)
         except BlockingIOError:
             return 0
 
     def hung_up(self) -> bool:
-        """Return whether the port is not open."""
+        """Return whether no host has the port open."""
         poller = select.poll()
         poller.register(self.fd, select.POLLIN)
         return any(happened & select.POLLHUP for _, happened in poller.poll(0))
@@ -248,8 +261,7 @@ class Terminal:
 
 
 class StandInServer:
-    """Transfers bytes between a terminal and a loader, with `faults` of the line. `moved` is called
-    with the new name of the port if the name changes."""
+    """Transfers bytes between a terminal and a loader, with `faults` of the line."""
 
     def __init__(
         self,
@@ -257,7 +269,8 @@ class StandInServer:
         faults: LineFaults,
         moved: Callable[[str], None] = lambda _: None,
     ) -> None:
-        """Open a terminal in front of the loader. `moved` is called with a new port name."""
+        """Open a terminal in front of `loader`. `moved` is called with the new name of the port if
+        it changes after an outage."""
         self.loader, self.faults, self.moved = loader, faults, moved
         self.terminal = Terminal()
         self._accidents = Accidents(faults)
@@ -269,7 +282,8 @@ class StandInServer:
         self._until: float | None = None
 
     def serve(self, *, once: bool = False, seconds: float | None = None) -> None:
-        """Serve for `seconds` (None: forever); with `once`, only until the first host has left."""
+        """Serve hosts for `seconds` (None: forever); with `once`, only until the first host has
+        left. Raises RuntimeError if the loader's process ends."""
         self._until = None if seconds is None else monotonic() + seconds
         while not self._over():
             if self.terminal.hung_up():
@@ -293,9 +307,11 @@ class StandInServer:
         return int(monotonic() * 1e6)
 
     def _turn(self, data: bytes | None) -> None:
-        """Pass on the bytes that are due in both directions; `data` are bytes from the host.
+        """Pass on the bytes that are due in both directions. `data` are bytes from the host, None
+        or empty for none.
 
-        Bytes are delayed and damaged as `faults` says. A rebooting loader receives nothing."""
+        Bytes are delayed and damaged as `faults` says. A rebooting loader receives and sends
+        nothing."""
         now = monotonic()
         if data:
             self._arriving.append((now + self.faults.delay_s, self._up.spoiled(data)))
@@ -319,7 +335,8 @@ class StandInServer:
                 break
 
     def _accident(self, count: int) -> None:
-        """Count bytes on the line; disconnect or reboot where the faults say so."""
+        """Count `count` bytes on the line; disconnect or reboot where the faults say so. Delayed
+        bytes to the loader are lost then."""
         for accident in self._accidents.passed(count):
             self._arriving.clear()
             if accident == "disconnect":
@@ -330,7 +347,8 @@ class StandInServer:
                 self._boots_until = monotonic() + _BOOT_S
 
     def _disconnect(self) -> None:
-        """Remove the port, and open it again after the outage, with its old name if possible."""
+        """Remove the port, and open it again after the outage, with its old name if that becomes
+        free within `_LET_GO_S`; otherwise `moved` is called with the new name."""
         name = self.terminal.name
         # While the other side is open, the number is not reused.
         reserved = os.open(name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
@@ -349,7 +367,8 @@ class StandInServer:
             self.moved(self.terminal.name)
 
     def _wait(self) -> None:
-        """Wait until a byte arrives or can be written, or delayed bytes or other work are due."""
+        """Wait until a byte arrives or can be written, or delayed bytes or other work are due, at
+        most `_IDLE_S` seconds."""
         now = monotonic()
         readers = [self.terminal.fd, *self.loader.watched()]
         if self._leaving and self._leaving[0][0] <= now:

@@ -17,6 +17,7 @@ from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import Sensor
 
 Machine = Literal["host", "qemu", "qemu-m0"]
+"""Where the firmware runs: on this computer, or on an emulated Cortex-M4 or Cortex-M0."""
 
 
 def emulated_chip(
@@ -28,12 +29,14 @@ def emulated_chip(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     failed: Callable[[Exception], None] = lambda _: None,
 ) -> EmulatedChip:
-    """Return an emulated chip that sees `scene` with any program.
+    """Return an emulated chip of `target` that sees `scene` with any program. `sensor` has the
+    parameters of its effects, and `device_seed` numbers its fixed patterns.
 
-    Raises Rejected now for a scene that suits no program; the number of frames (NS0735) depends on
-    the program. Later, `warn` is called with messages about the scene, and `failed` with the reason
-    for a missing frame, because the host only learns that it is missing."""
+    Raises Rejected now for a scene that suits no program; whether a clip has enough frames (NS0735)
+    depends on the program. Later, `warn` is called with messages about the scene, and `failed` with
+    the reason for a missing frame, because the host only learns that it is missing."""
     try:
+        # One slot of any length: what fails with it but for the number of frames fails with all.
         scene_light(scene, (1000.0,), target)
     except Rejected as error:
         if Path(scene.name).is_dir() or error.diagnostics[0].code != "NS0735":
@@ -51,7 +54,8 @@ def emulated_chip(
 def loaded(
     machine: Machine, target: Target, chip: EmulatedChip, say: Callable[[str], None]
 ) -> Iterator[RunningFirmware]:
-    """Run the firmware, compiled for a machine, in its own process.
+    """Run the firmware for `target`, compiled for `machine`, in its own process for a with block,
+    and yield it. `chip` executes its words.
 
     `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is called with a text that
     describes the loader. Raises Rejected (NS0772, status 2) if the firmware cannot be compiled or
@@ -72,8 +76,8 @@ def loaded(
 
 
 def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
-    """Return the error (NS0772) for firmware that cannot be compiled or started, with what to
-    install."""
+    """Return the error (NS0772) for firmware that cannot be compiled or started for `machine`, with
+    what to install. `reason` says what failed, by its class and text."""
     problem = "cannot be compiled for this machine"
     helps = (
         "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "

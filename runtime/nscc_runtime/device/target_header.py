@@ -31,12 +31,14 @@ from nscc_runtime.device.objects import target_digest
 _PHASES = {Phase.WHOLE: "WHOLE", Phase.READ: "FIRST_HALF", Phase.WRITE: "SECOND_HALF"}
 _PAIRS = ("OR", "NOR", "REFRESH", "PROP")
 _NO_LIMIT = 255
+"""Largest number in the loader's table, which stands for no limit."""
 _NOTHING: Word = (0, 0, 0, 0, 0)
 _LONGEST_REFRESH = 5
+"""Number of words that refresh the masked register; others need fewer."""
 
 
 def target_header(target: Target) -> str:
-    """Return `target.hpp` for a target: the words that the loader accepts.
+    """Return the text of `target.hpp` for `target`: the words that the loader accepts.
 
     Raises ValueError for a target with custom words, which the loader does not know, and for a
     target whose pixels have no logic."""
@@ -68,11 +70,12 @@ def target_header(target: Target) -> str:
 
 
 def _numbers(target: Target) -> Iterator[str]:
-    """Yield the C++ constants of a target: sizes, times (us) and limits."""
+    """Yield the start of the header and the C++ constants of `target`: sizes, times (us) and
+    limits."""
     names = target.digital_registers
 
     def number(register: str | None) -> int:
-        """Return the number of a register, -1 for none."""
+        """Return the number of a digital register by its name, -1 for None."""
         return -1 if register is None else names.index(register)
 
     digest = [f"0x{byte:02x}" for byte in target_digest(target)]
@@ -112,18 +115,18 @@ constexpr bool directed_halving = {str(target.directed_halving).lower()};"""
 
 
 def _limit(count: int | None) -> int:
-    """Return a limit as the loader stores it; the largest number stands for no limit."""
+    """Return a limit on operands as the loader stores it, at most 255; None, no limit, is 255."""
     return _NO_LIMIT if count is None else min(count, _NO_LIMIT)
 
 
 def _word(word: Word) -> str:
-    """Return a word as an initializer of C++."""
+    """Return a word, five numbers, as an initializer of C++."""
     return "{{" + ", ".join(f"0x{field:05x}" for field in word) + "}}"
 
 
 def _operations(target: Target) -> Iterator[str]:
-    """Yield the C++ table of operations that the target has, with their fixed bits and operand
-    counts."""
+    """Yield the lines of the C++ table of operations that `target` has, with their fixed bits and
+    operand counts."""
     word_masks = masks()
     yield f"constexpr Word kind_analog = {_word(word_masks.kind_analog)};"
     yield f"constexpr Word kind_digital = {_word(word_masks.kind_digital)};\n"
@@ -170,8 +173,8 @@ def _registers(target: Target) -> Iterator[str]:
 
 
 def _sequences(target: Target) -> Iterator[str]:
-    """Yield the C++ tables of words that refresh a register, clear it, set FLAG, or enable
-    writing to the masked register."""
+    """Yield the lines of the C++ tables of words for `target` that refresh a register, clear it,
+    set FLAG, or enable writing to the masked register."""
     yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};\n"
     yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
     yield "constexpr Refresh refresh[] = {"
@@ -193,8 +196,8 @@ def _sequences(target: Target) -> Iterator[str]:
 
 
 def _spreading(target: Target) -> Iterator[str]:
-    """Yield the words that map a register to 2 x exposure - full well before conversion, and the
-    mapping of the converter's symmetric codes to those of a frame."""
+    """Yield the lines of the C++ tables of words that map a register to 2 x exposure - full well
+    before conversion, and the mapping of the converter's symmetric codes to those of a frame."""
     names, level = target.analog_registers, target.spread_level
     yield "\n// What readout makes of exposures, so that they take all codes of the converter."
     yield f"constexpr bool spreads = {str(level is not None).lower()};"
@@ -206,13 +209,16 @@ def _spreading(target: Target) -> Iterator[str]:
     for register in names:
         for copy in names:
             apart = len({register, copy, target.analog_scratch}) == 3
+            # The table has a place for all pairs; those that need a register twice cannot be used.
             words = spreading(target, register, copy) if apart else [op("nop")] * 3
             yield f"    {{{_table(words)}}},"
     yield "};"
 
 
 def refresh_words(target: Target, register: str) -> list[Op]:
-    """Return the words that write a digital register back to itself, without other changes."""
+    """Return the words of `target` that write the digital register named `register` back to itself,
+    without other changes. The masked register is written through its mask, whose content waits in
+    FLAG meanwhile."""
     again = list(pair("REFRESH", register, [register]))
     mask = target.mask_register
     if register != target.masked_register or mask is None:

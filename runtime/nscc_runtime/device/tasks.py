@@ -33,13 +33,19 @@ from nscc_runtime.device.objects import Upload
 from nscc_runtime.device.packets import OVERHEAD, REPLY, Packet, PacketKind
 
 _SMALLEST_WINDOW = 2 * (CHUNK + 64)
+"""Two of the smallest packets, so that one is on its way while the other is answered."""
 _MOST_DIGEST_FAILURES = 8
+"""Number of objects with a wrong digest after which an upload fails."""
 _GROW_AFTER = 8
+"""Number of packets without a loss after which packets become larger."""
 _READ_AHEAD = 6
 _READ_CHUNKS = 8
+"""Most pending requests for bytes of a frame, and most packets of each."""
 _POLL_S = 0.02
 _LONGEST_POLL_S = 0.25
+"""First and longest interval between questions whether a frame is ready."""
 _LONGEST_SILENCE_S = 5.0
+"""Longest time without a question while a frame is exposed, so that a restart is noticed."""
 _BUSY_WAIT_S = 0.1
 _FIRST_WINDOW = 2048
 """Initial number of bytes in flight: grows without losses, is halved after a loss."""
@@ -57,9 +63,11 @@ class FetchedFrame:
 
 
 def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
-    """Upload a program, resuming after a lost link; return whether the loader already had it.
+    """Upload a program, and continue an upload that a lost link interrupted. Return whether the
+    loader already had the program.
 
-    `watch` receives the number of bytes acknowledged."""
+    `watch` receives the number of bytes acknowledged. Raises the exceptions of `Host.ask`:
+    RequestRefused if the loader does not take the program."""
     progress = yield from _begun(host, program.begin)
     already_held = progress.state != LoaderState.RECEIVING
     while progress.declared < len(program.objects) and progress.state == LoaderState.RECEIVING:
@@ -76,13 +84,15 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[b
 
 
 def forget(host: Host, program: Upload) -> Task[None]:
-    """Make the loader forget its program, by uploading a program without objects."""
+    """Make the loader forget its program, by uploading one without objects for the target of
+    `program`. Raises the exceptions of `Host.ask`."""
     zeros = bytes(32)
     yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
 
 
 def load(host: Host, register: int, plane: bytes) -> Task[None]:
-    """Load the bits of a plane into a register of the program that the loader has."""
+    """Load the bytes of a `plane` into the digital register number `register` of the program that
+    the loader has. Raises the exceptions of `Host.ask`."""
     assert host.info is not None
     at, most = 0, host.info.most_data
     while at < len(plane):
@@ -92,18 +102,21 @@ def load(host: Host, register: int, plane: bytes) -> Task[None]:
         if position > at:
             host.moved()
         host.check_patience()
+        # The loader says from where on it needs bytes, also after a packet that it dropped.
         at = position
 
 
 def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
-    """Announce a program and return how much of it the loader has."""
+    """Announce a program by `begin`, and return how much of it the loader has. An exposure that
+    runs is stopped first. Raises the exceptions of `Host.ask`."""
     reply = yield from _idle(host, PacketKind.BEGIN, begin.pack())
     host.moved()
     return checked(UploadProgress.unpack, reply)
 
 
 def _idle(host: Host, kind: PacketKind, body: bytes) -> Task[Packet]:
-    """Send a request and return its reply; an exposure that runs is stopped first."""
+    """Send a request with this `body` and return its reply. While the loader is busy, its exposure
+    is stopped, and the request is sent again. Raises the other exceptions of `Host.ask`."""
     while True:
         try:
             return (yield from host.ask(kind, body))
@@ -127,7 +140,8 @@ class _Chunk:
     """The bytes per packet: halved after a loss, doubled after some packets without a loss."""
 
     def __init__(self, most: int) -> None:
-        """Begin with the largest allowed chunk."""
+        """Begin with the largest allowed chunk: `most` bytes, rounded down to a multiple of
+        `CHUNK`, at least one."""
         self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
         self._good = 0
 
@@ -146,8 +160,12 @@ class _Sender:
     """Sends a stream with many packets in flight; goes back after a loss, to keep the order."""
 
     def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
-        """Begin to send `stream` at the position that the loader reports. `watch` receives the
-        progress."""
+        """Begin to send `stream` at the position that the loader reports in `progress`. `watch`
+        receives the number of bytes acknowledged.
+
+        `sent` has for each packet in flight its sequence number, its position in the stream, its
+        bytes on the wire, and the time when it was sent. `given_up` has these times of packets that
+        count as lost, by sequence number."""
         assert host.info is not None
         self.host, self.stream, self.watch = host, stream, watch
         self.most = max(host.info.window, _SMALLEST_WINDOW)
@@ -164,7 +182,7 @@ class _Sender:
         """Send the stream until the loader has acknowledged all of it.
 
         After a timeout everything not acknowledged is sent again. Raises RequestRefused for an
-        error of the loader."""
+        error of the loader, Silent or Stalled after too long a wait."""
         host = self.host
         while self.acknowledged < len(self.stream):
             self._fill()
@@ -181,13 +199,16 @@ class _Sender:
                 self._acknowledge(packet.sequence, checked(UploadProgress.unpack, packet))
 
     def _ours(self, sequence: int) -> bool:
-        """Return whether a reply belongs to a packet that is not answered yet."""
+        """Return whether a reply with this `sequence` number belongs to a packet in flight."""
         return any(number == sequence for number, *_ in self.sent)
 
     def _fill(self) -> None:
-        """Send packets as long as the bytes in flight fit into the window."""
+        """Send packets as long as the bytes in flight fit into the window; one packet is always
+        sent."""
         while self.next < len(self.stream):
             data = self.stream[self.next : self.next + self.chunk.size]
+            # The bytes on the wire: stuffing adds at most 2 and one in 128, and zero bytes stand
+            # around.
             cost = len(data) + OVERHEAD + DATA.size + 2 + len(data) // 128 + 2
             if self.flying and self.flying + cost > self.window:
                 return
@@ -197,8 +218,8 @@ class _Sender:
             self.next += len(data)
 
     def _back_to(self, position: int) -> None:
-        """Send again from `position`: halve the window and the packets, and forget what is in
-        flight.
+        """Send again from `position` in the stream: halve the window and the packets, and forget
+        what is in flight.
 
         Raises Silent or Stalled after too long a wait."""
         self.host.check_patience()
@@ -211,10 +232,11 @@ class _Sender:
         self.acknowledged = self.next = position
 
     def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
-        """Use the answer to a packet: advance, or send again from where the loader is.
+        """Use the reply to the packet `sequence`, which has the loader's `progress`: advance, or
+        send again from where the loader is.
 
-        An answer measures the round trip and enlarges the window. A late answer shows that the line
-        is slower than estimated. Raises RequestRefused if the program's digest fails too often."""
+        A reply measures the round trip and enlarges the window. A late one shows that the line is
+        slower than estimated. Raises RequestRefused if digests of objects fail too often."""
         if not self._ours(sequence):
             late_since = self.given_up.pop(sequence, None)
             if late_since is not None:  # the line is slower than estimated
@@ -235,6 +257,7 @@ class _Sender:
                     LoaderFailure(PacketKind.DATA, LoaderFault.DIGEST, progress.position)
                 )
             self._back_to(progress.position)
+        # The loader did not take this packet: an earlier one was lost.
         elif progress.position <= position:
             self._back_to(progress.position)
         else:
@@ -246,7 +269,8 @@ class _Sender:
             self._advance(progress.position)
 
     def _advance(self, position: int) -> None:
-        """Record that the loader has everything before `position`, and report the progress."""
+        """Record that the loader has everything before `position` of the stream, and report the
+        progress."""
         self.acknowledged = max(self.acknowledged, position)
         # The loader may be ahead of retransmissions, but never behind its acknowledgement.
         behind = self.next < self.acknowledged or not self.sent
@@ -256,8 +280,11 @@ class _Sender:
 
 
 def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
-    """Expose a frame and fetch it. A frame that exists already is not exposed again. Raises
-    RequestRefused if the checksums do not match."""
+    """Expose the frame of `request` and fetch it. A frame that exists already is not exposed again,
+    and its bytes that were received before a lost link are kept.
+
+    Raises RequestRefused if the checksums do not match, Implausible for a frame of another size,
+    and the exceptions of `Host.ask`."""
     captured = yield from _captured(host, request)
     assert host.info is not None
     origin = host.info.boot, captured.started_us
@@ -276,7 +303,8 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
     """Expose the requested frame and return the loader's reply about it, asking again while it is
     being exposed.
 
-    Raises RequestRefused for errors and for replies that do not fit the request."""
+    Raises RequestRefused for errors and for replies about another frame, Implausible for a frame of
+    another size, and Silent or Stalled after too long a wait."""
     body = messages.CaptureRequest(request.number, request.channels).pack()
     body += np.array(request.values, "<i4").tobytes()
     kind = PacketKind.CAPTURE_WITH if request.values else PacketKind.CAPTURE
@@ -309,8 +337,11 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
 
 @dataclass(frozen=True)
 class _Range:
-    """A pending request for bytes `start` to `stop` of the frame, sent at `since`. `alone`: whether
-    no other request was pending, so that its first packet measures the reply time."""
+    """A pending request for bytes `start` to `stop` (excluded) of the frame, sent at the time
+    `since`.
+
+    `alone`: whether no other request was pending, so that its first packet measures the reply
+    time."""
 
     start: int
     stop: int
@@ -325,7 +356,10 @@ class _Fetcher:
     complete. It keeps only a limited number of bytes behind those confirmed by the host."""
 
     def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
-        """Begin to fetch frame `number` into `frame_bytes`, with no request sent."""
+        """Begin to fetch frame `number` into `frame_bytes`, with no request sent.
+
+        `asked` has the pending requests and `given_up` those that count as lost, by sequence
+        number. `heard` is the time of the last piece of the frame."""
         assert host.info is not None
         self.host, self.number, self.frame_bytes = host, number, frame_bytes
         self.hold = max(host.info.hold, CHUNK)
@@ -339,7 +373,7 @@ class _Fetcher:
         """Request the missing chunks of the frame until none is missing.
 
         Requests without an answer are sent again. Raises RequestRefused for errors other than
-        "busy"."""
+        "busy", Silent or Stalled after too long a wait."""
         host = self.host
         while self.frame_bytes.missing_count:
             self._ask()
@@ -366,6 +400,7 @@ class _Fetcher:
     def _ask(self) -> None:
         """Request the next missing chunks, several requests ahead, as far as the loader holds the
         frame."""
+        # New requests are sent several at a time, when half of them are answered.
         if len(self.asked) > _READ_AHEAD // 2:
             return
         frame_bytes, confirmed = self.frame_bytes, self.frame_bytes.confirmed
@@ -400,7 +435,8 @@ class _Fetcher:
             self.chunk.record_loss()
 
     def _take(self, sequence: int, offset: int, data: bytes) -> None:
-        """Store a received piece of the frame, and use it to measure the line.
+        """Store a received piece of the frame, `data` from `offset` on, and use it to measure the
+        line. It answers the request `sequence`.
 
         Pieces that do not match chunks are ignored. Requests sent before the answered one count as
         lost."""

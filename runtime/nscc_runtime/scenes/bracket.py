@@ -25,7 +25,8 @@ _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x829A, 0x829D, 0x8827
 
 
 def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | None:
-    """Parse exposure times in seconds, `1/250,1/60,0.066`. Raises NS0777 for other texts.
+    """Parse exposure times in seconds, separated by commas, each a decimal or a quotient:
+    `1/250,1/60,0.066`. Raises NS0777 for other texts and for times that are not finite and above 0.
 
     Parsed times, or None, are returned unchanged."""
     if not isinstance(text, str):
@@ -42,7 +43,8 @@ def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | Non
 
 
 def bracket_files(spec: str) -> list[Path]:
-    """Return the photos of a folder, or of a pattern such as `b/*.jpg`, in order. Raises Rejected
+    """Return the photos of the folder `spec`, in natural order (2 before 10), or the files that
+    match the pattern `spec`, such as `b/*.jpg`, in the order of their names. Raises Rejected
     (NS0777) for fewer than two photos."""
     path = Path(spec)
     files = files_of(path, skip=True) if path.is_dir() else [Path(p) for p in sorted(glob(spec))]
@@ -120,21 +122,26 @@ def merged_bracket(
     # If all samples are black or white, the light is at least white in the shortest exposure, or at
     # most black in the longest exposure.
     bound = np.where(shortest >= -min(log_exposures), shortest, longest)
+    # The maximum avoids a division by 0 where `bound` is taken.
     merged = np.exp(np.where(weights > 0, weighted / np.maximum(weights, 1e-9), bound))
     return merged if merged.shape[-1] == 3 else merged[..., 0], light
 
 
 def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
-    """Return the weight (R, C, 1) of each pixel: 0 at black and white, largest half-way between."""
+    """Return the weight (R, C, 1) of each pixel of a `photo` (R, C, channels) of uint8 or uint16: 0
+    for samples at black and white, and largest half-way between. Weights of channels are
+    averaged."""
     samples = np.arange(np.iinfo(photo.dtype).max + 1)
     triangle = (np.minimum(samples, samples[::-1]) / len(samples)).astype(np.float32)
     return np.asarray(triangle[photo].mean(axis=-1, keepdims=True))
 
 
 def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
-    """Return the logarithm of a photo's linear light (rows, cols, channels), 0 for white.
+    """Return the logarithm of the linear light of a `photo` (R, C, channels) of uint8 or uint16, in
+    the same shape: 0 for white. `colours` gives the curve of each channel.
 
-    Samples without light count as half the least light of a sample."""
+    Samples without light count as half the least light of a sample, so that the logarithm is
+    finite."""
     fractions = np.linspace(0, 1, np.iinfo(photo.dtype).max + 1)
     logarithms = []
     for channel in range(photo.shape[-1]):
@@ -145,9 +152,10 @@ def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
 
 
 def _exif_exposures(files: Sequence[Path]) -> list[float]:
-    """Return the exposure of each photo: time x ISO speed / squared f-number.
+    """Return the exposure of each of `files` by its EXIF data: time x ISO speed / squared f-number.
 
-    A factor that no photo states counts 1. Raises Rejected (NS0777) if only some state it."""
+    An f-number or ISO speed that no photo states counts 1. Raises Rejected (NS0777) if only some
+    photos state it, if a photo states no time, or if an exposure is not finite and above 0."""
     stated = [_exif_factors(path) for path in files]
     for factor, name in ((1, "f-number"), (2, "ISO speed")):
         lacking = [path for path, of in zip(files, stated, strict=True) if of[factor] is None]
@@ -164,10 +172,10 @@ def _exif_exposures(files: Sequence[Path]) -> list[float]:
 
 
 def _exif_factors(path: Path) -> tuple[float, float | None, float | None]:
-    """Return exposure time (s), f-number and ISO speed of a photo, None for the last two if
-    missing.
+    """Return exposure time (s), f-number and ISO speed of the photo `path`. The last two are None
+    if missing or 0; of several ISO speeds the first counts.
 
-    Raises Rejected (NS0777) without an exposure time."""
+    Raises Rejected (NS0777) if the photo or its exposure time cannot be read."""
     try:
         tags = exif_of(path)
         f_number, iso = tags.get(_F_NUMBER), tags.get(_ISO)

@@ -65,10 +65,11 @@ def _sky(x: Field, y: Field) -> Field:
 def _ridge(
     picture: Field, x: Field, y: Field, shape: tuple[float, float, float], seed: int, pixel: float
 ) -> None:
-    """Draw a mountain ridge into `picture`, in place.
+    """Draw a mountain ridge into `picture` (rows, cols), in place.
 
-    `shape` is height, roughness and luminance; `pixel` the size of a pixel, over which its edge is
-    smoothed."""
+    `x` and `y` are the coordinates (0..1) of columns and rows. `shape` is the y of its mean
+    outline, the variation of the outline, and the luminance. `seed` numbers the random outline.
+    `pixel` is the size of a pixel, over which the edge is smoothed."""
     height, roughness, level = shape
     outline = height + roughness * (
         0.55 - fractal(x * 3.2 + seed, np.array([seed + 0.5]), seed=seed, octaves=6)
@@ -80,8 +81,9 @@ def _ridge(
 
 
 def _lake(picture: Field, x: Field, y: Field) -> None:
-    """Draw the lake below the shore into `picture`, in place; it mirrors the scene above, broken
-    by waves."""
+    """Draw the lake below the shore into `picture` (rows, cols), in place; it mirrors the scene
+    above, broken by waves. `x` and `y` are the coordinates (0..1) of columns and rows. A picture
+    that ends above the shore, or begins below it, is unchanged."""
     below = np.flatnonzero(y >= _SHORE)
     if len(below) == 0 or below[0] == 0:
         return  # the picture ends above the shore, or shows nothing that could be mirrored
@@ -101,8 +103,9 @@ def _lake(picture: Field, x: Field, y: Field) -> None:
 
 
 def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
-    """Draw the near bank with pines and a hut with a lit window into `picture`, in place;
-    `pixel` is the size of a pixel."""
+    """Draw the near bank with pines and a hut with a lit window into `picture` (rows, cols), in
+    place. `x` and `y` are the coordinates (0..1) of columns and rows, and `pixel` is the size of a
+    pixel."""
     edge = (
         0.91
         + 0.06 * fractal(x * 5.0, np.array([0.5]), seed=81, octaves=5)
@@ -119,8 +122,10 @@ def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
 
 
 def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
-    """Return how much of each pixel a pine tree covers, 0..1; `stem` is its column and `tip` its
-    highest row."""
+    """Return how much of each pixel a pine tree covers, 0..1, (rows, cols).
+
+    All arguments are in fractions of the picture's size: `x` and `y` of columns and rows, `stem`
+    the x of the stem, `tip` the y of its top, and `pixel` the size of a pixel."""
     height = 0.97 - tip
     along = (y - tip) / height
     boughs = along * 9.0
@@ -139,8 +144,10 @@ def _hut(x: Field, y: Field, pixel: float) -> Field:
 
 
 def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: float) -> Field:
-    """Return how much of each pixel a rectangle covers, 0..1; `sides` are left, right, top,
-    bottom."""
+    """Return how much of each pixel a rectangle covers, 0..1, (rows, cols).
+
+    All arguments are in fractions of the picture's size: `x` and `y` of columns and rows, `sides`
+    left, right, top and bottom, and `pixel` the size of a pixel."""
     x0, x1, y0, y1 = sides
     across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - x0, x1 - x))
     down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - y0, y1 - y))
@@ -163,8 +170,9 @@ def load_builtin(
     pixels, in slots of `slot_us` microseconds.
 
     Without `exposure`, hdr and motion have 30000 electrons at percentile 99, and flat has its own
-    number of electrons over the frame, divided by slot length. Raises Rejected (NS0731) for an
-    unknown name or an invalid argument."""
+    number of electrons over the frame, divided by slot length. Raises Rejected: NS0731 for an
+    unknown name or an invalid argument, NS0738 for an `exposure` of a dark scene or beyond
+    float32."""
     _, name, *arguments = spec.split(":")
     # How many arguments may follow the name, as in `builtin:flat:10000`.
     least, most = {"flat": (1, 1), "motion": (0, 1)}.get(name, (0, 0))
@@ -195,8 +203,8 @@ def load_builtin(
 
 
 def _number(text: str, within: Callable[[float], bool], message: str, *help_texts: str) -> float:
-    """Return the argument of a scene as a number. Raises Rejected (NS0731) unless it is `within`
-    its limits. `help_texts`: a note, and an example."""
+    """Return the argument `text` of a scene as a number. Raises Rejected (NS0731) with `message` if
+    it is no number or not `within` its limits. `help_texts` are two: a note, and an example."""
     with suppress(ValueError):
         if within(float(text)):
             return float(text)
@@ -205,8 +213,8 @@ def _number(text: str, within: Callable[[float], bool], message: str, *help_text
 
 
 def _clip_share(spec: str, text: str) -> float:
-    """Return the fraction of the clip that `builtin:motion:PART` shows; raise Rejected outside
-    0..1."""
+    """Return the number `text`, PART of the scene `spec`, `builtin:motion:PART`: the fraction of
+    the clip that is shown. Raises Rejected (NS0731) outside 0..1."""
     return _number(
         text,
         lambda share: 0.0 <= share <= 1.0,
@@ -218,7 +226,7 @@ def _clip_share(spec: str, text: str) -> float:
 
 def _electrons(spec: str, text: str) -> float:
     """Return the electrons that `text` names in the scene `spec`, `builtin:flat:E`. Raises Rejected
-    for an invalid number."""
+    (NS0731) below 0, from 1e38 on (near the end of float32) and for other text."""
     return _number(
         text,
         lambda electrons: 0.0 <= electrons < 1e38,
@@ -229,7 +237,9 @@ def _electrons(spec: str, text: str) -> float:
 
 
 def _unknown(spec: str, name: str) -> Exception:
-    """Return the error (NS0731) for an unknown built-in scene, with the most similar name."""
+    """Return the error (NS0731) for the scene `spec` that is none of the built-in ones, or has the
+    wrong number of arguments. It suggests the scene most similar to `name`, the part after
+    `builtin:`."""
     suggestion = name if name in NAMES else closest(name, NAMES)
     written = f"builtin:{suggestion}" + (":10000" if suggestion == "flat" else "")
     help_text = did_you_mean(written) if suggestion else "choose one of these, or name a file"

@@ -30,11 +30,13 @@ def motion(
     name: str,
     share: float = 1.0,
 ) -> Light:
-    """Return the light of the clip in the slots of a frame. The clip lasts as long as the frame.
+    """Return the light of the clip in slots of `slot_us` microseconds on `rows` x `cols` pixels.
+    The clip lasts as long as the frame.
 
-    `share`: the fraction of the motion that is shown, around its middle, correspondingly slower.
-    The clip has 64 to 256 pictures: a multiple of the number of slots if that is below 256, so that
-    equal slots contain whole pictures. Slots integrate them as piecewise constant."""
+    `exposure` sets its electrons, and `name` is the scene in messages. `share` (0 to 1): the
+    fraction of the motion that is shown, around its middle, correspondingly slower. The clip has 64
+    to 256 pictures: a multiple of the number of slots if that is at most 256, so that equal slots
+    contain whole pictures. Each picture is constant for its time."""
     slots = len(slot_us)
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]
@@ -68,8 +70,9 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.f
 
 
 def _wall(x: Field, y: Field) -> Picture:
-    """Return a brick wall lit from one side, (rows, cols). `x`, `y`: positions of columns and
-    rows. A unit holds 16 courses of bricks and 7 bricks of a course."""
+    """Return the luminance of a brick wall lit from one side, (rows, cols), float32. `x`, `y`:
+    coordinates of columns and rows from the centre. A unit of them holds 16 courses of bricks and 7
+    bricks of a course."""
     course = np.floor(y * 16.0)
     along = x[None, :] * 7.0 + 0.5 * (course % 2)[:, None]
     brick = np.floor(along)
@@ -85,16 +88,18 @@ def _wall(x: Field, y: Field) -> Picture:
 
 
 def _span(axis: Field, low: float, high: float) -> slice:
-    """Return the pixels whose centres lie between `low` and `high`."""
+    """Return the slice of the ascending pixel centres `axis` that lie between `low` and `high`,
+    both included; empty if there are none."""
     return slice(int(np.searchsorted(axis, low)), int(np.searchsorted(axis, high, side="right")))
 
 
 def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
     """Draw coaches with lit windows, which run along the lower edge from left to right, into
-    `picture`, in place.
+    `picture` (rows, cols), in place.
 
-    `phase` is the time in the clip, 0..1, `half` half the picture's size, and `pixel` the size of a
-    pixel."""
+    `x` and `y` are the coordinates of columns and rows from the centre. `phase` is the time in the
+    clip, 0..1. `half` is half the width and half the height of the picture, and `pixel` the size of
+    a pixel, in the same unit."""
     rows = _span(y, half[1] - 0.22, half[1] - 0.05)
     u = (x - (phase * 1.5 - 0.75) * (2 * half[0] + 0.6)) * 9.0
     v = ((y[rows] - (half[1] - 0.22)) / 0.17)[:, None]
@@ -112,8 +117,8 @@ class _Wheel:
     """A wheel of five spokes that makes one and a half turns; its static parts are cached."""
 
     def __init__(self, x: Field, y: Field, pixel: float) -> None:
-        """Prepare the wheel on the rows and columns that it covers; `pixel` is the size of a
-        pixel."""
+        """Prepare the wheel on the rows and columns that it covers. `x` and `y` are the coordinates
+        of columns and rows from the centre, `pixel` is the size of a pixel."""
         centre, radius = (-0.2, -0.05), 0.21
         self.rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
         self.cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
@@ -125,7 +130,8 @@ class _Wheel:
         self.radius, self.pixel = radius, pixel
 
     def draw(self, picture: Picture, phase: float) -> None:
-        """Draw the wheel, turned by `phase` x 1.5 turns, into `picture`, in place."""
+        """Draw the wheel, turned by `phase` (0..1) x 1.5 turns, into `picture` (rows, cols), in
+        place."""
         shape = self.still
         for spoke in range(5):
             c, s = turn(phase * 1.5 + spoke / 5)
@@ -141,8 +147,12 @@ class _Wheel:
 
 
 def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
-    """Draw a ball that bounces three times from right to left into `picture`, in place;
-    arguments as for `_train`."""
+    """Draw a ball that bounces three times from right to left into `picture` (rows, cols), in
+    place.
+
+    `x` and `y` are the coordinates of columns and rows from the centre. `phase` is the time in the
+    clip, 0..1. `half` is half the width and half the height of the picture, and `pixel` the size of
+    a pixel, in the same unit."""
     radius = 0.075
     bounce = (phase * 3.0) % 1.0
     cx = half[0] + 0.05 - phase * (2 * half[0] + 0.1)
@@ -158,8 +168,9 @@ def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel
 
 
 def _spark(picture: Picture, x: Field, y: Field, phase: float, half: Point) -> None:
-    """Add a point of light, at the position `phase` (0..1) of a closed loop, to `picture` in place;
-    other arguments as for `_train`."""
+    """Add a point of light, at the position `phase` (0..1) of a closed loop, to `picture` (rows,
+    cols), in place. `x` and `y` are the coordinates of columns and rows from the centre, `half` is
+    half the width and half the height of the picture."""
     cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
     rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)
     r2 = (x[cols] - cx)[None, :] ** 2 + (y[rows] - cy)[:, None] ** 2

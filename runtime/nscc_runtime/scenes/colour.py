@@ -24,6 +24,7 @@ LUMINANCE: Weights = (0.2126, 0.7152, 0.0722)
 """Weights of linear red, green and blue (Rec. 709 primaries)."""
 
 _STRIP_SAMPLES = 1 << 22
+"""Number of samples that are converted at a time, to limit memory in double precision."""
 
 Curve = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 """A function from samples as fractions of white to linear light, where white is 1."""
@@ -33,9 +34,9 @@ Curve = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 class Colours:
     """What the samples of a picture mean.
 
-    `curves`: the curve of grey or of all colours, or one each of red, green and blue. `weights`:
-    the luminances of linear red, green and blue. `text`: the curve in messages. `transfer`: the
-    name of a standard curve, or None."""
+    `curves`: one curve, of grey or of all colours, or three, of red, green and blue. `weights`: the
+    luminances of linear red, green and blue. `text`: what messages call the curve. `transfer`: the
+    name of the standard curve, or None if it is another one."""
 
     curves: tuple[Curve, ...]
     weights: Weights
@@ -44,20 +45,23 @@ class Colours:
 
     @classmethod
     def of(cls, transfer: Transfer | Colours, weights: Weights = LUMINANCE) -> Colours:
-        """Return the colours of a standard curve, or colours as they are."""
+        """Return the colours of the standard curve named `transfer`, with `weights` of luminance.
+        Colours are returned as they are, and `weights` is then ignored."""
         if isinstance(transfer, Colours):
             return transfer
         return cls((_INVERSES[transfer],), weights, CURVES[transfer], transfer)
 
     def curve_of(self, channel: int) -> Curve:
-        """Return the curve of a colour channel."""
+        """Return the curve of the colour `channel`, 0 to 2 for red, green, blue; the only curve if
+        there is one."""
         return self.curves[channel % len(self.curves)]
 
 
 def luminance_weights(primaries: Sequence[float]) -> Weights:
     """Return the luminances of linear red, green, blue of a display whose white has luminance 1.
 
-    `primaries`: CIE x and y of red, green, blue and white (SMPTE RP 177)."""
+    `primaries`: CIE x and y of red, green, blue and white, eight numbers in this order (SMPTE RP
+    177). Each y must not be 0. Raises numpy's LinAlgError if the three colours lie on a line."""
     x, y = np.reshape(np.asarray(primaries, np.float64), (4, 2)).T
     xyz = np.stack([x / y, np.ones(4), (1 - x - y) / y])
     red, green, blue = np.linalg.solve(xyz[:, :3], xyz[:, 3])
@@ -65,19 +69,20 @@ def luminance_weights(primaries: Sequence[float]) -> Weights:
 
 
 def white_of(dtype: np.dtype[Any]) -> float:
-    """Return the default white level: the largest integer, or 1 for floats."""
+    """Return the default white level of samples of type `dtype`: its largest integer, or 1 for
+    floats."""
     return float(np.iinfo(dtype).max) if dtype.kind in "ui" else 1.0
 
 
 def linear(
     values: NDArray[Any], colours: Transfer | Colours, white: float | None = None
 ) -> NDArray[np.float64]:
-    """Convert stored samples to linear light, float64; white becomes 1.
+    """Convert stored samples of any shape to linear light, float64; white becomes 1.
 
-    Samples are fractions of `white` (None: `white_of` their type); with several curves the last
-    axis is red, green, blue. The standard curves are those of IEC 61966-2-1 (`srgb`), SMPTE ST
-    2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene). sRGB is continued beyond 0..1 by
-    its own formulas."""
+    Samples are fractions of `white`, a sample above 0 (None: `white_of` their type). With three
+    curves the last axis of `values` is red, green, blue. The standard curves are those of IEC
+    61966-2-1 (`srgb`), SMPTE ST 2084 (`pq`) and ITU-R BT.2100 (`hlg`, the light of the scene). sRGB
+    is continued beyond 0..1 by its own formulas."""
     colours = Colours.of(colours)
     if len(colours.curves) > 1:
         channels = [_on_curve(values[..., k], colours.curve_of(k), white) for k in range(3)]
@@ -86,10 +91,11 @@ def linear(
 
 
 def _on_curve(values: NDArray[Any], curve: Curve, white: float | None) -> NDArray[np.float64]:
-    """Return stored values as linear light 0..1; `white` is the stored white, by default the
-    largest value."""
+    """Return stored `values` as linear light, where the sample `white` is 1; None for the default
+    white of their type."""
     scale = white or white_of(values.dtype)
     if values.dtype == np.uint8:
+        # 8 bits have 256 values: the curve is computed once for each instead of for each sample.
         table = curve(np.arange(256, dtype=np.float64) / scale)
         decoded: NDArray[np.float64] = table[values]
         return decoded
@@ -100,7 +106,9 @@ def _on_curve(values: NDArray[Any], curve: Curve, white: float | None) -> NDArra
 
 
 def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Convert PQ signals `values` (0..1) to linear light (0..1, where 1 is 10 000 cd/m2)."""
+    """Convert PQ signals to linear light (0..1, where 1 is 10 000 cd/m2). Signals below 0 count as
+    0, those above 1 as 1."""
+    # Constants and formula of SMPTE ST 2084.
     m1, m2 = 2610 / 16384, 2523 / 4096 * 128
     c1, c2, c3 = 3424 / 4096, 2413 / 4096 * 32, 2392 / 4096 * 32
     power = np.clip(values, 0, 1) ** (1 / m2)
@@ -108,10 +116,12 @@ def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Convert HLG signals `values` (0..1) to the linear light of the scene; 0 stays 0, 1 stays
-    1."""
+    """Convert HLG signals to the linear light of the scene; 0 stays 0, 1 stays 1. Negative signals
+    count as 0, those above 1 continue the curve."""
+    # Constants of ITU-R BT.2100.
     a, b, c = 0.17883277, 0.28466892, 0.55991073
     signal = np.maximum(values, 0)
+    # Both branches are computed for all samples: the maximum keeps `exp` in range.
     bright = (np.exp((np.maximum(signal, 0.5) - c) / a) + b) / 12
     return np.where(signal <= 0.5, signal**2 / 3, bright)
 
@@ -119,6 +129,7 @@ def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Convert sRGB signals to linear light; 0 stays 0, 1 stays 1. Below 0.04045, also below 0, the
     curve is a straight line."""
+    # The maximum keeps the base of the power positive; smaller samples take the straight line.
     curve = ((np.maximum(values, 0.04045) + 0.055) / 1.055) ** 2.4
     return np.where(values <= 0.04045, values / 12.92, curve)
 
@@ -137,7 +148,8 @@ _INVERSES: dict[Transfer, Curve] = {
 
 
 def luminance(rgb: NDArray[np.float64], weights: Weights = LUMINANCE) -> NDArray[np.float64]:
-    """Return the luminance (rows, cols) of linear red, green, blue (rows, cols, 3)."""
+    """Return the luminance (rows, cols) of linear red, green, blue (rows, cols, 3): their sum with
+    these `weights`."""
     red, green, blue = weights
     return red * rgb[..., 0] + green * rgb[..., 1] + blue * rgb[..., 2]
 
@@ -152,8 +164,9 @@ def grey(
     light of one of its colours.
 
     `stored` (rows, cols) or (rows, cols, 3) are the samples of the file, `colours` the curve and
-    primaries that they have. `channel` is 0, 1 or 2 for red, green or blue; None for luminance.
-    `white` is the sample that counts as white, by default the largest of its type."""
+    primaries that they have. `channel` is 0, 1 or 2 for red, green or blue, and None for luminance;
+    a grey picture is its own luminance and its own colours. `white` is the sample that counts as
+    white, by default the largest of its type."""
     colours = Colours.of(colours)
     if stored.ndim == 2 or channel is not None:
         # A grey picture has the curve of green, should its file state three curves.

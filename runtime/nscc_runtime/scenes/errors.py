@@ -16,8 +16,11 @@ Path_or_name = Path | str
 
 
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
-    """Return the error NS0732 that the file `name` cannot be decoded; `reason` is the text of its
-    reader."""
+    """Return the error NS0732 that the file or scene `name` cannot be decoded.
+
+    `reason` is what its reader said, an exception or a text: the first 200 characters become a
+    note, and an empty one none. `helps` are remedies; without them the remedy for an incomplete
+    file is named."""
     words = " ".join(str(reason).split())[:200]
     ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
@@ -30,18 +33,19 @@ def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) ->
 
 
 def unsupported(name: Path_or_name, reason: str, help_text: str) -> Rejected:
-    """Return the error NS0732 for an intact file of a kind that is not decoded."""
+    """Return the error NS0732 that the intact file `name` is of a kind that is not decoded.
+    `reason` says what it has and completes the message, `help_text` is the remedy."""
     return rejected("NS0732", f"cannot use '{name}': {reason}", helps=(help_text,))
 
 
 def size(shape: Sequence[int]) -> str:
-    """Return a size as text: `256 x 256` for (256, 256)."""
+    """Return a size as text: `256 x 256` for (256, 256), "a single number" for ()."""
     return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
 
 
 def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
     """Return the warning NS0740 that `count` of the `total` pixels of the picture `name` were
-    slightly below 0; `low` is the lowest."""
+    slightly below 0 and became 0; `low` is the lowest light, where white is 1."""
     return Diagnostic(
         "NS0740",
         f"{count} of {total} pixels of '{name}' were negative and were set to 0",
@@ -58,12 +62,17 @@ _NOT_LIGHT = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": 
 def refuse_no_light(
     values: NDArray[Any], name: Path_or_name, corner: tuple[int, int] = (0, 0)
 ) -> None:
-    """Raise NS0736 if any value is not light; values above float32's range count as infinite.
-    `corner`: position of the values in the file."""
+    """Raise NS0736 if any of `values` is NaN, negative, or above float32's range, which counts as
+    infinite. An empty array passes.
+
+    `values` has the axes (.., rows, cols). `name` is the scene in messages. `corner` is the row and
+    column in the file of the first row and column of `values`; the message counts from the file's
+    corner."""
     if values.size == 0:
         return
     top = np.float64(np.finfo(np.float32).max)
     with np.errstate(invalid="ignore"):  # warnings of signalling NaN
+        # A NaN makes both comparisons false, so it is counted below.
         if float(values.min()) >= 0.0 and float(values.max()) <= top:
             return
         if values.dtype.kind == "f" and values.dtype.itemsize < 8:

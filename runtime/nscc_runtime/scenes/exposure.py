@@ -16,7 +16,8 @@ DEFAULT_PERCENTILE = 99.0
 
 @dataclass(frozen=True)
 class ExposureLevel:
-    """An exposure: `electrons` over the frame for the pixel at `percentile` of all light."""
+    """An exposure: the pixel at `percentile` (0 to 100) of all light gets `electrons` over the
+    frame."""
 
     electrons: float
     percentile: float = DEFAULT_PERCENTILE
@@ -27,7 +28,8 @@ BUILTIN = ExposureLevel(30000.0)
 
 
 def parse_exposure(exposure: str | float | ExposureLevel | None) -> ExposureLevel | None:
-    """Parse `E` or `E@P`: electrons above 0, percentile in 0..100. Raises NS0738 for other text.
+    """Parse an exposure `E` or `E@P`: E electrons above 0, P a percentile in 0..100, by default 99.
+    A number counts as E. Raises NS0738 for other text or values, also NaN and infinity.
 
     A parsed exposure, or None, is returned unchanged."""
     if exposure is None or isinstance(exposure, ExposureLevel):
@@ -37,6 +39,7 @@ def parse_exposure(exposure: str | float | ExposureLevel | None) -> ExposureLeve
     try:
         parsed = ExposureLevel(float(electrons), float(percentile) if at else DEFAULT_PERCENTILE)
     except ValueError:
+        # NaN fails the check below.
         parsed = ExposureLevel(math.nan)
     if not (0 < parsed.electrons < math.inf and 0 <= parsed.percentile <= 100):
         raise rejected(
@@ -52,7 +55,8 @@ def parse_exposure(exposure: str | float | ExposureLevel | None) -> ExposureLeve
 
 
 def checked_white(white: float | None) -> float | None:
-    """Return the white level if it is None or above 0. Raises Rejected (NS0739) otherwise."""
+    """Return the white level if it is None, or finite and above 0. Raises Rejected (NS0739)
+    otherwise, also for NaN."""
     if white is None or 0 < white < math.inf:
         return white
     raise rejected(
@@ -64,7 +68,8 @@ def checked_white(white: float | None) -> float | None:
 
 
 def needed(name: Path_or_name) -> ExposureLevel:
-    """Raise Rejected (NS0737), because the scene `name` has neither a unit nor an exposure."""
+    """Raise Rejected (NS0737), because the scene `name` has neither a unit nor an exposure. It
+    never returns."""
     raise rejected(
         "NS0737",
         f"--exposure is missing: the scene '{name}' has no scale in electrons",
@@ -77,10 +82,12 @@ def needed(name: Path_or_name) -> ExposureLevel:
 
 
 def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_name) -> float:
-    """Return the factor from `open_sum` (rows, cols), in the scene's unit, to electrons.
+    """Return the factor from the unit of the scene `name` to electrons, with which its pixel at the
+    percentile of `exposure` gets the electrons of `exposure`.
 
-    Percentiles between two pixels are interpolated linearly. Raises Rejected (NS0738) if the scene
-    is dark at the percentile, or if its electrons exceed float32."""
+    `open_sum` (rows, cols) is the light over the frame in the scene's unit. Percentiles between two
+    pixels are interpolated linearly. Raises Rejected (NS0738) if the scene is dark at the
+    percentile, or if its electrons exceed float32."""
     level = float(np.percentile(open_sum, exposure.percentile))
     if level <= 0.0:
         lit = int(np.count_nonzero(open_sum > 0))

@@ -19,6 +19,7 @@ from nscc_runtime.scenes.pages import Note, Pages, UnsupportedPicture
 
 _COLOURS = ("R", "G", "B")
 _LAYERS_SHOWN = 6
+"""Number of names that a message lists."""
 _MOST_SAMPLES = 4
 """Largest number of samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS: they
 are decoded together."""
@@ -82,14 +83,19 @@ def exr_pages(path: Path) -> Pages:
 
 
 def _size(corners: Any) -> tuple[int, int]:
-    """Return rows and columns of a window given by its corners."""
+    """Return the numbers of rows and columns of a window. `corners`: ((left, top), (right,
+    bottom)), both included."""
     (x0, y0), (x1, y1) = corners
     return int(y1) - int(y0) + 1, int(x1) - int(x0) + 1
 
 
 def _picture_layer(channels: Sequence[str]) -> str | None:
-    """Return the prefix of the channels with the picture of a part, '' or 'NAME.'; None if there is
-    no picture. Raises UnsupportedPicture if several layers contain pictures."""
+    """Return the prefix of the channels with the picture of a part: "" or "NAME.". Return None if
+    there is no picture.
+
+    `channels` are the names of the part's channels. A picture is the channels R, G, B or Y under
+    one prefix; the one without a prefix has precedence. Raises UnsupportedPicture if several
+    layers, but not that one, contain pictures."""
     prefixes = {name.rpartition(".")[0] for name in channels}
     layers = [f"{prefix}." if prefix else "" for prefix in sorted(prefixes)]
     usable = [
@@ -114,10 +120,15 @@ def _layer_pixels(
     window: tuple[NDArray[Any], NDArray[Any]],
     weights: Weights,
 ) -> NDArray[Any]:
-    """Return the picture of a layer on its data window; `weights` are those of luminance."""
+    """Return the picture of a layer on its data window, (rows, cols) of Y alone, else (rows, cols,
+    3).
+
+    `channels` are the channels of a part by name, `layer` the prefix of their names, "" or "NAME.".
+    `window` is ((left, top), (right, bottom)). `weights` are the luminances of red, green and blue,
+    by which green is computed from luminance and chroma."""
 
     def pixels(name: str) -> NDArray[Any]:
-        """Return a channel of the layer at every pixel."""
+        """Return the channel `name` (without prefix) of the layer at every pixel, (rows, cols)."""
         return _at_every_pixel(channels[layer + name], window)
 
     if f"{layer}R" in channels:
@@ -134,7 +145,9 @@ def _layer_pixels(
 
 
 def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> NDArray[Any]:
-    """Return the samples of a channel at all pixels, interpolated linearly if it is subsampled."""
+    """Return the samples of `channel` at all pixels of the data window `window`, ((left, top),
+    (right, bottom)). A subsampled channel is interpolated linearly, to float32; beyond its last
+    sample that sample is repeated."""
     values = np.asarray(channel.pixels)
     (first_col, first_row), (last_col, last_row) = window
     for axis, step, first, last in (
@@ -144,6 +157,8 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
         if step == 1:
             continue
         # Samples lie at multiples of the step.
+        # `-(-first // step) * step` is the first multiple in the window; `at` counts in samples
+        # from it.
         at = (np.arange(first, last + 1) - -(-first // step) * step) / step
         # Interpolate between the sample before and the sample after each pixel.
         low = np.clip(np.floor(at).astype(int), 0, values.shape[axis] - 1)
@@ -156,7 +171,8 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
 
 
 def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDArray[Any]:
-    """Return the picture in its display window: padded with black, or cropped."""
+    """Return a `picture` (rows, cols, ..) on its data window as it appears in the display window:
+    padded with black, or cropped. `header` states both windows."""
     (data_left, data_top), _ = header["dataWindow"]
     (shown_left, shown_top), (shown_right, shown_bottom) = header["displayWindow"]
     rows, cols = int(shown_bottom) - int(shown_top) + 1, int(shown_right) - int(shown_left) + 1
@@ -172,6 +188,6 @@ def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDAr
 
 
 def _listed(names: list[str]) -> str:
-    """Return names as text, the first ones if there are many."""
+    """Return names as text: the first 6, each of at most 40 characters, and how many more."""
     shown = ", ".join(name[:40] for name in names[:_LAYERS_SHOWN])
     return shown + (f" and {len(names) - _LAYERS_SHOWN} more" * (len(names) > _LAYERS_SHOWN))

@@ -35,8 +35,9 @@ _NEAR = 3e-3
 
 
 def of_profile(data: bytes) -> Stated:
-    """Return the colours that the ICC profile `data` states. Its notes say which profile is used,
-    or why it is not; a damaged one raises nothing."""
+    """Return the colours that the ICC profile `data` states. Its note names the profile; sRGB has
+    no note. Colours are None for a profile of tables and for a damaged one, which raises nothing:
+    the note says why."""
     from PIL import ImageCms
 
     weights: Weights = _SRGB_D50
@@ -49,6 +50,7 @@ def of_profile(data: bytes) -> Stated:
             curves = [_profile_curve(data, tag) for tag in (b"rTRC", b"gTRC", b"bTRC")]
             colorants = profile.red_colorant, profile.green_colorant, profile.blue_colorant
             luminances = np.array([xyz[1] for xyz, _ in colorants])
+            # Rounded or scaled colorants may not add up to 1, the luminance of white.
             red, green, blue = (luminances / luminances.sum()).tolist()
             weights = (red, green, blue)
         else:
@@ -62,13 +64,16 @@ def of_profile(data: bytes) -> Stated:
 
 
 def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
-    """Return colours with a note that names them; without a note if they are sRGB. Raises
-    ValueError if a curve does not rise."""
+    """Return colours with a note that names them; without a note if they are sRGB.
+
+    `curves`: one, or those of red, green and blue. `weights`: their luminances. `text`: the name of
+    the curve in the note. Raises ValueError if a curve does not rise."""
     ramp = np.linspace(0, 1, 65)
     values = [curve(ramp) for curve in curves]
     if not all(np.isfinite(value).all() and value[-1] > value[0] for value in values):
         raise ValueError("its curve does not rise")
     if all(np.abs(value - values[0]).max() < 1e-6 for value in values):
+        # One common curve is applied faster than three.
         curves = curves[:1]
     is_srgb = all(np.abs(value - srgb_to_linear(ramp)).max() < _NEAR for value in values)
     if is_srgb and any(np.allclose(weights, usual, atol=_NEAR) for usual in (_SRGB_D50, LUMINANCE)):
@@ -79,9 +84,14 @@ def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
 
 
 def _profile_curve(data: bytes, tag: bytes) -> Curve:
-    """Return the curve of a tag, of type `curv` or `para` (ICC.1:2022, 10.6 and 10.18)."""
+    """Return the curve that the ICC profile `data` has under `tag`, four letters such as `rTRC`.
+    The entry is of type `curv` or `para` (ICC.1:2022, 10.6 and 10.18).
+
+    Raises ValueError for another type, and StopIteration, IndexError or struct.error for a missing
+    tag or damaged data."""
     # After a header of 128 bytes, a count and entries of 12 bytes: tag, offset, size.
     (count,) = struct.unpack_from(">I", data, 128)
+    # At most 100 entries are read, because a damaged count may be huge.
     entries = (struct.unpack_from(">4sII", data, 132 + 12 * k) for k in range(min(count, 100)))
     start = next(at for name, at, _ in entries if name == tag)
     kind = data[start : start + 4]
@@ -89,6 +99,7 @@ def _profile_curve(data: bytes, tag: bytes) -> Curve:
         function, *_ = struct.unpack_from(">H", data, start + 8)
         lengths = (1, 3, 4, 5, 7)
         numbers = struct.unpack_from(f">{lengths[function]}i", data, start + 12)
+        # The numbers are fixed-point, with 16 bits of fraction.
         return partial(_parametric, tuple(n / 65536 for n in numbers))
     if kind != b"curv":
         raise ValueError(f"a curve of type {kind!r}")
@@ -101,18 +112,23 @@ def _profile_curve(data: bytes, tag: bytes) -> Curve:
 
 
 def _power(gamma: float, values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return values to the power `gamma`; negative ones become 0."""
+    """Return values to the power `gamma`; negative ones become 0. A `gamma` of 1 changes
+    nothing."""
     return np.maximum(values, 0.0) ** gamma if gamma != 1 else values
 
 
 def _table(samples: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return values by a curve that `samples` give at even distances."""
+    """Return `values` (0..1) mapped by the curve that `samples` give at even distances from 0 to 1,
+    with straight lines between. Values outside 0..1 get the first or the last sample."""
     return np.interp(values, np.linspace(0, 1, len(samples)), samples)
 
 
 def _parametric(numbers: tuple[float, ...], values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return `values` mapped by the ICC parametric curve with 1, 3, 4, 5 or 7 numbers: g, a, b,
-    c, d, e, f."""
+    """Return `values` mapped by the ICC parametric curve of `numbers`: 1, 3, 4, 5 or 7 of g, a, b,
+    c, d, e, f.
+
+    Three are g, a, b; four are g, a, b and one number for e and f. A missing a is 1, other missing
+    numbers are 0."""
     # (a x + b)^g + e from d on, c x + f below it. Missing numbers make the second part empty.
     g, a, b, c, d, e, f = numbers[0], 1.0, 0.0, 0.0, -np.inf, 0.0, 0.0
     if len(numbers) > 1:
@@ -149,8 +165,12 @@ _UNSPECIFIED = (0, 2)
 
 
 def of_numbers(primaries: int, transfer: int) -> Stated:
-    """Return the colours of the numbers `primaries` and `transfer` of ITU-T H.273, with notes on
-    what is unusual."""
+    """Return the colours that a file states by two numbers of ITU-T H.273, those of its `primaries`
+    and of its `transfer` curve.
+
+    Primaries not in `_PRIMARIES` count as Rec. 709. A curve that is unspecified, or unknown (a note
+    says so), counts as sRGB; the colours are None if the primaries are also those of Rec. 709.
+    Other primaries are named in a note."""
     weights, notes = _weighted(_PRIMARIES.get(primaries))
     curve = _CURVES.get(transfer)
     if isinstance(curve, float):
@@ -167,13 +187,18 @@ def of_numbers(primaries: int, transfer: int) -> Stated:
 
 
 def of_primaries(primaries: NDArray[Any] | None) -> Stated:
-    """Return the colours of linear light with these primaries: x, y of red, green, blue, white."""
+    """Return the colours of linear light with these `primaries`: CIE x and y of red, green, blue
+    and white, eight numbers of any shape. None counts as Rec. 709; others are named in a note."""
     weights, notes = _weighted(None if primaries is None else np.ravel(primaries).tolist())
     return Stated(colours=Colours.of("linear", weights), notes=notes)
 
 
 def _weighted(primaries: Sequence[float] | None) -> tuple[Weights, tuple[Note, ...]]:
-    """Return the weights of luminance, with a note for primaries other than those of Rec. 709."""
+    """Return the luminances of red, green and blue for `primaries`, and a note if they are not
+    those of Rec. 709.
+
+    `primaries`: CIE x and y of red, green, blue and white, eight numbers. None counts as Rec. 709,
+    without a note."""
     if primaries is None:
         return LUMINANCE, ()
     weights = luminance_weights(primaries)
@@ -185,8 +210,12 @@ def _weighted(primaries: Sequence[float] | None) -> tuple[Weights, tuple[Note, .
 
 
 def of_pillow(path: Path, info: Mapping[Any, Any]) -> Stated:
-    """Return the colours of a file that Pillow opened: its numbers of H.273 in a PNG, its profile,
-    its numbers in a HEIC, its gamma and primaries in a PNG, in this order."""
+    """Return the colours of the file `path` that Pillow opened; `info` is what Pillow reads beside
+    the samples.
+
+    The first source that the file has counts: numbers of H.273 in a PNG, an ICC profile, numbers of
+    H.273 in a HEIC, gamma and primaries in a PNG. A profile that cannot be used is passed over,
+    with its note. Colours are None without any."""
     numbers = _png_numbers(path)
     if numbers is not None:
         return of_numbers(*numbers)
@@ -199,6 +228,7 @@ def of_pillow(path: Path, info: Mapping[Any, Any]) -> Stated:
     if "nclx_profile" in info:
         nclx = info["nclx_profile"]
         stated = of_numbers(int(nclx["color_primaries"]), int(nclx["transfer_characteristics"]))
+    # A PNG that says sRGB repeats it as a rounded gamma for old readers.
     elif "gamma" in info and "srgb" not in info:
         stated = _of_gamma(float(info["gamma"]), info.get("chromaticity"))
     else:
@@ -207,7 +237,10 @@ def of_pillow(path: Path, info: Mapping[Any, Any]) -> Stated:
 
 
 def _of_gamma(gamma: float, primaries: Sequence[float] | None) -> Stated:
-    """Return the colours of a PNG file's gamma (the power of its encoding) and primaries."""
+    """Return the colours of a PNG file by its `gamma` (the power of its encoding, 0.45 for a common
+    display) and `primaries`, x and y of red, green, blue and white or None for Rec. 709.
+
+    Gamma 1 is linear and 1 / 2.2 sRGB. Outside 0.01..100 the colours are None, with a note."""
     weights, notes = _weighted(primaries)
     standard: tuple[tuple[float, Transfer], ...] = ((1.0, "linear"), (1 / 2.2, "srgb"))
     for power, transfer in standard:
@@ -226,8 +259,9 @@ def of_adobe_rgb() -> Stated:
 
 
 def _png_numbers(path: Path) -> tuple[int, int] | None:
-    """Return primaries and transfer from the chunk cICP of the PNG file `path`, which Pillow does
-    not read; None without the chunk."""
+    """Return the numbers of primaries and of transfer curve (ITU-T H.273) from the chunk cICP of
+    the PNG file `path`, which Pillow does not read. Return None for other formats, and without the
+    chunk before the samples."""
     with open(path, "rb") as file:
         if file.read(8) != b"\x89PNG\r\n\x1a\n":
             return None

@@ -16,14 +16,17 @@ from nscc_runtime.scenes.pages import Edges, Note, Pages
 _CLOCK_S = 1e-3
 """Clocks of files round times to this unit."""
 _SLACK = 1e-6
+"""Error of sums of floating-point times, in seconds."""
 _EVEN_SHARE = 0.5
 """Durations that differ by at most this fraction of the shortest are equal, within the clock."""
 
 
 def timed(pages: Pages) -> Pages:
-    """Return a film with the starts of its frames, `edges`, if they last unequally.
+    """Return a film with the starts of its frames in `edges`, in units of the shortest duration, if
+    its frames last unequally.
 
-    Frames of 0 ms are left out, because no viewer shows them. Notes say what is unusual."""
+    Frames of 0 ms are left out, because no viewer shows them. Notes say what is unusual. A file
+    without a clock, of one picture, or of frames that all last 0 ms is returned as it is."""
     if pages.durations_s is None or pages.count < 2:
         return pages
     durations_s = pages.durations_s()
@@ -55,27 +58,33 @@ def timed(pages: Pages) -> Pages:
 
 
 def _even(durations_s: NDArray[np.float64]) -> bool:
-    """Return whether the frame durations `durations_s` are equal, up to the rounding of a clock."""
+    """Return whether the frame durations `durations_s` (one or more) are equal, up to the rounding
+    of a clock to 1 ms."""
     shortest, difference_s = float(durations_s.min()), float(np.ptp(durations_s))
     if difference_s > _CLOCK_S + _SLACK:
         return False
+    # Durations that are short beside the clock's unit differ by much of themselves: they are even
+    # if the rounding errors do not add up, so that no frame is off by more than a unit.
     mean = np.arange(len(durations_s) + 1) * durations_s.mean()
     drift_s = np.ptp(np.cumsum([0, *durations_s]) - mean)
     return bool(difference_s <= _EVEN_SHARE * shortest or drift_s <= _CLOCK_S + _SLACK)
 
 
 def _edges(durations_s: NDArray[np.float64]) -> tuple[Fraction, ...]:
-    """Return the starts of frames with these `durations_s`, and the end, as fractions in units of
-    the shortest duration."""
+    """Return the starts of frames with these `durations_s` (above 0), and the end of the last, as
+    fractions in units of the shortest duration."""
     steps = durations_s / durations_s.min()
     edges = [Fraction(0)]
     for step in steps.tolist():
+        # Ratios of rounded times are close to simple fractions; these keep exact sums short.
         edges.append(edges[-1] + Fraction(step).limit_denominator(1_000_000))
     return tuple(edges)
 
 
 def from_frame(edges: Edges, first: int) -> Edges:
-    """Return the edges of a film that begins with frame number `first`."""
+    """Return the `edges` of a film (starts of its frames and its end, or None) that begins with
+    frame number `first`, from 0. They are unchanged if the film ends earlier, which the caller
+    reports."""
     if edges is None or first >= len(edges):
         return edges
     return tuple(edge - edges[first] for edge in edges[first:])
@@ -83,10 +92,14 @@ def from_frame(edges: Edges, first: int) -> Edges:
 
 def evenly(frames: Iterator[Any], edges: Edges) -> Iterator[Any]:
     """Yield the frame of each step of equal length: a frame is shown from the step nearest to its
-    start in `edges`. Without `edges`, every frame is one step."""
+    start in `edges` up to that nearest to its end.
+
+    `edges` are the starts of frames and the end, in steps. Frames after the end are left out, and
+    so are frames too short for a step. If `edges` is None, every frame is one step."""
     if edges is None:
         yield from frames
         return
+    # The nearest whole number: `round` would take half a step to the even neighbour.
     starts = [int(edge + Fraction(1, 2)) for edge in edges]
     steps = [end - start for start, end in pairwise(starts)]
     for k, frame in enumerate(islice(frames, len(steps))):

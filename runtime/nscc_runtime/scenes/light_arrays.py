@@ -23,13 +23,17 @@ _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _USER_BLOCKS = (0, 512, 1024, 2048, 4096)
 """Offsets at which HDF5 may begin; MATLAB writes a header of 512 bytes before it."""
 _HEADER_BYTES = 128
+"""Length of the header of a version 5 .mat file."""
 _COMPRESSED = 15
+"""Number of the type of compressed elements in a version 5 .mat file."""
 _BLOCK_BYTES = 1 << 20
 _WIDEST_NUMBER = 8
+"""Bytes of the largest number (double), because `whosmat` does not tell the type."""
 
 
 def is_hdf5(path: Path) -> bool:
-    """Return whether the file `path` is HDF5 (MATLAB 7.3), also behind a block of other data."""
+    """Return whether the file `path` is HDF5 (MATLAB 7.3), also behind a block of up to 4096 bytes
+    of other data. Raises OSError if it cannot be read."""
     with open(path, "rb") as file:
         for start in _USER_BLOCKS:
             file.seek(start)
@@ -39,8 +43,9 @@ def is_hdf5(path: Path) -> bool:
 
 
 def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
-    """Return the shapes of the variables in a .mat file of any version; () for variables that are
-    not arrays. Raises the exceptions of scipy and h5py for a damaged file."""
+    """Return the shapes of the variables in a .mat file of any version, by name, with axes in
+    MATLAB's order. HDF5 files have () for variables that are not arrays. Raises FileNotFoundError,
+    and the exceptions of scipy and h5py for a damaged file."""
     if is_hdf5(path):
         import h5py
 
@@ -58,8 +63,9 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
 
 
 def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read an array by name, with axes in MATLAB's order. Raises ValueError if it is not an array,
-    and InvalidArrays if it needs more than `most_bytes`."""
+    """Read the array `name` of a .mat file of any version, with axes in MATLAB's order. Raises
+    ValueError if there is no such array, InvalidArrays if it needs more than `most_bytes`, and the
+    exceptions of scipy and h5py for a damaged file."""
     arrays = mat_arrays(path, [name], most_bytes)
     if name not in arrays:
         raise ValueError(f"'{name}' is not an array")
@@ -69,11 +75,11 @@ def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[An
 def mat_arrays(
     path: Path, names: Sequence[str] | None = None, most_bytes: int = MOST_BYTES
 ) -> dict[str, NDArray[Any]]:
-    """Read the named arrays of a .mat file of any version (None: all arrays); other variables are
-    skipped.
+    """Read arrays of a .mat file of any version, by name, with axes in MATLAB's order.
 
-    Raises InvalidArrays for more than `most_bytes`, and the exceptions of scipy and h5py for a
-    damaged file."""
+    `names`: the arrays to read, None for all. Names that are missing, and variables that are no
+    arrays, are left out. Raises InvalidArrays for more than `most_bytes`, and the exceptions of
+    scipy and h5py for a damaged file."""
     if is_hdf5(path):
         return _of_hdf5(path, names, most_bytes)
     from scipy.io import loadmat, whosmat
@@ -96,8 +102,12 @@ def mat_arrays(
 
 
 def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
-    """Unpack the compressed elements of a version 5 file block by block, and yield the block sizes.
-    The size in the header of an element may be wrong."""
+    """Unpack the compressed elements of the version 5 .mat file `file` block by block, and yield
+    the number of bytes of each block.
+
+    The caller adds them up and stops at its limit: the size in the header of an element may be
+    wrong. Yields nothing for other versions, which are not compressed. Raises zlib.error for
+    damaged data."""
     head = file.read(_HEADER_BYTES)
     orders = {b"IM": "<", b"MI": ">"}  # the letters show in which order a machine wrote bytes
     if head[-2:] not in orders:
@@ -117,8 +127,9 @@ def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
 
 
 def _of_hdf5(path: Path, names: Sequence[str] | None, most_bytes: int) -> dict[str, NDArray[Any]]:
-    """Return the named arrays of a MATLAB 7.3 file (None: all), checked against `most_bytes`
-    first."""
+    """Return arrays of a MATLAB 7.3 file by name, with axes in MATLAB's order. `names`: the arrays
+    to read, None for all; missing names and variables that are no arrays are left out. Raises
+    InvalidArrays, before data is read, if they need more than `most_bytes`."""
     import h5py
 
     with h5py.File(path, "r") as file:
@@ -135,14 +146,16 @@ def _of_hdf5(path: Path, names: Sequence[str] | None, most_bytes: int) -> dict[s
 
 
 def _stated_bytes(stored: Any) -> int:
-    """Return the number of bytes of the array, or of its largest chunk if larger."""
+    """Return the number of bytes of the h5py dataset `stored`, or of its largest chunk if that is
+    larger; HDF5 unpacks whole chunks."""
     shapes = (stored.shape or (), stored.chunks or ())
     return max(prod(map(int, shape)) for shape in shapes) * int(stored.dtype.itemsize)
 
 
 def _check_chunks(stored: Any) -> None:
-    """Raise InvalidArrays for a compressed chunk that unpacks to more than a chunk, because HDF5
-    would allocate all the memory."""
+    """Raise InvalidArrays if a compressed chunk of the h5py dataset `stored` unpacks to more than
+    the size of a chunk, because HDF5 would allocate all the memory. Datasets without chunks or gzip
+    pass."""
     if stored.chunks is None or stored.compression != "gzip":
         return
     most = prod(stored.chunks) * stored.dtype.itemsize
@@ -150,6 +163,7 @@ def _check_chunks(stored: Any) -> None:
         offset = stored.id.get_chunk_info(index).chunk_offset
         mask, packed = stored.id.read_direct_chunk(offset)
         if mask == 0:  # all filters were applied, so the chunk is compressed
+            # One byte more than allowed is unpacked, which shows that there is too much.
             check_size(len(zlib.decompressobj().decompress(packed, most + 1)), most)
 
 
@@ -174,8 +188,11 @@ def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
 
 
 def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
-    """Raise Rejected (NS0733 to NS0735) for a `light` array that does not fit. It must fit a
-    program with `slots` slots and an array of size `need` (rows, cols)."""
+    """Raise Rejected for a `light` array of this `shape` in the scene `name` that does not fit a
+    program with `slots` slots and an array of size `need` (rows, cols).
+
+    NS0733: not two or three axes, or axes in another order. NS0734: another size. NS0735: a clip
+    with another number of frames."""
     _refuse_other_axes(name, shape, slots, need)
     if len(shape) not in (2, 3):
         raise rejected(
@@ -209,9 +226,12 @@ def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, 
 def _refuse_other_axes(
     name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]
 ) -> None:
-    """Raise Rejected (NS0733) if light of this `shape` has the axes of other tools: time or colour
-    last. `need`: (rows, cols) of the array."""
+    """Raise Rejected (NS0733) if light of this `shape` in the scene `name` has the axes of other
+    tools: time or colour last. Other shapes pass.
+
+    `slots` is the number of slots, `need` (rows, cols) the size of the array."""
     count = shape[-1] if len(shape) in (3, 4) else 0
+    # Rows and columns lie before the last axis, and not also at the end, where they belong.
     if shape[-3:-1] != need or tuple(shape[-2:]) == need:
         return
     subject = f"'light' in '{name}' is {size(shape)}"
@@ -239,7 +259,7 @@ def read_light(path: Path, check: Check) -> NDArray[np.float32]:
     """Read the array `light` of an .npz or .npy file: float32, (T, rows, cols) or (rows, cols).
 
     Raises Rejected: NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers,
-    NS0736 for values that are not light, and the errors of `check` for the shape."""
+    NS0736 for values that are not light, and what `check` raises for the shape."""
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
@@ -257,8 +277,9 @@ def read_light(path: Path, check: Check) -> NDArray[np.float32]:
 
 
 def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
-    """Return the error NS0733 that the file `path`, whose arrays are `have`, has none of the arrays
-    `keys` of a scene."""
+    """Return the error NS0733 that the file `path` has none of the arrays `keys` of a scene. `have`
+    are the names of its arrays; if they are those of a frame file, the help says how to decode
+    it."""
     shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
     further = f" and {len(have) - 12} more" if len(have) > 12 else ""
     names = " or ".join(f"'{key}'" for key in keys)
@@ -277,8 +298,10 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
 
 
 def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
-    """Return the light in an .npy file; `check` may refuse its shape before data is read. Raises
-    ValueError."""
+    """Return the light in the open .npy file `file`; `path` is for messages.
+
+    `check` gets its shape before data is read, and raises if it does not fit. Raises ValueError for
+    damaged data, and Rejected: NS0733 for other numbers, NS0736 for values that are not light."""
     _, shape, fortran, dtype = npy_header(file)
     check_type(path, KEY, dtype)
     check(shape)
@@ -289,7 +312,8 @@ def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
 
 
 def _light_of(path: Path, values: NDArray[Any]) -> NDArray[np.float32]:
-    """Return values as float32. Raises NS0736 for values that are not light."""
+    """Return `values` of the file `path` as float32 in C order. Raises NS0736 for values that are
+    not light."""
     refuse_no_light(values, path)
     return np.require(values, np.float32, ["C"])
 
@@ -301,8 +325,12 @@ def clip_white(clip: NDArray[Any]) -> float | None:
 
 
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
-    """Read the scene in a .mat file: ("light", float32 array) or ("orig", array (rows, cols, T) as
-    stored). `light` has precedence. Raises Rejected like `read_light`."""
+    """Read the scene in the .mat file `path`, as a pair of key and array: "light" with a float32
+    array, or "orig" with an array (rows, cols, T) as stored. `light` has precedence.
+
+    `check` gets the shape of `light` and raises if it does not fit. Raises Rejected like
+    `read_light`, NS0733 also for an `orig` of other dimensions or without frames; ImportError
+    without scipy or h5py."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
         names = [*mat_shapes(path)]

@@ -48,6 +48,7 @@ Stored = tuple[NDArray[Any], Colours]
 """A picture as stored, and the meaning of its samples."""
 
 ARRAYS = (".mat", ".npy", ".npz")
+"""Endings of the files that hold arrays."""
 _BUILTINS = ("hdr", "motion", "dark")
 
 
@@ -55,10 +56,11 @@ _BUILTINS = ("hdr", "motion", "dark")
 class _Request:
     """A scene to load, and what it is loaded for.
 
-    `slot_us` are the lengths of slots in microseconds. `warn` gets notes on changes of the scene
-    (NS0740, NS0773, NS0776), `progress` the frames as they are read. `channel`: red, green or blue
-    (0 to 2) of a colour picture instead of its luminance. `factor`: electrons per unit of the
-    scene, instead of an exposure."""
+    `window` is the array and its place in pictures. `slot_us` are the lengths of slots in
+    microseconds. `warn` gets notes on changes of the scene (NS0740, NS0773, NS0776), `progress` the
+    frames as they are read. `channel`: red, green or blue (0 to 2) of a colour picture; None for
+    its luminance. `factor`: electrons per unit of the scene, instead of an exposure; None to use
+    the exposure."""
 
     scene: Scene
     window: Window
@@ -79,7 +81,8 @@ class _Request:
         return parse_exposure(self.scene.exposure)
 
     def check_light(self, shape: tuple[int, ...]) -> None:
-        """Raise NS0733 to NS0735 if a `light` array of this shape does not fit the program."""
+        """Raise NS0733 to NS0735 if a `light` array of this `shape` is not (slots, rows, cols) or
+        (rows, cols) of the program and the array."""
         light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
@@ -88,11 +91,12 @@ class _Request:
             exposure.needed(self.name)
 
     def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
-        """Return the factor from the scene's unit to electrons: the given one, or the one that
-        gives the exposure asked for.
+        """Return the factor from the scene's unit to electrons: `factor`, or the one that gives the
+        exposure asked for.
 
-        `open_sum` is the scene's light over the frame, of which `placement` says what is exposed.
-        """
+        `open_sum` (rows, cols) is the light over the frame in the scene's unit, on all arrays. Only
+        its part on the picture counts, which `placement` cuts out. Raises Rejected (NS0738) like
+        `exposure.scale`."""
         if self.factor is not None:
             return self.factor
         assert self.exposure is not None  # `check_exposure` was called
@@ -117,8 +121,10 @@ class _Request:
 
 @dataclass(frozen=True, eq=False)
 class PlacedLight:
-    """Light on the arrays of `placement`. `colour`: whether the source is in colour. `notes`:
-    sentences about how the file was read, if the user may expect something else."""
+    """Light on the arrays of `placement`.
+
+    `colour`: whether the source is in colour. `notes`: sentences about how the file was read, if
+    the user may expect something else."""
 
     light: Light
     placement: Placement
@@ -133,7 +139,9 @@ def scene_light(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
 ) -> Light:
-    """Return the light on one array. The scene must not need several arrays or colours."""
+    """Return the light of `scene` on one array of `target`, in slots of `slot_us` microseconds. The
+    scene must not need several arrays or colours: of three lights only red is returned. `warn` and
+    `progress` as for `laid_lights`, which also says what is raised."""
     return laid_lights(scene, slot_us, target, warn, progress)[0].light
 
 
@@ -144,10 +152,13 @@ def laid_lights(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
 ) -> tuple[PlacedLight, ...]:
-    """Return the light in slots of these lengths on the array of `target`.
+    """Return the light of `scene` in slots of `slot_us` microseconds, on as many arrays of `target`
+    as it needs.
 
-    It is the luminance, or three lights (red, green and blue) at the exposure of the luminance.
-    Raises Rejected like `laid_scene`."""
+    It is one light, the luminance, or three lights (red, green, blue) if `scene.color` is set; all
+    have the factor that gives the luminance its exposure. A scene without colours gives one light
+    and a note (NS0773). `warn` gets notes on changes of the scene, `progress` the frames as they
+    are read. Raises Rejected like `laid_scene`."""
     load = partial(
         laid_scene, scene, slot_us=slot_us, rows=target.rows, cols=target.cols, progress=progress
     )
@@ -175,8 +186,11 @@ def load_scene(
     progress: Progress = unseen,
     **options: Any,
 ) -> Light:
-    """Load a scene cropped to one array; `options` are fields of `Scene`. Raises like
-    `laid_scene`."""
+    """Return the light of the scene named `spec`, cropped to one array of `rows` x `cols` pixels,
+    in slots of `slot_us` microseconds.
+
+    `warn` gets notes on changes of the scene, `progress` the frames as they are read. `options` are
+    fields of `Scene`. Raises Rejected like `laid_scene`."""
     return laid_scene(
         Scene(spec, **options), slot_us=slot_us, rows=rows, cols=cols, warn=warn, progress=progress
     ).light
@@ -196,7 +210,7 @@ def laid_scene(
     of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
     an integral.
 
-    Raises Rejected (NS0730 to NS0739, status 2).
+    Raises Rejected (status 2): NS0730 to NS0739, NS0776 for missing frames, NS0777 for a bracket.
     """
     crop, spec = parse_crop(scene.crop), scene.name
     request = _Request(scene, Window(rows, cols, crop), slot_us, **about)
@@ -238,8 +252,10 @@ def light_of_array(
 ) -> Light:
     """Return the light of an array: electrons per slot (N, rows, cols), or per second (rows, cols).
 
-    float32 arrays are not copied, and must not be modified while the light is in use. Raises
-    Rejected (status 2, NS0733 to NS0736) for arrays that do not fit or that are not light."""
+    `slot_us` are the lengths of the N slots in microseconds, `rows` and `cols` the size that is
+    needed, and `name` is for messages. float32 arrays in C order are not copied, and must not be
+    modified while the light is in use. Raises Rejected (status 2, NS0733 to NS0736) for arrays that
+    do not fit or that are not light."""
     request = _Request(Scene(name), Window(rows, cols), slot_us)
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
@@ -249,8 +265,8 @@ def light_of_array(
 
 
 def _existing(spec: str) -> Path:
-    """Return the path of a scene; raise Rejected (NS0730), with a similar name, if there is no such
-    file."""
+    """Return the path of the scene `spec`, a file or a folder. Raises Rejected (NS0730) if there is
+    no such file, or it is of another kind; a builtin scene with a similar name is suggested."""
     path = Path(spec)
     try:
         if path.is_dir() or path.is_file():
@@ -272,9 +288,12 @@ def _existing(spec: str) -> Path:
 
 
 def _load_path(request: _Request, path: Path) -> PlacedLight:
-    """Return the light of a file or folder on the array; its ending decides how it is read.
+    """Return the light of the file or folder `path` on the array. The ending of a file decides
+    whether it is an array or has pictures.
 
-    Raises Rejected (NS0731) for an unknown ending."""
+    A file of one picture is a still, unless its format is that of clips; several pictures are a
+    clip. Raises Rejected: NS0731 for an unknown ending, NS0739 for options that do not apply, and
+    the errors of the reader."""
     from nscc_runtime.scenes.picture_files import CLIPS, PICTURES, open_pages
 
     reads(path)
@@ -305,14 +324,17 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
 
 
 def _folder(request: _Request, path: Path) -> PlacedLight:
-    """Return the light of the folder `path` as a clip, with the notes of its first file."""
+    """Return the light of the folder `path` as a clip, or of one of its pictures with `--still`.
+    Its notes are those of the first file that is read. Raises Rejected like `files_of` and
+    `read_folder`."""
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
     files = files_of(path, request.scene.skip, request.warn)
     notes: list[tuple[str, ...]] = []
 
     def frames() -> Iterator[Stored]:
-        """Yield each picture of the folder with its colours; note remarks on the first one."""
+        """Yield each picture of the folder with its colours, and store the notes of the first one
+        in `notes`."""
         for picture, pages in read_folder(files, request.scene.skip, request.warn):
             if not notes:
                 notes.append(_say_notes(request, pages))
@@ -324,8 +346,10 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
 
 
 def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
-    """Send a file's notes to `warn`, and return them as sentences. Notes on its colours are left
-    out if the request sets the transfer curve."""
+    """Send the notes of the file `pages` to `warn`, and return them as sentences.
+
+    Notes on its colours are left out of both if the request sets the transfer curve. A request for
+    a single colour sends none, because the request for the luminance did."""
     notes = pages.notes + (pages.stated.notes if request.scene.transfer is None else ())
     for text, help_text in notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
@@ -333,7 +357,9 @@ def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
-    """Raise Rejected (NS0739), for the reason `why`, if one of the options `names` is set."""
+    """Raise Rejected (NS0739), for the reason `why`, if an option is set that does not apply.
+    `names` are fields of `Scene`; one is set if it differs from its default. The first one is
+    reported."""
     for name in names:
         if getattr(request.scene, name) != getattr(Scene, name):
             option = declared(Scene)[name].option
@@ -346,9 +372,11 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
 
 
 def _array(request: _Request, path: Path) -> PlacedLight:
-    """Return the light of an array file on the array: electrons, or a clip of a benchmark (.mat).
+    """Return the light of the array file `path`: `light` in electrons, or an `orig` clip of a
+    benchmark in a .mat file, which is read like a video.
 
-    Raises Rejected for options that do not apply."""
+    Raises Rejected: NS0739 for options that do not apply, and the errors of `read_mat` and
+    `read_light`."""
     if path.suffix.lower() == ".mat":
         key, values = light_arrays.read_mat(path, request.check_light)
         if key == light_arrays.MAT_CLIP_KEY:
@@ -368,11 +396,11 @@ def _array(request: _Request, path: Path) -> PlacedLight:
 
 
 def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
-    """Return the light of an array in electrons: a clip (slots, rows, cols), or a still in
-    electrons per second.
+    """Return the light of `values`: a clip (slots, rows, cols) in electrons, or a still (rows,
+    cols) in electrons per second.
 
-    With an exposure, the light is scaled to it. Raises Rejected (NS0736) above 3.4e38 electrons in
-    one slot."""
+    With an exposure, the light is scaled to it. Raises Rejected: NS0736 above 3.4e38 electrons in
+    one slot of a still, NS0738 for an exposure that cannot be reached."""
     exposure_level = request.exposure
     if values.ndim == 3:
         clip = Light.of_clip(values)
@@ -397,8 +425,10 @@ def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
 
 
 def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
-    """Return the light of a still picture on the array, scaled to the exposure. `read` is the
-    picture as stored."""
+    """Return the light of a still picture on the arrays, scaled to the exposure. `read` returns the
+    picture as stored and the meaning of its samples; it is called after the options were checked.
+
+    Raises Rejected: NS0739 for `--fps`, NS0737 without an exposure, and the errors of `read`."""
     _refuse(request, "a still has no frame rate", "fps")
     request.check_exposure()
     stored, colours = read()
@@ -410,8 +440,13 @@ def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
 
 
 def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None) -> PlacedLight:
-    """Return a clip's light: one frame per slot, by `--fps`, or with `single` one as a still.
-    `edges`: the times of frames that last unequally."""
+    """Return the light of a clip: one frame per slot, or frames by `--fps`. With `--still` it is
+    the light of one frame as a still.
+
+    `frames_read` yields each frame as stored with the meaning of its samples; it is read as far as
+    the slots last. `edges`: the starts of frames that last unequally, and the end, in steps; None
+    if every frame lasts one. Raises Rejected: NS0735 for a clip that is too short, NS0737 without
+    an exposure."""
     if request.scene.single:
         read = partial(timing.only_frame, request.name, frames_read, request.scene.first)
         return _still(request, read)
@@ -458,11 +493,13 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
 def _say_changes(
     request: _Request, stored: NDArray[Any], colours: Colours, placement: Placement
 ) -> bool:
-    """Return whether the picture is in colour, and send notes on its changes to `warn`. Notes
-    are sent for the first colour channel only."""
+    """Return whether the picture `stored` is in colour. Send notes on its changes to `warn`, if the
+    request is for the luminance: on size and colours, and on the curve and white level that were
+    assumed for `colours`."""
     colour = in_colour(stored)
     colours = Colours.of(request.scene.transfer or colours)
     if request.channel is None:
+        # The first request, for the luminance, sends the notes for all colours.
         for note in changes(placement, colour, request.name):
             request.warn(note)
         floats = stored.dtype.kind == "f"
@@ -476,8 +513,12 @@ def _say_changes(
 def _light(
     request: _Request, stored: NDArray[Any], colours: Colours, name: str
 ) -> tuple[NDArray[np.float32], Placement]:
-    """Return a stored picture as light on the arrays, and its placement. Raises Rejected (NS0736)
-    for values that are not light."""
+    """Return a stored picture as light on the arrays (rows, cols), in units of white, and its
+    placement.
+
+    `stored` (R, C) or (R, C, 3) are the samples, `colours` their meaning unless the scene sets the
+    curve, and `name` is the picture in messages. Raises Rejected: NS0734 for a picture that is too
+    small or too large, NS0736 for values that are not light."""
     colours = Colours.of(request.scene.transfer or colours)
     placement = placement_of(
         request.scene.fit, (stored.shape[0], stored.shape[1]), request.window, name

@@ -11,15 +11,19 @@ from pathlib import Path
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 
 _SHOWN = 4
+"""Number of missing files or frame numbers that a message names; the others are counted."""
 _MOST_DIGITS = 18
+"""Longest number of a frame, in digits. Longer runs of digits are taken for times or checksums."""
 
 
 def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
-    """Return a sentence for each kind of missing frames of a clip; empty if no frame is missing.
+    """Return a sentence for each kind of missing frames of a clip: files that are not read, and
+    gaps in the numbering. Return () if no frame is missing.
 
     `pictures`: names of the files that are read, in order. `names`: names of all files in the
-    folder. A file counts as an unread frame if its ending is that of a picture, or if its number
-    belongs to the numbering and no picture has this number."""
+    folder. A file counts as an unread frame if its ending is that of a picture, or if its name
+    differs from theirs in the frame number only. Hidden files, and files named like a picture but
+    for the ending, do not count."""
     stems = {Path(name).stem for name in pictures}
     split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
     part_index = _counting_part(split_names)
@@ -53,7 +57,8 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
 
 
 def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) -> Diagnostic:
-    """Return NS0776 for a folder: an error, or a warning if missing frames are `skipped`."""
+    """Return the diagnostic NS0776 for a `folder`: an error, or a warning if missing frames are
+    `skipped`. `missing` are sentences that say which, as `missing_frames` returns them."""
     helps = ("convert or remove the files, or add --skip to expose the remaining frames",)
     return Diagnostic(
         "NS0776",
@@ -65,8 +70,11 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
 
 
 def _counting_part(split_names: Sequence[list[str]]) -> int | None:
-    """Return the index of the part of file names that counts, given names split at their
-    numbers; None if not exactly one number differs."""
+    """Return the index of the part of file names that numbers the frames, None if there is none.
+
+    `split_names` are the names without endings, each split into texts (even indices) and runs of
+    digits (odd indices). The part must be the only one that differs, and a run of at most 18
+    digits. Fewer than two names, or names of different numbers of parts, have none."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [k for k, texts in enumerate(zip(*split_names, strict=True)) if len({*texts}) > 1]
@@ -78,8 +86,8 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
 
 
 def _counts(name: str, like: list[str], part_index: int) -> bool:
-    """Return whether a file name equals the frames' names except for the number at index
-    `part_index`; `like` is such a name, split."""
+    """Return whether the file name `name` equals those of the frames but for its ending and its
+    number at `part_index`. `like` is the name of a frame, split into texts and runs of digits."""
     split_name = re.split(r"(\d+)", Path(name).stem)
     return len(split_name) == len(like) and all(
         split_name[k] == like[k] for k in range(len(like)) if k != part_index
@@ -87,8 +95,12 @@ def _counts(name: str, like: list[str], part_index: int) -> bool:
 
 
 def _gaps(numbers: Sequence[int]) -> str:
-    """Return the numbers missing from a sequence of constant step, as text; empty without gaps, or
-    if the numbers are not such a sequence (for example times)."""
+    """Return the numbers missing from ascending `numbers` of constant step, as text: the first 4 of
+    them and how many more.
+
+    The step is the smallest difference; it must be that of half of the pairs or more, and must
+    divide the others. Return "" if nothing is missing, or if there is no such step (for example
+    times)."""
     steps = [b - a for a, b in pairwise(numbers)]
     step = min(steps, default=0)
     usual = step > 0 and 2 * steps.count(step) >= len(steps)

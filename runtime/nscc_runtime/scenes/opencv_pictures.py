@@ -16,6 +16,7 @@ from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.pillow_pictures import pillow_pages
 
 _HEADER_BYTES = 1 << 16
+"""Number of bytes at the start of a file in which its size is looked for."""
 _PFM = re.compile(rb"^P[Ff]\s+(?P<cols>\d+)\s+(?P<rows>\d+)\s")
 _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILINE)
@@ -25,7 +26,7 @@ _PNG_BITS_AT = 24
 
 def png_pages(path: Path) -> Pages:
     """Open the PNG file `path`: by OpenCV for 16 bits per sample, else by Pillow, which composes
-    animations."""
+    animations. Raises the errors of Pillow for a damaged file."""
     pages = pillow_pages(path)
     if _head(path)[_PNG_BITS_AT] <= 8 or pages.durations_s is not None:
         return pages
@@ -41,8 +42,8 @@ def pfm_pages(path: Path) -> Pages:
 
 
 def radiance_pages(path: Path) -> Pages:
-    """Open the Radiance file `path`. A comment may look like the line with the size, so the largest
-    size counts. Raises ValueError without a size."""
+    """Open the one picture of the Radiance file `path`. A comment may look like the line with the
+    size, so the largest size counts. Raises ValueError without a size."""
     sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(_head(path))]
     if not sizes:
         raise ValueError("its head does not state its size")
@@ -50,7 +51,7 @@ def radiance_pages(path: Path) -> Pages:
 
 
 def _head(path: Path) -> bytes:
-    """Return the first bytes of a file."""
+    """Return the first 65536 bytes of the file `path`, or all if there are fewer."""
     with open(path, "rb") as file:
         return file.read(_HEADER_BYTES)
 
@@ -58,8 +59,9 @@ def _head(path: Path) -> bytes:
 def _reader(
     path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
 ) -> Callable[[], Iterator[NDArray[Any]]]:
-    """Return the function `read` of a file of one picture. Decoding from memory recognises files
-    by content, and supports any path."""
+    """Return the function `read` (see `Pages`) of the file `path` of one picture. `decode` returns
+    the picture in the bytes of the file. Decoding from memory recognises files by content, and
+    supports any path."""
 
     def read() -> Iterator[NDArray[Any]]:
         """Yield the one picture of the file."""
@@ -69,8 +71,8 @@ def _reader(
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """Return the picture in a file's bytes, RGB or grey. Raises ValueError if OpenCV cannot
-    decode it."""
+    """Return the picture in a file's bytes, (R, C, 3) red, green, blue or (R, C) grey, with its
+    type of samples. Alpha is dropped. Raises ValueError if OpenCV cannot decode it."""
     import cv2
 
     # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
@@ -84,8 +86,9 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
 
 
 def _radiance(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """Decode a Radiance file in any of its eight orientations; OpenCV knows one. Raises
-    UnsupportedPicture for colours other than red, green, blue."""
+    """Return the picture in the bytes of a Radiance file of any of its eight orientations; OpenCV
+    knows one. Raises UnsupportedPicture for colours other than red, green, blue, and ValueError for
+    a damaged file."""
     head, blank, body = data.tobytes().partition(b"\n\n")
     line, newline, samples = body.partition(b"\n")
     if b"FORMAT=32-bit_rle_xyze" in head:
@@ -95,6 +98,7 @@ def _radiance(data: NDArray[np.uint8]) -> NDArray[Any]:
         )
     resolution = _RESOLUTION.fullmatch(line)
     if resolution is None or resolution[2] == resolution[5]:
+        # A line that is no orientation is left to OpenCV, which reports the damage.
         return decoded(data)
     # "-Y R +X C": rows from top to bottom, columns from left to right. OpenCV reads this order
     # only, so the samples are decoded under this name, and then transposed and mirrored as stated.

@@ -26,7 +26,8 @@ Note = tuple[str, str]
 """A sentence about a file, without its name, and a remedy."""
 
 Edges = tuple[Fraction, ...] | None
-"""Starts of a film's frames, and its end, in steps; None if every frame lasts one step."""
+"""Starts of a film's frames, and its end, in steps of equal length; None if every frame lasts one
+step. Frame k lasts from entry k to entry k + 1."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,8 @@ class Pages:
 
 
 class UnsupportedPicture(Exception):
-    """An intact file of a kind that nscc does not decode: the reason, and a remedy."""
+    """An intact file of a kind that nscc does not decode: `reason` says what it has, `help_text`
+    what to do."""
 
     def __init__(self, reason: str, help_text: str) -> None:
         """Say why a picture cannot be read, and what helps."""
@@ -76,9 +78,10 @@ class UnsupportedPicture(Exception):
 
 
 def check_sizes(path: Path, pages: Pages, large: bool) -> None:
-    """Raise Rejected (NS0734) if a picture of `path` has more than MOST_PIXELS.
+    """Raise Rejected (NS0734) if a picture of the file `path` has more than MOST_PIXELS, by the
+    sizes that `pages` states.
 
-    With `large`, a single picture of 8 bits per sample may have MOST_LARGE_PIXELS."""
+    With `large`, a file of a single picture of 8 bits per sample may have MOST_LARGE_PIXELS."""
     rows, cols = max(pages.sizes, key=prod)
     admits_more = large and pages.has_8_bits and pages.count == 1
     if rows * cols > (MOST_LARGE_PIXELS if admits_more else MOST_PIXELS):

@@ -31,8 +31,11 @@ from nscc_runtime.scenes.pages import Pages, UnsupportedPicture, check_sizes
 
 @dataclass(frozen=True)
 class SceneFormat:
-    """A format of scenes: the file endings, the first bytes of its files (`head`), the function
-    that opens a file, and whether its samples are linear light (else sRGB)."""
+    """A format of scenes.
+
+    `endings`: those of its files, in lower case with the dot. `head`: a pattern of their first
+    bytes. `pages`: the function that opens a file. `is_light`: whether samples are linear light
+    (else sRGB)."""
 
     endings: tuple[str, ...]
     head: re.Pattern[bytes]
@@ -41,7 +44,9 @@ class SceneFormat:
 
 
 def _format(endings: str, head: bytes, pages: Callable[[Path], Pages], light: bool = False) -> Any:
-    """Return a file format by its endings, a pattern of its first bytes, and a reader."""
+    """Return a format of scenes. `endings` are separated by spaces, `head` is a pattern of the
+    first bytes in which a dot matches any byte, `pages` opens a file, and `light` says that samples
+    are linear light."""
     return SceneFormat(tuple(endings.split()), re.compile(head, re.DOTALL), pages, light)
 
 
@@ -80,16 +85,21 @@ PICTURES = LINEAR + DISPLAY
 CLIPS = tuple(sorted(_endings(_CLIP_FORMATS)))
 _FORMATS = _PICTURE_FORMATS + _CLIP_FORMATS
 _HEAD_BYTES = 16
+"""Number of bytes that the patterns of first bytes look at; the longest needs 12."""
 
 
 def format_of(path: Path) -> SceneFormat | None:
-    """Return the format of a file, by its first bytes if they and its ending differ; None for an
-    ending that is not in the table."""
+    """Return the format of the file `path`; None for an ending that is not in the table.
+
+    The format of the ending counts if the first bytes fit it, else the first format in the table
+    that they fit. If they fit none, the ending counts. Raises OSError if the file cannot be
+    read."""
     by_ending = [format_ for format_ in _FORMATS if path.suffix.lower() in format_.endings]
     if not by_ending:
         return None
     with open(path, "rb") as file:
         head = file.read(_HEAD_BYTES)
+    # Raw files begin like TIFF files: they are recognised by their ending only.
     by_head = [f for f in _FORMATS if f.head.match(head) and ".dng" not in f.endings]
     return next((f for f in (*by_ending, *by_head) if f.head.match(head)), by_ending[0])
 
@@ -115,7 +125,8 @@ def open_pages(path: Path, large: bool = False) -> Pages:
         check_sizes(path, pages, large)
 
     def read() -> Iterator[tuple[str, NDArray[Any]]]:
-        """Yield each picture with its name for messages; a damaged file raises Rejected."""
+        """Yield each picture with its name for messages, which counts from 0. Raises Rejected
+        (NS0732) where the file is damaged, or has an array that is no picture."""
         pictures, number = pages.read(), 0
         while True:
             with _readable(path):
@@ -132,7 +143,8 @@ def open_pages(path: Path, large: bool = False) -> Pages:
 
 
 def read_frames(path: Path) -> Iterator[NDArray[Any]]:
-    """Yield the frames of a clip at even steps. Raises Rejected like `open_pages`."""
+    """Yield the frames of the clip `path` at even steps, as stored; frames that last longer are
+    repeated. Raises Rejected like `open_pages`."""
     pages = timed(open_pages(path))
     return evenly(pages.read(), pages.edges)
 
@@ -149,8 +161,8 @@ def read_picture(path: Path) -> NDArray[Any]:
 
 
 def only_picture(path: Path, pages: Pages) -> NDArray[Any]:
-    """Return the only picture among the `pages` of the file `path`. Raises Rejected (NS0732) for a
-    file of several."""
+    """Return the only picture among the `pages` of the file `path`, as stored: (R, C) or (R, C, 3).
+    Raises Rejected (NS0732) for a file of several pictures or a damaged one."""
     if pages.count != 1:
         raise unsupported(
             path,
@@ -162,8 +174,9 @@ def only_picture(path: Path, pages: Pages) -> NDArray[Any]:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """Turn the exceptions of readers in a with block into Rejected (NS0732), with the reader's
-    text; their prints are hidden."""
+    """Turn the exceptions of readers of the file `path` in a with block into Rejected (NS0732),
+    with the reader's text; what they print is hidden. Rejected passes unchanged, and so does
+    ImportError, which names a missing package."""
     try:
         with quiet():
             yield
@@ -176,7 +189,8 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
-    """Yield the pictures of pairs (name, picture). Raises NS0734 if one differs in size."""
+    """Yield the pictures, (R, C) or (R, C, 3), of pairs (name for messages, picture). Raises NS0734
+    at the first one that differs in rows or columns from the first picture."""
     first: tuple[int, int] | None = None
     for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])
@@ -193,10 +207,11 @@ def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Suppress the output of decoding libraries about damaged files.
+    """Suppress the output of decoding libraries about damaged files in a with block.
 
-    They write to the process's standard error below Python, so the file descriptor is replaced.
-    OpenCV and its FFmpeg read their own switches at first use."""
+    They write to the process's standard error below Python, so the file descriptor is replaced, and
+    put back at the end. OpenCV and its FFmpeg read their own switches, set in the environment, at
+    first use. With a closed standard error only Python's output is hidden."""
     import io
     import os
     import sys

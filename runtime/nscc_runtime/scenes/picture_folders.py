@@ -26,12 +26,13 @@ from nscc_runtime.scenes.picture_files import (
 def files_of(
     folder: Path, skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> list[Path]:
-    """Return the pictures of a folder in natural order (2 before 10).
+    """Return the pictures of a `folder` in natural order (2 before 10).
 
-    Hidden files, and files that belong to no sequence of frames, are ignored. With `skip`, `warn`
-    is called with a message about missing frames. Raises NS0735 for a folder without pictures,
-    NS0739 for a folder of linear and display pictures, NS0776 if frames are missing: files that are
-    not read, or gaps in the numbering."""
+    Hidden files, and files that belong to no sequence of frames, are ignored. Missing frames are
+    files that are not read, or gaps in the numbering. With `skip`, `warn` is called with a message
+    (NS0776) about them. Raises Rejected: NS0732 for a folder that cannot be read, NS0735 for one
+    without pictures, NS0739 for linear and display pictures in one folder, NS0776 for missing
+    frames without `skip`."""
     try:
         names = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
     except OSError as error:
@@ -67,9 +68,11 @@ def files_of(
 
 
 def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
-    """Return a sort key in which runs of digits count as numbers; the name itself breaks ties."""
+    """Return a key that sorts file names with runs of digits as numbers, before letters, and
+    without regard to case. The name itself breaks ties."""
     runs = re.findall(r"\d+|\D+", name)
     return [
+        # Python refuses to parse numbers of more than 4300 digits.
         (0, int(p), "") if p.isdecimal() and p.isascii() and len(p) < 4000 else (1, 0, p.casefold())
         for p in runs
     ], name
@@ -78,9 +81,12 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Iterator[tuple[NDArray[Any], Pages]]:
-    """Yield the frames of a folder as stored, each with the pages of its file. With `skip`, damaged
-    files are reported to `warn` (NS0776) and left out. Raises Rejected (NS0734) if one differs in
-    size from the first."""
+    """Yield each of the files `pictures` as stored, (R, C) or (R, C, 3), with the pages of its
+    file.
+
+    With `skip`, a file that is damaged, or has several pictures, is reported to `warn` (NS0776) and
+    left out; without, the error of `open_pages` or `only_picture` is raised. Raises Rejected
+    (NS0734) if one differs in size from the first."""
     opened: list[Pages] = []
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
@@ -98,4 +104,5 @@ def read_folder(
             opened.append(pages)
             yield path, picture
 
+    # `read` appends to `opened` just before it yields: the last entry belongs to the picture.
     return ((picture, opened[-1]) for picture in same_size(read()))

@@ -64,6 +64,7 @@ def picture_light(
     rows, cols = window or (slice(0, len(stored)), slice(0, stored.shape[1]))
     with np.errstate(invalid="ignore", over="ignore"):  # the census reports invalid values
         floats = stored.dtype.kind == "f"
+        # Integers cannot be slightly negative: peak 0 tolerates nothing.
         peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
         region = stored[rows, cols]
         strips = (region[top : top + _STRIP] for top in range(0, len(region), _STRIP))
@@ -107,6 +108,7 @@ def reduced(bands: Iterator[NDArray[np.float64]], rows: int, size: tuple[int, in
     for band in bands:
         narrow = cv2.resize(band, (size[1], len(band)), interpolation=cv2.INTER_AREA)
         above = first + np.arange(len(band))
+        # How much of each row of the band (columns of `covered`) lies in each new row.
         covered = np.minimum(edges[1:, None], above + 1) - np.maximum(edges[:-1, None], above)
         means += np.maximum(covered, 0) @ narrow
         first += len(band)

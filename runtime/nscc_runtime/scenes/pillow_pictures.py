@@ -15,10 +15,13 @@ from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_numbers, of_pillow
 from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
 
 _GREY = ("1", "L", "LA", "La")
+"""Pillow's modes of grey pictures of at most 8 bits."""
 _BAND_ROWS = 256
 _GAIN_MAPS = (b"hdrgm:Version", b"urn:iso:std:iso:ts:21496", b"tmap")
+"""Bytes at the start of a file that has a gain map: Adobe's, that of ISO 21496-1, and in HEIF."""
 _HEAD_BYTES = 1 << 16
 _EXIF_IFD, _INTEROP = 0x8769, 0xA005
+"""Tags of the EXIF data that point to the directories of the exposure and of interoperability."""
 _GAIN_MAP: Note = (
     "has a gain map for displays of high dynamic range, which is not used",
     "save it as .exr, or as .png or .avif with the PQ curve, if the highlights matter",
@@ -26,9 +29,12 @@ _GAIN_MAP: Note = (
 
 
 def pillow_pages(path: Path) -> Pages:
-    """Open the picture of a file, or the frames of an animation, which Pillow composes.
+    """Open the picture of the file `path`, or the frames of an animation, which Pillow composes:
+    uint8, (R, C) of a grey photograph, else (R, C, 3). Of several photographs (MPO) the first is
+    opened.
 
-    Rows are copied in bands: Pillow needs 4 bytes per pixel while it decodes a picture."""
+    Rows are copied in bands: Pillow needs 4 bytes per pixel while it decodes a picture. Raises the
+    errors of Pillow for a damaged file."""
     from PIL import Image
 
     with without_pillow_limit(), Image.open(path) as image:
@@ -65,13 +71,17 @@ def pillow_pages(path: Path) -> Pages:
 
 
 def _is_in_adobe_rgb(image: Any) -> bool:
-    """Return whether the EXIF data of a JPEG name Adobe RGB, by the number of its rules (DCF)."""
+    """Return whether the EXIF data of `image`, a JPEG opened by Pillow, name Adobe RGB, by the
+    number of its rules (DCF). False for other formats."""
     return image.format in ("JPEG", "MPO") and image.getexif().get_ifd(_INTEROP).get(1) == "R03"
 
 
 def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:
-    """Return the samples of an image of Pillow: (R, C) of a grey photograph, else (R, C, 3).
-    `upright` marks a photograph, and applies the rotation that it notes."""
+    """Return the samples of an open `image` of Pillow, uint8: (R, C) of a grey photograph, else (R,
+    C, 3). Alpha is dropped.
+
+    `upright` marks a photograph, and applies the rotation that it notes, in place. False marks a
+    frame of an animation, which has colours even if grey."""
     from PIL import ImageOps
 
     if upright:
@@ -86,8 +96,8 @@ def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:
 
 
 def _durations_s(path: Path, numbers: range) -> NDArray[np.float64]:
-    """Return the durations in seconds of the frames with these `numbers` in the file `path`; 0 for
-    frames that cannot be read."""
+    """Return the durations in seconds of the frames with these `numbers` (from 0) in the file
+    `path`; 0 for frames that state none or cannot be read, and for those after them."""
     from PIL import Image
 
     durations_s = np.zeros(len(numbers))
@@ -100,8 +110,9 @@ def _durations_s(path: Path, numbers: range) -> NDArray[np.float64]:
 
 
 def exif_of(path: Path) -> dict[int, Any]:
-    """Return the EXIF tags of a photo by number. A raw file's are found though its first directory
-    may be a mosaic, which Pillow does not open."""
+    """Return the EXIF tags of the photo `path` by number; empty if it has none. A raw file's are
+    found though its first directory may be a mosaic, which Pillow does not open. Raises the errors
+    of Pillow for other files."""
     from PIL import Image
 
     with open(path, "rb") as file:
@@ -123,21 +134,22 @@ def gif_pages(path: Path) -> Pages:
 
 
 def heif_pages(path: Path) -> Pages:
-    """Return the pages of a HEIF file."""
+    """Open the HEIF file `path`. Raises ImportError without pillow_heif, and the errors of Pillow
+    for a damaged file."""
     _register_heif()
     return pillow_pages(path)
 
 
 def _register_heif() -> None:
-    """Let Pillow read HEIF files."""
+    """Let Pillow read HEIF files, in the whole process. Raises ImportError without pillow_heif."""
     from pillow_heif import register_heif_opener
 
     register_heif_opener()
 
 
 def avif_pages(path: Path) -> Pages:
-    """Open the AVIF file `path`. FFmpeg reads its numbers of H.273, because Pillow does not return
-    them."""
+    """Open the AVIF file `path`. Unless it has a profile, FFmpeg reads its numbers of H.273,
+    because Pillow does not return them. If FFmpeg cannot read it, its colours are unstated."""
     pages = pillow_pages(path)
     if pages.stated.colours is not None:
         return pages

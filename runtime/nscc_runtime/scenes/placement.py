@@ -27,15 +27,17 @@ MOST_PIXELS = 1 << 26
 
 @dataclass(frozen=True)
 class Window:
-    """The size of the array, and the position (row, column) of its top left corner in pictures. If
-    `corner` is None, the array is centred."""
+    """The size of the array, and the position (row, column) of its top left corner in pictures.
+
+    If `corner` is None, the array is centred."""
 
     rows: int
     cols: int
     corner: tuple[int, int] | None = None
 
     def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
-        """Return row and column of the top left corner in a picture of size `have`.
+        """Return row and column of the top left corner of the array in the picture `name` of size
+        `have` (rows, cols).
 
         If the margins of a centred window cannot be equal, the smaller ones are above and to the
         left. Raises Rejected (NS0734) if the window does not fit."""
@@ -66,9 +68,10 @@ class Window:
 
 
 def parse_crop(text: str | tuple[int, int] | None) -> tuple[int, int] | None:
-    """Parse `R,C` as two whole numbers. Raises Rejected (NS0739) for other texts.
+    """Parse `R,C` as two whole numbers from 0, each of at most nine digits, possibly with spaces.
+    Raises Rejected (NS0739) for other texts.
 
-    A parsed corner, or None, is returned unchanged."""
+    A parsed corner (row, column), or None, is returned unchanged."""
     if not isinstance(text, str):
         return text
     numbers = text.split(",")
@@ -84,11 +87,13 @@ def parse_crop(text: str | tuple[int, int] | None) -> tuple[int, int] | None:
 
 @dataclass(frozen=True)
 class Placement:
-    """The placement of a picture. `picture` (R, C): size as stored. `size` (rows, cols): size as
-    exposed. `array` (rows, cols): size of each array.
+    """The placement of a picture on arrays.
 
-    `overlap`: numbers of rows at the top and bottom, and of columns at the left and right of an
-    array, that the picture takes from the neighbouring array instead. Overlapping arrays end where
+    `fit`: "crop", "scale" or "tiles". `picture` (R, C): size as stored. `size` (rows, cols): size
+    as exposed. `array` (rows, cols): size of each array.
+
+    `overlap`: ((top, bottom), (left, right)), the numbers of rows and columns at the sides of an
+    array that the picture takes from the neighbouring array instead. Overlapping arrays end where
     the picture ends; other arrays may extend beyond it."""
 
     fit: Fit
@@ -103,15 +108,19 @@ class Placement:
         return len(self._starts(0)), len(self._starts(1))
 
     def _starts(self, axis: int) -> list[int]:
-        """Return the first row (axis 0) or column (axis 1) of each array in the picture."""
+        """Return the first row (`axis` 0) or column (`axis` 1) of each array in the picture; one
+        entry or more."""
         size, array, shared = self.size[axis], self.array[axis], sum(self.overlap[axis])
         starts = range(0, max(1, size - shared), array - shared)
         if not shared:
             return list(starts)
+        # The last array is moved back to end with the picture; a picture smaller than it begins at
+        # 0.
         return [min(start, max(0, size - array)) for start in starts]
 
     def _used(self, axis: int) -> list[slice]:
-        """Return the rows (axis 0) or columns (axis 1) that the picture takes from each array."""
+        """Return the rows (`axis` 0) or columns (`axis` 1) that the picture takes from each array,
+        counted in the array."""
         starts = self._starts(axis)
         firsts = [0, *(start + self.overlap[axis][0] for start in starts[1:])]
         ends = [*firsts[1:], self.size[axis]]
@@ -126,11 +135,13 @@ class Placement:
         return self.size == self.array
 
     def cut(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Return the part of values (.., rows, cols) on all arrays that belongs to the picture."""
+        """Return the part of `values` (.., rows, cols) that belongs to the picture: its top left
+        corner of size `size`. Their rows and columns are those of all arrays side by side."""
         return values[..., : self.size[0], : self.size[1]]
 
     def pieces(self, light: Light) -> list[Light]:
-        """Return the light of the picture cut into arrays, from left to right and row by row."""
+        """Return the light of the picture cut into arrays, row by row and from left to right in a
+        row. `light` is that of all arrays side by side."""
         if self.fits_one_array:
             return [light]
         rows, cols = self.array
@@ -141,8 +152,8 @@ class Placement:
         ]
 
     def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
-        """Return the picture of values (.., rows, cols) of all arrays, given row by row;
-        overlaps and margins are cut off."""
+        """Return the picture of values (.., rows, cols). `pieces` are those of each array, row by
+        row and from left to right in a row; overlaps and margins are cut off."""
         if len(pieces) == 1:
             return self.cut(pieces[0])
         parts = iter(pieces)
@@ -153,27 +164,32 @@ class Placement:
         return np.concatenate([*bands], axis=-2)
 
     def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
-        """Repeat values of an array (.., rows, cols) at the pixels of the picture."""
+        """Return the `values` of an array (.., rows, cols), repeated on every array, at the pixels
+        of the picture."""
         return np.ascontiguousarray(self.joined([values] * prod(self.arrays)))
 
     def widened(self, container: Container) -> Container:
-        """Return the container with the codes of every pixel of the picture."""
+        """Return a copy of `container` with the codes of every pixel of the picture; the container
+        itself if it has no codes of pixels, or if one array is enough."""
         if container.pixel_codes is None or self.fits_one_array:
             return container
         return replace(container, pixel_codes=self.repeated(container.pixel_codes))
 
     def as_json(self) -> dict[str, Any]:
-        """Return the entry in a frame file's meta."""
+        """Return the entry in a frame file's meta: `fit`, and as lists of rows and columns
+        `picture` (size as stored) and `arrays` (numbers of arrays)."""
         return {"fit": self.fit, "picture": list(self.picture), "arrays": list(self.arrays)}
 
 
 def placement_of(
     fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
 ) -> Placement:
-    """Return where a `picture` of (rows, cols) lies on the array of `window`, by `fit`: cropped, in
-    tiles or scaled down.
+    """Return where the picture `name` of size `picture` (rows, cols) lies on arrays of the size of
+    `window`.
 
-    Raises Rejected (NS0734) if the picture `name` has too many pixels for tiles."""
+    By `fit` it is cropped to one array ("crop"), spread over several ("tiles"), or scaled with its
+    aspect kept to fit into one ("scale"), also enlarged. Raises Rejected (NS0734) if it has too
+    many pixels for tiles. Whether a crop fits is checked by `Window.place`."""
     array = (window.rows, window.cols)
     if fit == "crop":
         return Placement(fit, picture, array, array)
@@ -194,8 +210,9 @@ def placement_of(
 
 
 def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
-    """Return the light of a picture on all arrays, (rows, cols), scaled to its placement; its
-    mirror image fills the rest."""
+    """Return the light of a picture on all arrays side by side, (rows, cols). `light` (rows, cols)
+    is scaled to `placement.size` if it has another size. The mirror image of the picture fills what
+    remains to the right and below."""
     exposed = light.astype(np.float32)
     if exposed.shape != placement.size:
         import cv2
@@ -210,13 +227,15 @@ def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float
 
 
 def in_colour(stored: NDArray[Any]) -> bool:
-    """Return whether a stored picture has a pixel that is not grey."""
+    """Return whether the picture `stored`, (R, C) or (R, C, 3), has a pixel that is not grey."""
+    # Row by row, because a mask of a whole picture takes much memory.
     return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
 
 
 def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
-    """Return notes (NS0773) on how a picture `name` was cut, scaled or turned grey to fit the
-    array."""
+    """Return notes (NS0773) on how the picture `name` was cut, scaled or turned grey to fit the
+    array by `placement`; none if it was not. `colour`: whether it is in colour. The note on colours
+    has the entry `grey` in its `data`, by which `laid_lights` leaves it out."""
     notes = []
     picture, array = size(placement.picture), size(placement.array)
     if placement.fit == "crop" and placement.picture != placement.size:
@@ -258,14 +277,16 @@ def taken_for_srgb(name: str) -> Diagnostic:
 
 
 def few_bits(stored: NDArray[Any]) -> bool:
-    """Return whether 16-bit or deeper samples use at most a quarter of their range."""
+    """Return whether the samples `stored` are integers of 16 bits or more and use at most a quarter
+    of their range, such as 12-bit samples in 16 bits."""
     deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
     return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
 
 
 def white_used(name: str, curve: str, stored: NDArray[Any]) -> Diagnostic:
-    """Return the note (NS0773) on the curve and the white level with which samples of few bits
-    were converted."""
+    """Return the note (NS0773) on the curve and the white level with which the samples `stored` of
+    the picture `name`, which use few bits, were converted. `curve` is the name of the curve in
+    messages."""
     return picture_note(
         f"the samples of '{name}' are converted with {curve} and white at "
         f"{white_of(stored.dtype):g}; the largest is {stored.max():g}",
@@ -274,5 +295,6 @@ def white_used(name: str, curve: str, stored: NDArray[Any]) -> Diagnostic:
 
 
 def picture_note(text: str, help_text: str) -> Diagnostic:
-    """Return a note (NS0773) on the treatment of a picture."""
+    """Return the note NS0773 on the treatment of a picture: `text` is the message and `help_text`
+    the remedy."""
     return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

@@ -17,11 +17,14 @@ _NOTE: Note = (
 )
 
 _TOP = 65535
+"""Sample of white in the pictures, the largest of uint16."""
 
 
 def raw_pages(path: Path) -> Pages:
-    """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
-    colour balance and no brightening are applied. Raises ImportError without rawpy."""
+    """Open the picture of the raw file `path`: uint16, 65535 at the camera's white level, (R, C,
+    3), or (R, C) of a grey sensor. No curve, no colour balance and no brightening are applied.
+
+    Raises ImportError without rawpy, and the errors of LibRaw for a damaged file."""
     import rawpy
 
     with rawpy.imread(str(path)) as raw:
@@ -51,12 +54,14 @@ def raw_pages(path: Path) -> Pages:
 
 
 def _scale(raw: Any) -> None:
-    """Scale the stored samples from their black level to the white level, to 0..65535.
+    """Scale the stored samples of `raw`, an open file of rawpy, from black level..white level to
+    0..65535, in place. Samples outside are clipped.
 
     LibRaw would stretch them to the brightest sample, and subtract one black level for all."""
     samples = raw.raw_image_visible
     black = np.array(raw.black_level_per_channel, np.float32)
     if samples.ndim == 2:
+        # One black level for each pixel, by the index of its colour in the mosaic.
         black = black[raw.raw_colors_visible if raw.num_colors > 1 else 0]
     fractions = (samples - black) / (np.float32(raw.white_level) - black)
     samples[:] = np.rint(np.clip(fractions, 0, 1) * _TOP)

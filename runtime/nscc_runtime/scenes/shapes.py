@@ -12,7 +12,8 @@ Field = NDArray[np.float64]
 
 
 def smooth(low: float, high: float, values: Field) -> Field:
-    """Return 0 below `low`, 1 above `high`, and a cubic in between."""
+    """Return, for each of `values`, 0 up to `low`, 1 from `high` on, and a smooth cubic in between.
+    `low` is below `high`; both are in the unit of `values`."""
     t = np.clip((values - low) / (high - low), 0.0, 1.0)
     result: Field = t * t * (3.0 - 2.0 * t)
     return result
@@ -20,7 +21,9 @@ def smooth(low: float, high: float, values: Field) -> Field:
 
 def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
     """Return a pseudo-random number in [0, 1) for every pair of integers of `x` and `y`, another
-    one for each `seed`."""
+    one for each `seed`. The shapes of `x` and `y` are broadcast as in a sum."""
+    # The odd factors and shifts mix the bits. Products beyond 64 bits wrap around, which leaves the
+    # 32 bits that are kept exact. 24 bits are exact in a float.
     h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
     h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
@@ -29,10 +32,13 @@ def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
 
 
 def noise(x: Field, y: Field, seed: int) -> Field:
-    """Return a smooth random field (rows, cols) in [0, 1) with grain size 1. x (cols,) and y
-    (rows,) are the coordinates of columns and rows."""
+    """Return a smooth random field (len(y), len(x)) in [0, 1) with grain size 1. `x` and `y` are
+    the coordinates of columns and of rows, in any order. Another `seed` gives another field.
+
+    Random numbers at points of whole coordinates are interpolated."""
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     first_col, first_row = int(column.min()), int(row.min())
+    # Each position lies between two points, so there is one point after the last position.
     across = np.arange(first_col, int(column.max()) + 2, dtype=np.int64)
     down = np.arange(first_row, int(row.max()) + 2, dtype=np.int64)
     lattice = hashed(across[None, :], down[:, None], seed)
@@ -46,8 +52,9 @@ def noise(x: Field, y: Field, seed: int) -> Field:
 
 
 def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
-    """Return noise in [0, 1), (len(y), len(x)), at `octaves` scales, each half as large and half as
-    strong."""
+    """Return noise in [0, 1), (len(y), len(x)), for the coordinates `x` of columns and `y` of rows.
+    It is a mean of fields of `noise` at `octaves` scales (1 or more), each half as large and half
+    as strong as the one before. `seed` numbers the first field."""
     total = np.zeros((len(y), len(x)))
     strength, sum_of_strengths = 1.0, 0.0
     for octave in range(octaves):
@@ -60,11 +67,14 @@ def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
 
 
 def turn(phase: float) -> tuple[float, float]:
-    """Return a point (x, y) of the unit circle; phase 0..1 is one turn, at nearly even speed."""
+    """Return the point (x, y) of the unit circle after `phase` turns from (1, 0), at nearly even
+    speed. Whole turns are ignored."""
     quarter, fraction = divmod((phase % 1.0) * 4.0, 1.0)
+    # A point is ((1 - t^2), 2 t) / (1 + t^2) for t, the tangent of half its angle.
     t = fraction * (
         0.8284 + 0.1716 * fraction * fraction
-    )  # near tan(rest * 45 degrees), exact at 0 and 1
+    )  # near tan(fraction * 45 degrees), exact at 0 and 1
     x, y = (1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)
     corners = ((x, y), (-y, x), (-x, -y), (y, -x))
+    # `phase % 1.0` rounds to 1.0 for phases just below 0: quarter 4 is quarter 0.
     return corners[int(quarter) % 4]

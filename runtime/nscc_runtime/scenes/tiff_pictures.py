@@ -48,6 +48,7 @@ _COPIED = (_COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, 266, 274, _SAMPLES, 
            _PLANES, 317, 320, 322, 323, _EXTRA, _FORMAT, _TABLES, 530)  # fmt: skip
 """Tags that describe how samples are stored."""
 _THUMBNAIL_OR_MASK = 0b101
+"""Bits of the tag of subfiles that mark a reduced picture, and a mask of transparency."""
 _WHITE_IS_ZERO, _BLACK_IS_ZERO, _CMYK = 0, 1, 5
 _LABS = {8: "CIE L*a*b*", 9: "ICC L*a*b*", 10: "ITU L*a*b*"}
 _UNSIGNED, _SIGNED, _FLOAT = 1, 2, 3
@@ -66,8 +67,10 @@ Tags = Mapping[int, Any]
 
 @dataclass(frozen=True)
 class _Page:
-    """A page: the index and the `tags` of its directory, and the number of pictures of the same
-    size before it in the samples of that directory (`skipped`)."""
+    """A page of a TIFF file: the `index` and the `tags` (number to value) of its directory.
+
+    `skipped`: the number of pictures of the same size before it in the samples of that directory; 0
+    unless one directory describes a stack."""
 
     index: int
     tags: Tags
@@ -80,19 +83,23 @@ class _Page:
 
     @property
     def samples(self) -> tuple[int, int]:
-        """Format and number of bits of the samples."""
+        """Format (1 unsigned, 2 signed, 3 float) and number of bits of the samples. Without tags
+        they are 1 and 1, the defaults of TIFF. Of several channels the format is the first's, the
+        bits are the most."""
         kinds, bits = (np.ravel(self.tags.get(tag) or 1) for tag in (_FORMAT, _BITS))
         return int(kinds[0]), int(bits.max())
 
 
 def tiff_pages(path: Path) -> Pages:
-    """Open the pages of a TIFF file, without thumbnails and masks. Of several channels the first is
-    opened, with a note.
+    """Open the pages of the TIFF file `path`, without thumbnails and masks. Of several channels the
+    first is opened, with a note. The colours are those of the first page's profile.
 
     Raises
     ------
     UnsupportedPicture
-        If a page has samples of a kind that neither library decodes.
+        If a page has samples of a kind that neither library decodes, or for big-endian BigTIFF.
+    ValueError
+        For a file without pages. A damaged one raises the errors of Pillow.
     """
     byte_order, directories = _directories(path)
     shown = [
@@ -121,8 +128,9 @@ def tiff_pages(path: Path) -> Pages:
 
 
 def _directories(path: Path) -> tuple[bytes, list[Tags]]:
-    """Return the first two bytes of the TIFF file `path`, which name its byte order, and its
-    directories. Raises ValueError without pages, UnsupportedPicture for big-endian BigTIFF."""
+    """Return the first two bytes of the TIFF file `path`, `II` or `MM`, which name its byte order,
+    and its directories, each as values by number of tag. Raises ValueError without pages,
+    UnsupportedPicture for big-endian BigTIFF."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []
@@ -135,6 +143,7 @@ def _directories(path: Path) -> tuple[bytes, list[Tags]]:
                 )
             head += file.read(8)
         directory = ImageFileDirectory_v2(head)
+        # A damaged file may chain its directories in a circle.
         visited = set()
         while directory.next and directory.next not in visited:
             visited.add(directory.next)
@@ -153,7 +162,9 @@ def _description(page: _Page) -> str:
 
 
 def _of_stack(pages: list[_Page]) -> list[_Page]:
-    """Return the pages of a stack whose only directory describes its first page (ImageJ)."""
+    """Return the pages of a stack whose only directory describes its first page (ImageJ): one for
+    each picture that its description counts. Other `pages` are returned as they are; samples must
+    not be compressed."""
     stated = re.match(r"ImageJ=.*?\bimages=(\d+)", _description(pages[0]), re.DOTALL)
     if stated is None or len(pages) > 1 or int(pages[0].tags.get(_COMPRESSION) or 1) != 1:
         return pages
@@ -163,8 +174,11 @@ def _of_stack(pages: list[_Page]) -> list[_Page]:
 
 
 def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:
-    """Return the pages of the first channel, and of the first plane in depth if there are several
-    times, by the axes that ImageJ or OME state; and a note on the choice."""
+    """Return the pages to expose of a stack with several channels, and a note on the choice.
+
+    They are those of the first channel, and of the first plane in depth if there are several times,
+    by the axes that ImageJ or OME state in the description. All `pages` are returned, without a
+    note, if there is no choice or the stated counts do not fit their number."""
     text = _description(pages[0])
     if text.startswith("ImageJ="):
         stated = dict(re.findall(r"^(channels|slices|frames)=(\d+)", text, re.MULTILINE))
@@ -185,6 +199,8 @@ def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:
         chosen["Z"] = "slice"
     if not chosen or prod(shape) != len(pages):
         return pages, ()
+    # The first axis of `order` varies fastest in the file; afterwards axis k of `numbers` is the
+    # k-th.
     numbers = np.arange(len(pages)).reshape(shape[::-1]).transpose(2, 1, 0)
     for axis in chosen:
         numbers = np.take(numbers, [0], order.index(axis))
@@ -211,8 +227,8 @@ def _check_samples(page: _Page) -> None:
 
 
 def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
-    """Return one `page` of the TIFF file `path`; raise ValueError if its size differs from its
-    tags."""
+    """Return the `page` of the TIFF file `path`: (R, C) grey or (R, C, 3). `byte_order` is `II` or
+    `MM`. Raises ValueError if its size differs from its tags, or if it cannot be decoded."""
     kind, bits = page.samples
     picture = _by_pillow(path, page) if bits <= 8 else None
     if picture is None:
@@ -220,6 +236,7 @@ def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
         planes = [decoded(np.frombuffer(file, np.uint8)) for file in files]
         grey = int(page.tags.get(_PHOTOMETRIC) or 0) in (_WHITE_IS_ZERO, _BLACK_IS_ZERO)
         if grey or len(planes) > 1:
+            # OpenCV may return grey samples as three equal colours.
             planes = [plane[..., 0] if plane.ndim == 3 else plane for plane in planes]
         picture = np.stack(planes[:3], axis=-1) if len(planes) > 2 else planes[0]
         if bits > 8 and kind == _UNSIGNED and page.tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
@@ -230,8 +247,9 @@ def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
 
 
 def _by_pillow(path: Path, page: _Page) -> NDArray[Any] | None:
-    """Return the page as 8-bit grey or RGB; None if Pillow does not support its kind, or cannot
-    seek to it."""
+    """Return the `page` of the file `path` as 8-bit grey (R, C) or RGB (R, C, 3). Return None if
+    Pillow does not support its kind, or cannot seek to it because it lies in the samples of another
+    page's directory."""
     from PIL import Image, UnidentifiedImageError
 
     if page.skipped:
@@ -245,8 +263,8 @@ def _by_pillow(path: Path, page: _Page) -> NDArray[Any] | None:
 
 
 def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
-    """Return TIFF files in memory that contain the page alone, or each of its separate colour
-    planes as grey."""
+    """Return TIFF files in memory with the `page` of the file `path` alone: one, or one grey file
+    for each of its separate colour planes. `byte_order` is `II` or `MM`."""
     tags = page.tags
     starts_tag, counts_tag = (
         (_TILE_STARTS, _TILE_COUNTS) if _TILE_STARTS in tags else (_STARTS, _COUNTS)
@@ -278,6 +296,7 @@ def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
                 file.seek(int(starts[k]))
                 blocks.append(file.read(int(counts[k])))
             offsets = 8 + np.cumsum([0, *map(len, blocks)])
+            # A directory begins at an even position.
             blocks.append(bytes(int(offsets[-1]) % 2))
             stored = {starts_tag: offsets[:-1], counts_tag: np.diff(offsets)}
             files.append(_file_of(byte_order, b"".join(blocks), kept | stored))
@@ -285,17 +304,21 @@ def _files_of_planes(path: Path, byte_order: bytes, page: _Page) -> list[bytes]:
 
 
 def _file_of(byte_order: bytes, samples: bytes, tags: Tags) -> bytes:
-    """Return a TIFF file: the samples, and a directory of tags with whole numbers or bytes."""
+    """Return a TIFF file: a head, the `samples`, and a directory of `tags`, number to whole numbers
+    (one or an array) or bytes. `byte_order` is `II` or `MM`."""
     order = "<" if byte_order == b"II" else ">"
     start = 8 + len(samples)
     entries, values = b"", b""
     for tag, value in sorted(tags.items()):
         numbers = value if isinstance(value, bytes) else np.ravel(value)
         data = numbers if isinstance(numbers, bytes) else numbers.astype(f"{order}u4").tobytes()
+        # Up to four bytes lie in the entry itself; more lie after the directory, at the position in
+        # the entry.
         entry = data.ljust(4, b"\0")
         if len(data) > 4:
             entry = struct.pack(f"{order}I", start + 6 + 12 * len(tags) + len(values))
             values += data + bytes(len(data) % 2)
+        # Types of TIFF: 7 bytes, 4 whole numbers of 32 bits.
         kind = 7 if isinstance(value, bytes) else 4
         entries += struct.pack(f"{order}HHI", tag, kind, len(numbers)) + entry
     head = byte_order + struct.pack(f"{order}HI", 42, start)

@@ -25,7 +25,10 @@ _SLACK_FRAMES = Fraction(1, 1000)
 
 @dataclass(frozen=True, eq=False)
 class Overlaps:
-    """Sparse matrix (slots, frames), as CSR, of the seconds that each slot spends in each frame."""
+    """Sparse matrix (slots, frames), as CSR, of the seconds that each slot spends in each frame.
+
+    The entries of slot n are `row_start[n]` to `row_start[n + 1]` - 1. An entry is the frame
+    `frame_index` and the time `seconds`."""
 
     row_start: NDArray[np.int64]
     frame_index: NDArray[np.int32]
@@ -33,25 +36,31 @@ class Overlaps:
 
 
 def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
-    """Return the N + 1 slot boundaries in microseconds, as exact fractions of their decimals."""
+    """Return the N + 1 boundaries of slots of lengths `slot_us` in microseconds, from 0 on, as
+    exact fractions of the decimals in which the lengths are written."""
     exact = {length: Fraction(repr(float(length))) for length in set(slot_us)}
     return [*accumulate((exact[length] for length in slot_us), initial=Fraction(0))]
 
 
 def frames_needed(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> int:
-    """Return the number of frames, counted from the first, that the slots need. A film with `edges`
-    that ends too early needs one more frame than it has."""
+    """Return the number of frames, counted from the first, that slots of lengths `slot_us`
+    (microseconds) need at `fps` frames per second; 1 or more.
+
+    `edges`: the starts of frames that last unequally, and the end, in steps of 1 / `fps`; None if
+    every frame lasts one. If they end too early, the result is one more than the film has
+    frames."""
     end = slot_edges_us(slot_us)[-1] * fps / 1_000_000 - _SLACK_FRAMES
     return max(1, ceil(end) if edges is None else bisect_left(edges, end))
 
 
 def overlaps(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> Overlaps:
-    """Return the overlap of slots and frames.
+    """Return the overlap of slots of lengths `slot_us` (microseconds) with frames, of which there
+    are `fps` a second.
 
-    Frame k covers [k / fps, (k + 1) / fps), or from edges[k] / fps to edges[k + 1] / fps; time
-    beyond the last frame, number `frames_needed` - 1, counts as the last frame. Boundaries are
-    exact fractions, so a slot that ends with a frame contains nothing of the next frame, for any
-    number of slots."""
+    Frame k covers [k / fps, (k + 1) / fps), or with `edges` from edges[k] / fps to edges[k + 1] /
+    fps. Time beyond the last frame, number `frames_needed` - 1, counts as the last frame.
+    Boundaries are exact fractions, so a slot that ends with a frame contains nothing of the next
+    frame, for any number of slots."""
     per_us = fps / 1_000_000
     last = frames_needed(slot_us, fps, edges) - 1
     row_start, frame_index, seconds = [0], [], []
@@ -80,9 +89,11 @@ def spread(
     overlap: Overlaps,
     factor_of: Callable[[NDArray[np.float64]], float],
 ) -> Light:
-    """Return the light of a clip in electrons per second, up to a factor, integrated as
-    piecewise constant. `factor_of` returns the factor for the light of all slots (rows, cols).
-    `overlap` gives for each slot the frames that it sees and for how many seconds."""
+    """Return the light of a clip; each frame is constant for its time.
+
+    `frames` (K, rows, cols): light per second in any unit. `overlap`: for each slot the frames that
+    it sees, and for how many seconds. `factor_of`: returns the factor to electrons for the light of
+    all slots, (rows, cols) in the unit of `frames` times seconds."""
     share = np.bincount(overlap.frame_index, overlap.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):
@@ -98,9 +109,9 @@ def with_motion(
     """Return a clip of samples with its `motion`: linear interpolation between frames.
 
     Frame k is the light at the start of its time. Each entry of the light's matrix covers `seconds`
-    of its frame, whose length is 1 / `fps` (with `edges` a multiple); entries follow each other
-    without a gap. If `seconds` is None, each entry is its whole frame. Within the last frame the
-    light is constant."""
+    of its frame; entries follow each other without a gap. A frame lasts 1 / `fps`, or with `edges`
+    (starts of frames and the end) from one to the next in units of 1 / `fps`. If `seconds` is None,
+    each entry is its whole frame. Within the last frame the light is constant."""
     entries = len(light.frame_index)
     begin, end = np.zeros(entries), np.ones(entries)
     if seconds is not None:
@@ -109,9 +120,11 @@ def with_motion(
         stop = (np.cumsum(seconds) * fps - frame_edges[light.frame_index]) / length
         begin, end = np.clip(stop - seconds * fps / length, 0.0, 1.0), np.clip(stop, 0.0, 1.0)
     after = np.minimum(light.frame_index + 1, len(light.frames) - 1).astype(np.int32)
+    # The mean of a straight line over an entry is its value in the middle: the next frame's share.
     later = light.weight * (begin + end) / 2
     moving = replace(
         light,
+        # Every entry becomes two, of its frame and of the next.
         row_start=2 * light.row_start,
         frame_index=np.stack([light.frame_index, after], axis=1).reshape(-1),
         weight=np.stack([light.weight - later, later], axis=1).reshape(-1),
@@ -136,7 +149,11 @@ def check_fps(fps: float) -> Fraction:
 def too_short(
     name: Path_or_name, have: int, need: int, slots: int, fps: float | None, first: int = 0
 ) -> Rejected:
-    """Return the error NS0735 for a clip of `have` frames from frame `first` on; `need` slots."""
+    """Return the error NS0735 that the clip `name` has `have` frames from frame number `first` on,
+    but `need` are needed.
+
+    `slots` is the number of slots, and `fps` the frame rate; None for one frame per slot. Both give
+    the reason in a note."""
     if fps is None:
         why = f"{slots} slots need one frame each"
         ways = "a program with fewer slots, or give the clip's frame rate: --fps F"
@@ -156,8 +173,8 @@ def too_short(
 
 
 def only_frame(name: Path_or_name, stored: Iterator[Any], first: int) -> Any:
-    """Return frame number `first` of the clip `stored`, named `name`, as a still. Raises Rejected
-    (NS0735) if the clip is shorter."""
+    """Return frame number `first` (from 0) of a clip. `stored` yields its frames, and `name` is the
+    clip in messages. Raises Rejected (NS0735) if it has no such frame."""
     have = 0
     for have, picture in enumerate(stored, 1):
         if have > first:

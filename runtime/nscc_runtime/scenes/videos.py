@@ -20,17 +20,21 @@ from nscc_runtime.scenes.pages import Note, Pages
 _WEIGHTS = {1: (0.2126, 0.0722), 9: (0.2627, 0.0593), 10: (0.2627, 0.0593)}
 """Weights of red and blue in luma, by the number of the matrix in ITU-T H.273: BT.709, BT.2020."""
 _BT_601 = (0.299, 0.114)
+"""Weights of red and blue in luma for all other numbers."""
 _UNSPECIFIED = 2
 _HIGH_DEFINITION = 720
 """From this number of rows on, the default matrix is that of BT.709."""
 _STATED_RANGE, _FULL_RANGE = (1, 2), 2
+"""FFmpeg's numbers of ranges: 1 limited, 2 full; 0 is unspecified."""
 
 
 @dataclass(frozen=True)
 class _Timing:
-    """Timing of a video's packets. `times`: times of frames in order, in units of `unit_s`.
-    `last`: the duration of the last frame, 0 if the file does not state it. `declared`: number of
-    frames in the header (0: none)."""
+    """Timing of a video's packets.
+
+    `times`: start times of frames in ascending order, in units of `unit_s` seconds. `last`: the
+    duration of the last frame in these units, 0 if the file does not state it. `declared`: number
+    of frames in the header (0: none)."""
 
     times: NDArray[np.int64]
     last: int
@@ -38,8 +42,10 @@ class _Timing:
     declared: int
 
     def durations_s(self) -> NDArray[np.float64]:
-        """Return how long each frame is shown (s); an implausible last duration is replaced by the
-        median."""
+        """Return how long each frame is shown (s).
+
+        The last duration is replaced by the median of the others unless it lies between the
+        shortest and the longest of them. An only frame lasts one unit."""
         steps = np.diff(self.times)
         usual = int(np.median(steps)) if len(steps) else 1
         # Many files state a last duration that ends with the sound.
@@ -48,11 +54,12 @@ class _Timing:
 
 
 def video_pages(path: Path) -> Pages:
-    """Open the frames of a video, uint8 or uint16 (R, C, 3), with their times.
+    """Open the frames of the video `path`, uint8 or uint16 (R, C, 3), with their times.
 
     Of several films the one that the file marks as usual is opened, and no cover. A truncated file
     yields the frames before its end. Raises ValueError without frames, or for frames of more than
-    MOST_PIXELS, which FFmpeg does not decode."""
+    MOST_PIXELS, which FFmpeg does not decode; ImportError without PyAV; FFmpeg's errors for other
+    files."""
     import av
 
     timing = _timing_of(path)
@@ -84,8 +91,9 @@ def video_pages(path: Path) -> Pages:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
-    """Open a video for a with block, and yield its container and the stream of the film; other
-    files are never opened."""
+    """Open the video `path` for a with block, and yield its container and the stream of the film:
+    the one marked as usual, else the first that is no cover. Files that it names are never opened.
+    Raises ValueError without a film, and FFmpeg's errors."""
     import av
 
     # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist
@@ -109,8 +117,8 @@ def _bound() -> dict[str, str]:
 
 
 def _timing_of(path: Path) -> _Timing:
-    """Return the times of all frames of a video from its packets, without decoding; stop at
-    damage."""
+    """Return the times of all frames of the video `path` from its packets, without decoding.
+    Packets after damage do not count; `times` may be empty."""
     import av
 
     packets: dict[int, int] = {}
@@ -119,6 +127,7 @@ def _timing_of(path: Path) -> _Timing:
         try:
             for number, packet in enumerate(container.demux(stream)):
                 if packet.size:
+                    # Without a time, frames are numbered.
                     time = number if packet.pts is None else int(packet.pts)
                     packets[time] = int(packet.duration or 0)
         except av.FFmpegError:
@@ -128,13 +137,15 @@ def _timing_of(path: Path) -> _Timing:
 
 
 def _square_cols(cols: int, pixel: Fraction) -> int:
-    """Return the number of columns of a frame after its pixels were made square."""
+    """Return the number of columns, 1 or more, of a frame of `cols` columns after its pixels were
+    made square. `pixel` is their width over their height."""
     return max(1, round(cols * pixel))
 
 
 def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ...]:
-    """Return what is unusual about a video: missing frames, interlacing, pixels that are not
-    square."""
+    """Return notes on what is unusual about a video, () if nothing is. `timing` shows missing
+    frames, `interlaced` says that rows come from two moments, and `pixel` is the width of a pixel
+    over its height."""
     notes: list[Note] = []
     have = len(timing.times)
     if have < timing.declared:
@@ -164,8 +175,10 @@ def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ..
 
 
 def _frames(path: Path, pixel: Fraction) -> Iterator[NDArray[Any]]:
-    """Yield the pictures of the video `path` until decoding fails, rotated as it says, with its
-    `pixel` aspect made square. Raises ValueError if there is no picture."""
+    """Yield the pictures (R, C, 3) of the video `path` until decoding fails, rotated as it says.
+
+    `pixel` is the width of a pixel over its height; columns are resampled to square pixels. Raises
+    ValueError if not even the first picture can be decoded."""
     import av
     import cv2
 
@@ -189,8 +202,9 @@ def _frames(path: Path, pixel: Fraction) -> Iterator[NDArray[Any]]:
 
 
 def picture_of(frame: Any) -> NDArray[Any]:
-    """Return red, green and blue (R, C, 3) of a decoded frame, by the matrix and the range that the
-    frame names. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits."""
+    """Return red, green and blue (R, C, 3) of `frame`, a decoded frame of PyAV, by the matrix and
+    the range that it names. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8
+    bits."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))
@@ -208,9 +222,11 @@ def picture_of(frame: Any) -> NDArray[Any]:
 
 
 def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
-    """Return luma and, unless the frame is grey, both chromas as stored, each of its own size."""
+    """Return luma and, unless the frame is grey, both chromas (blue, red) as stored, each (rows,
+    cols) of its own size. `bits` is the number of bits of a sample."""
     grey = frame.format.name.startswith("gray")
     plane_count = 1 if grey else 3
+    # Formats with interleaved chroma, and big-endian ones, are converted to three planes.
     if len(frame.planes) < plane_count or frame.format.name.endswith("be"):
         full = frame.format.name.startswith("yuvj")
         planar = ("yuvj444p" if full else "yuv444p") if bits <= 8 else f"yuv444p{bits}le"
@@ -225,8 +241,11 @@ def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
 def _as_fractions(
     planes: Sequence[NDArray[Any]], bits: int, full: bool
 ) -> list[NDArray[np.float32]]:
-    """Return luma 0..1 and chroma -0.5..0.5 of planes with this number of bits, from `full` or
-    limited range."""
+    """Return luma 0..1 and chroma -0.5..0.5 of `planes`: luma, then no or two chromas, each (rows,
+    cols). `bits` is the number of bits of a sample. `full`: whether samples use the full range, not
+    the limited one of television."""
+    # The limited range is 16 to 235 for luma and 16 to 240 for chroma in 8 bits, and these numbers
+    # times `step` in more.
     step = 1 << (bits - 8)
     most = (1 << bits) - 1
     luma_black, luma_span = (0, most) if full else (16 * step, 219 * step)
@@ -242,10 +261,12 @@ def _as_fractions(
 def _red_green_blue(
     luma: NDArray[np.float32], chroma: Sequence[NDArray[np.float32]], matrix: int
 ) -> NDArray[np.float32]:
-    """Return linear combinations of luma and chroma as RGB, (rows, cols, 3).
+    """Return red, green and blue (rows, cols, 3) of `luma` (rows, cols), 0..1, and `chroma`, blue
+    and red, each -0.5..0.5.
 
-    `matrix` is the number of the colour matrix (ITU-T H.273). Chroma planes of lower resolution are
-    enlarged first."""
+    `matrix` is the number of the colour matrix (ITU-T H.273). If it is unspecified, that of BT.709
+    is used from 720 rows on, else that of BT.601. Chroma planes of lower resolution are enlarged
+    first."""
     import cv2
 
     size = luma.shape[1], luma.shape[0]
