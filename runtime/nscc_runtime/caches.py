@@ -52,12 +52,13 @@ class Recent:
     """A cache of the `most` results that were requested last."""
 
     def __init__(self, most: int) -> None:
-        """Begin empty; at most `most` results are kept."""
+        """Begin empty; at most `most` (1 or more) results are kept."""
         self._most = most
         self._found: dict[Hashable, Any] = {}
 
     def of(self, key: Hashable, make: Callable[[], R]) -> R:
-        """Return the result cached for `key`, or else `make()`, which several threads may call."""
+        """Return the result cached for `key`, or else `make()`, which several threads may call. A
+        result of None is not cached; the result that was used longest ago is dropped first."""
         result = self._found.pop(key, None)
         if result is None:
             result = make()

@@ -88,12 +88,14 @@ class Capture(Frame):
 
     @property
     def images(self) -> dict[str, NDArray[np.float64]]:
-        """The images that the program reads, electrons before the converter (rows, cols)."""
+        """The images that the program reads, by name: electrons before the converter, (rows, cols),
+        with `repeat` after an axis of frames. Empty for a program without images."""
         return self._told_arrays("image_", self._pictures_read)
 
     @property
     def planes(self) -> dict[str, NDArray[np.bool_]]:
-        """The planes that the program reads, bool (rows, cols)."""
+        """The planes that the program reads, by name: bool (rows, cols), with `repeat` after an
+        axis of frames. Empty for a program without planes."""
         return self._told_arrays("plane_", self._pictures_read)
 
     @property
@@ -131,14 +133,15 @@ class Capture(Frame):
         return self.container.pictures.reads
 
     def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
-        """Return the arrays of the frame whose keys are `prefix` and one of the names, by name;
+        """Return the arrays `told` with the keys `prefix` + name for each of `names`, by name;
         missing ones are left out."""
         keys = {name: f"{prefix}{name}" for name in names}
         return {name: self.told[key] for name, key in keys.items() if key in self.told}
 
     @property
     def response(self) -> Response:
-        """The sensor response: gain, offset and variance of each exposure."""
+        """The response of the sensor with which the capture was made: gain, offset and variance of
+        each exposure."""
         return self.exposed.response(self.exposed.simulated.origin.sensor)
 
     def light_e_per_s(self) -> NDArray[np.float64]:
@@ -218,9 +221,10 @@ class Capture(Frame):
         return f"<nscc capture: {shape}, codes {self._codes()}, mean {mean:.6g} e, {how}>"
 
     def _repr_html_(self) -> str:
-        """Return the capture as HTML for notebooks: pictures of all buckets, figures, and its
-        plan."""
+        """Return the capture as HTML for notebooks: pictures of all buckets, figures, and its plan.
+        Of repeated frames the first is shown, of colours all three as one picture."""
         shown = np.moveaxis(self.frame, 0, -1) if self._in_colours else self.first.frame
+        # Large pictures are thinned out to every `step`-th pixel, small ones enlarged.
         cols = shown.shape[2]
         step, scale = -(-max(shown.shape[1:3]) // _MOST), max(1, round(_SIDE / cols))
         pictures = html.side_by_side(
@@ -248,7 +252,8 @@ class Capture(Frame):
         return self.exposed.simulated.origin.fidelity
 
     def _codes(self) -> str:
-        """The range of the codes as text."""
+        """The range of the codes as text, such as 3..255; "of no bucket" for a frame without
+        buckets."""
         return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"
 
 
@@ -258,8 +263,10 @@ def capture_of(exposed: Taken) -> Capture:
 
 
 def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
-    """Return the value of a report: a number, the list of events, or a bounding box (None if
-    empty)."""
+    """Return the value of one frame's report of this `kind` from its array `values`: a bool or
+    number for "any", "flood", "count" and "sum"; for "events" the first `count` rows, (events, 2);
+    for "box" a tuple of four numbers, or None if no bit is 1 (-1 in the array). `count` is ignored
+    but for "events"."""
     if kind in ("any", "flood", "count", "sum"):
         return values.item()
     if kind == "events":

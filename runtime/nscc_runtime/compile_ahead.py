@@ -19,7 +19,8 @@ from nscc_runtime.machine_code import link_for_web
 
 
 def modules(package: str) -> Iterator[str]:
-    """Import `package`, and yield the names of those of its modules that contain loops."""
+    """Import `package`, and yield the full names of those of its modules whose file names end in
+    `loop` or `loops`, in alphabetical order. Raises ModuleNotFoundError for an unknown package."""
     (root,) = import_module(package).__path__
     for path in sorted(Path(root).rglob("*.py")):
         if path.stem.endswith(("loop", "loops")):
@@ -27,8 +28,8 @@ def modules(package: str) -> Iterator[str]:
 
 
 def compile_for_web(out: Path) -> None:
-    """Compile the loops of the emulator to the WebAssembly library `out`. Takes a minute and a
-    half."""
+    """Compile the loops of the emulator to the WebAssembly library `out`, a file that is written or
+    replaced. Takes a minute and a half."""
     with TemporaryDirectory() as folder:
         objects, entries = [], []
         for module in modules("nscc_runtime"):

@@ -170,7 +170,8 @@ def captures(
     Raises
     ------
     Rejected
-        NS0789 if two lists have different lengths, and as `capture`.
+        NS0789 if two lists have different lengths, neither of them 1, or a list is empty;
+        otherwise as `capture`, with the first error of a scene.
     """
     many_programs = [*programs] if isinstance(programs, list | tuple) else [programs]
     many_lights = [*lights] if isinstance(lights, list | tuple) else [lights]
@@ -186,8 +187,8 @@ def captures(
     plans.expect(range(count))
 
     def run(number: int, program: Any, light: Any) -> Capture:
-        """Capture frame `number` of the series, of `program` and `light`; then let later frames use
-        its plan, even after an error."""
+        """Capture scene `number` of the batch, `program` with `light`; then let scenes with higher
+        numbers begin, even after an error."""
         try:
             turn = Turn(plans, number, frames=count)
             return capture(program, light, threads=1, turn=turn, **options)

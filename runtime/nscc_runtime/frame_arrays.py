@@ -32,19 +32,29 @@ _KINDS = {
 _MOST_LIGHT = 1e30
 """Largest number of electrons, or of electrons per second, in a frame file."""
 _MOST_FRAME_S = 1e8
+"""Largest length of a frame in seconds that is taken for one; about three years."""
 
 
 def read_frame_arrays(
     path: Path, is_needed: Callable[[str], bool] = lambda name: True
 ) -> tuple[Arrays, dict[str, Any]]:
-    """Read and check `frame`, the meta, and the arrays of a frame file for which `is_needed(name)`.
-    Raises InvalidArrays if the file is not a valid frame file, and OSError if it cannot be read."""
+    """Read and check the frame file `path`. Return its arrays by name, and its meta (see
+    `nscc_runtime.frame_file.meta`).
+
+    Only `frame`, `meta` and the arrays for which `is_needed(name)` is true are read; by default
+    all. An array that the file lacks is left out. Raises InvalidArrays if the file is not a valid
+    frame file, and OSError if it cannot be read."""
     arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or is_needed(name))
     return arrays, checked_meta(arrays)
 
 
 def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
-    """Check the arrays of a frame file and return its meta. Raises InvalidArrays if invalid."""
+    """Check the arrays of a frame file, by name, and return its meta (see
+    `nscc_runtime.frame_file.meta`).
+
+    Raises InvalidArrays, with the first fault as text, if `meta` or `frame` is missing, the meta is
+    of another schema, or an array has a wrong type, shape or size of values. Arrays with other
+    names must be real numbers, and are not checked further."""
     for name in ("meta", "frame"):
         if name not in arrays:
             raise InvalidArrays(f"the array `{name}` is missing")
@@ -52,7 +62,7 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     if meta is None:
         raise InvalidArrays(f"its schema is not {SCHEMA}")
     shape = arrays["frame"].shape
-    pictured = "margin" in arrays
+    pictured = "margin" in arrays  # every program with images or planes writes it
     if not 3 <= len(shape) <= 5 or 0 in (*shape[:-3], *shape[-2:]):
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
     if shape[-3] == 0 and not pictured:
@@ -79,20 +89,23 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
 
 
 def _check_pictures(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> None:
-    """Raise InvalidArrays if images, planes or events do not fit a frame of this shape."""
+    """Raise InvalidArrays if images, planes, the margin or events do not fit a frame of `shape`:
+    (buckets, rows, cols), possibly after axes of repeats. Pictures have the same shape without
+    buckets; events are columns and rows within the frame, or -1."""
     pixels = (*shape[:-3], *shape[-2:])
     for name, values in arrays.items():
         if name == "margin" or name.startswith(("image_", "plane_")):
             if values.shape != pixels:
                 raise InvalidArrays(f"`{name}` is {values.shape}, its frame {shape}")
         elif name.startswith("report_events_") and f"{name}_count" in arrays:
-            size = np.array(shape[:-3:-1])
+            size = np.array(shape[:-3:-1])  # cols, rows: an event is a column and a row
             if values.shape[-1:] != (2,) or values.dtype.kind != "i" or (values >= size).any():
                 raise InvalidArrays(f"`{name}` does not hold columns and rows of its frame")
 
 
 def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
-    """Return the `meta` of a frame file; None for arrays of another file."""
+    """Return the `meta` of a frame file, whose array is one text in JSON; None if `meta` is missing
+    or damaged, or has another `schema`, as in arrays of another file."""
     text = arrays.get("meta")
     if text is None or text.dtype.kind != "U" or text.size != 1:
         return None
@@ -104,7 +117,8 @@ def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
 
 
 def is_plan(plan: object) -> bool:
-    """Return whether `plan` is None or a mapping whose effects have a name and a decision."""
+    """Return whether `plan`, the entry of a meta, can be shown: None, or a dict whose list
+    "effects" (missing: empty) has dicts with the texts "name" and "decision"."""
     if plan is None:
         return True
     rows = plan.get("effects", []) if isinstance(plan, dict) else None

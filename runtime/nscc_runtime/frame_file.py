@@ -85,7 +85,8 @@ class Frame:
 
     @property
     def first(self) -> Frame:
-        """The first frame of repeats; a single frame is returned unchanged."""
+        """The first frame along the leading axis of repeats or colours; a single frame is returned
+        unchanged."""
         return self if self.frame.ndim == 3 else joined([self], lambda arrays: arrays[0][0])
 
 
@@ -115,7 +116,8 @@ def read_out(
 
 
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
-    """Return the bits of `saturated_by` of those codes in `frame` that are the last code."""
+    """Return an array like `frame`: the bit of `saturated_by` that marks the converter where a code
+    is the last code of `target`, else 0."""
     bit = marks()["codes"].bit
     return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
@@ -128,8 +130,9 @@ def converted(
     seeds: tuple[int, int],
     frame: int,
 ) -> Frame:
-    """Convert the exposure of frame number `frame` to codes, with the noise of the converter in
-    `effects`. `seeds`: noise seed, device seed."""
+    """Convert the exposure of frame number `frame` to codes, with the noise of the converter as far
+    as `effects` have it. `seeds`: noise seed, device seed. Raises Rejected (NS0742) as
+    `read_out`."""
     buckets, *shape = exposure.exposure_e.shape
     noise = ReadoutNoise.of(sensor, effects, seeds[1], (shape[0], shape[1]))
     return read_out(exposure, target, sensor, noise.codes(seeds[0], frame, buckets))
@@ -148,8 +151,9 @@ def check_adc(target: Target) -> None:
 
 
 def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
-    """Return the frame each of whose arrays is `join` of the same arrays of all `frames`, such
-    as `numpy.stack`."""
+    """Return the frame each of whose arrays is `join(arrays)`, such as `numpy.stack`, where
+    `arrays` lists the same array of all `frames`. There is at least one frame, and all have the
+    arrays `told` of the first."""
     return Frame(
         join([frame.frame for frame in frames]),
         join([frame.exposure_e for frame in frames]),
@@ -160,7 +164,8 @@ def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray
 
 
 def repeated(frame: Frame, count: int) -> Frame:
-    """Return the frame `count` times with a leading axis: frames without effects are equal."""
+    """Return the frame `count` times with a leading axis: frames without effects are equal. The
+    arrays are read-only views, so the copies take no memory."""
     return joined([frame], lambda arrays: np.broadcast_to(arrays[0], (count, *arrays[0].shape)))
 
 
@@ -172,9 +177,10 @@ class WrittenAsJson(Protocol):
 
 @dataclass(frozen=True)
 class Provenance:
-    """The origin of a frame. `program_sha256`: digest of the container. Seeds are None if nothing
-    was simulated. `plan`: JSON values, or a plan, which is converted when it is written.
-    `audit`: JSON values."""
+    """The origin of a frame. `program_sha256`: digest of the container. `sensor`: of the simulation
+    or, for a device, the one that is assumed. Seeds are None if nothing was simulated. `fidelity`:
+    how the frame was made, such as "planned" or "reference". `plan`: JSON values, or a plan, which
+    is converted when it is written. `audit`: JSON values. Both are None if there is none."""
 
     program_sha256: str
     sensor: Sensor
@@ -202,10 +208,11 @@ _UNPLANNED = (
 def unplanned(
     chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
 ) -> dict[str, Any]:
-    """Return the `plan` entry of a run without a plan, whose words were executed slot by slot.
+    """Return the `plan` entry of a run without a plan, whose words were executed slot by slot: the
+    keys of a plan, with None for what only plans have, and a row for every effect.
 
-    `chosen`: the selected effects. `moving`: whether the scene is sampled. `absent`: effects that
-    the chip cannot have, with the reason."""
+    `chosen`: the selected effects. `moving`: whether the light moves within slots. `absent`: names
+    of effects that the chip cannot have, with the reason, which has priority over others."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     rows = []
     for effect in registered():
@@ -241,8 +248,11 @@ def unplanned(
 def meta(
     container: Container | None, light: Light | None, frame: Frame, origin: Provenance
 ) -> dict[str, Any]:
-    """Return the `meta` of a frame file. `container`: None for a program on a device, whose buckets
-    are numbered. `light`: None if the scene is unknown."""
+    """Return the `meta` of the frame file of `frame`, values for JSON by key.
+
+    `container`: the program, None for an unknown program on a device, whose buckets are numbered.
+    `light`: None if the scene is unknown. Keys whose value is not known are None; `image_unit`,
+    `frame_us` and `params` are left out where they do not apply."""
     sensor, plan = origin.sensor, origin.plan
     numbered = [f"bucket{number}" for number in range(frame.frame.shape[-3])]
     return {
@@ -275,7 +285,7 @@ def meta(
 
 def image_unit(container: Container) -> dict[str, float]:
     """Return, for each image of counts that `container` reads out, how many electrons one count
-    stands for."""
+    stands for, by name; empty if there is none."""
     from nscc.words.counts import counts_by_name
 
     pictures = container.pictures
@@ -284,8 +294,8 @@ def image_unit(container: Container) -> dict[str, float]:
 
 
 def open_us(container: Container) -> list[float] | None:
-    """Return the open time of each bucket in microseconds; None if it differs between pixels or
-    depends on their light."""
+    """Return the open time of each bucket in microseconds, in the container's order of buckets.
+    None if it differs between pixels, depends on their light, or pixels have no codes."""
     if container.pixel_codes is None or not KINDS.of(container).open_times_known:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
@@ -316,9 +326,12 @@ class FrameFile:
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
     ) -> FrameFile:
-        """Return the file of a frame, with the contents named in `keep` (see KEEP). If `light` is
-        None, no light is kept. `shutters`: the argument of `packed_shutters`, needed to keep
-        "shutter"."""
+        """Return the file of `frame`, with the further contents named in `keep`: "light", "truth",
+        "shutter", "codes".
+
+        If `light` is None, "light" and "truth" are left out, and without `shutters` (bool (distinct
+        shutters, buckets, N), in the order of the decode table) so is "shutter". `progress` shows
+        how far writing is."""
         kept_arrays: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:
@@ -357,7 +370,8 @@ class FrameFile:
 
 
 def _write_array(archive: zipfile.ZipFile, key: str, values: NDArray[Any]) -> None:
-    """Write an array to the archive, a large one in blocks."""
+    """Write the array `values` to the archive as the entry KEY.npy; one above `_BLOCK_BYTES` in
+    blocks along its first axis, because a block is copied."""
     one_block = values.ndim == 0 or values.nbytes <= _BLOCK_BYTES
     _write_entry(archive, key, values.shape, values.dtype, iter([values] if one_block else values))
 

@@ -19,8 +19,8 @@ MOST_BYTES = 1 << 28
 
 
 def gathered(frames: Iterable[Frame], count: int) -> Frame:
-    """Return `count` frames as one frame with a leading axis; each is stored as soon as it is
-    exposed.
+    """Return `frames`, which yields exactly `count` frames of equal shape, at least one, as one
+    frame with a leading axis. Each is stored as soon as it is exposed.
 
     If the arrays need more than `MOST_BYTES`, they are mapped to an unnamed file in the system's
     temporary folder, which is removed with the arrays. Raises Rejected (NS0784) if that folder has
@@ -44,7 +44,8 @@ _ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
 
 
 def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> NDArray[Any]:
-    """Return an empty array of this shape and type, in memory or, if `mapped`, in a temporary file.
+    """Return an array of `shape` and type `kind` with arbitrary contents, in memory or, if
+    `mapped`, in a temporary file, which is removed with the array.
 
     Raises Rejected (NS0784) if the disk has no space."""
     if not mapped:

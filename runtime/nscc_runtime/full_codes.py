@@ -39,6 +39,7 @@ _LEVELS = np.geomspace(0.5, 16.0, 241)
 _ALIKE = 7
 """Saturating elements at most this number of levels (10 % of light) apart are not distinguished."""
 _SIGMAS = 4.0
+"""Number of standard deviations by which noise may lower the code of a full pixel."""
 _MOST_LANES = 256
 """Number of shutters that are simulated together."""
 
@@ -77,7 +78,8 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
 
 
 def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Values]:
-    """Return the smallest codes (buckets, lanes) that may mean saturation, by bit."""
+    """Return the smallest codes (buckets, lanes) that may mean saturation, by bit of
+    `saturated_by`; infinite where no code does. `lanes`: numbers of lanes of `program`."""
     exposure, marked = _steady(program, lanes)
     response = shutter_response(program.container, program.sensor, everything())
     noise_e2 = response.variance_e2 + converter_e2(program.sensor, everything())
@@ -103,7 +105,10 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
 def _steady(
     program: AnalysedProgram, lanes: NDArray[np.integer]
 ) -> tuple[Values, NDArray[np.uint8]]:
-    """Return mean exposures (buckets, levels, lanes) of steady light, and saturation marks."""
+    """Return the mean exposures in electrons of steady light of each of `_LEVELS`, (buckets,
+    levels, lanes), and their saturation marks, of the same shape.
+
+    `lanes`: numbers of lanes of `program`. A lane whose PIX is never read gets no light."""
     container, sensor, effects = program.container, program.sensor, everything()
     seen_s = program.slot_s @ program.seen_slots[:, lanes]
     never = seen_s <= 0
@@ -127,18 +132,20 @@ class _SteadyPixels(WordPixels):
     """Pixels of a chip without noise and without differences: errors and patterns are scalars."""
 
     def draw(self, name: str, number: int) -> Values:
-        """Return no noise."""
+        """Return 0 without axes instead of the noise of an effect: all pixels are alike."""
         return np.zeros(())
 
     def fixed(self, make: OnDevice) -> Values:
-        """Return the mean of a fixed pattern over all chips."""
+        """Return the mean over all chips, without axes, of the fixed pattern that `make` computes.
+        Raises KeyError for patterns other than errors of words and leakage, which no word needs."""
         gain, leak = self.effects.require_part(WordGain), self.effects.require_part(Leak)
         means = {gain.error_e: gain.mean_e(self.sensor), leak.per_s: 1.0 / leak.tau_s(self.sensor)}
         return np.asarray(means[make])
 
     def run(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> Marked:
-        """Return exposures and saturation marks of pixels of the given lanes in steady light of
-        `rate` electrons per second."""
+        """Return exposures in electrons and saturation marks, each (buckets, pixels), of one frame
+        in steady light. `rate` (pixels,): electrons per second. `lanes` (pixels,): number of each
+        pixel's lane."""
         start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
         now_s = 0.0
         for word in program.decayed:
@@ -153,7 +160,8 @@ class _SteadyPixels(WordPixels):
 
 
 def marked_frame(container: Container, frame: Frame, sent: Sent) -> Frame:
-    """Return the frame of a chip with saturation marks by the codes, unless it sent electrons."""
+    """Return the frame of a chip with saturation marks that follow from its codes. It stays as it
+    is if the chip sent electrons, or if the words of the program open no shutters."""
     saturated_by = frame.saturated_by
     if not sent.exact:
         with suppress(Rejected):  # NS0442: words that open no shutters

@@ -22,15 +22,16 @@ _UNITS = ("%", "lsb", "e")
 
 
 class HostSetting(Record, eq=False):
-    """What the host sets before a frame: values of parameters (a level in steps of IN), and bits
-    (rows, cols) of the input planes that it loads."""
+    """What the host sets before a frame, by name: values of all parameters (a level in steps of IN,
+    an integer as it is), and bits (rows, cols) of those input planes that it loads."""
 
     params: Mapping[str, int]
     inputs: Mapping[str, NDArray[np.bool_]]
 
     @classmethod
     def at_start(cls, container: Container) -> HostSetting:
-        """Return the starts of all parameters."""
+        """Return the setting with the declared starts of all parameters, which loads no input
+        plane."""
         return cls({param.name: param.start for param in container.pictures.params}, {})
 
     def plain(self, container: Container) -> dict[str, float]:
@@ -67,13 +68,15 @@ def settings_of(container: Container, params: Any, inputs: Any) -> tuple[HostSet
 
 
 def _refused(message: str, *helps: str) -> Rejected:
-    """Return the error (NS0546) for values that the host cannot set."""
+    """Return the error NS0546, for the caller to raise, for values that the host cannot set.
+    `helps`: what is allowed."""
     return rejected("NS0546", message, helps=helps)
 
 
 def _mappings(argument: str, values: Any) -> list[Mapping[str, Any]]:
-    """Return the values of an argument as one mapping for each frame; raise Rejected for other
-    types."""
+    """Return `values`, those of the argument called `argument`, as one mapping from names to values
+    for each frame: a mapping alone is that of the first frame, None is no mapping. Raises Rejected
+    (NS0546) for other types."""
     mappings = [values] if isinstance(values, Mapping) else values
     if mappings is None:
         return []
@@ -87,14 +90,15 @@ def _mappings(argument: str, values: Any) -> list[Mapping[str, Any]]:
 
 
 def _unknown(kind: str, name: object, known: Sequence[str]) -> Rejected:
-    """Return the error (NS0546) for an unknown name, with the known ones."""
+    """Return the error NS0546, for the caller to raise, for the unknown `name`. `kind`: what it
+    should name, with article, such as "a parameter". `known`: the names that there are."""
     names = ", ".join(f"`{each}`" for each in known) or f"the program declares no {kind}"
     return _refused(f"{shown(name)} is not the name of {kind}", f"known: {names}")
 
 
 def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
-    """Return the values of parameters in steps of IN; raise Rejected for unknown names or invalid
-    values."""
+    """Return the `values` of parameters as words use them, by name: levels in steps of IN, integers
+    as they are. Raises Rejected (NS0546) for unknown names and invalid values."""
     params = {param.name: param for param in container.pictures.params}
     for name in values:
         if name not in params:
@@ -103,8 +107,11 @@ def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
 
 
 def _number(param: HostParam, value: Any, target: Target) -> int:
-    """Return `value` for the parameter `param` as words use it: a level in steps of `target`, or an
-    integer. Raises Rejected for other types and outside the parameter's range."""
+    """Return `value` for the parameter `param` as words use it: a level rounded to steps of
+    `target`, or an integer.
+
+    A level is text such as "4%" or a number of electrons; an integer is an int or decimal text.
+    Raises Rejected (NS0546) for anything else and outside the parameter's range."""
     unit_e = target.electrons_per_step if param.kind == "level" else 1.0
     ends = [
         f"{end * unit_e:g}{'e' if param.kind == 'level' else ''}" for end in (param.low, param.high)
@@ -125,8 +132,8 @@ def _number(param: HostParam, value: Any, target: Target) -> int:
 
 
 def _electrons(value: Any, target: Target) -> float | None:
-    """Return a level in electrons, from text with a unit such as "4%" or from a number; None if
-    it is neither."""
+    """Return a level in electrons, from a number of electrons or from text with a unit: "4%" of the
+    full well, "12lsb" or "1200e". None for anything else: other units, no number, infinite."""
     unit = "e"
     if isinstance(value, str):
         unit = next((unit for unit in _UNITS if value.endswith(unit)), "")
@@ -139,7 +146,8 @@ def _electrons(value: Any, target: Target) -> float | None:
 
 
 def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArray[np.bool_]]:
-    """Return the bits of input planes, bool (rows, cols); raise Rejected for unknown names or
+    """Return the bits of input planes, bool (rows, cols), by name from the user's `values` (see
+    `_bits`). Raises Rejected (NS0546) for names of no plane that the host may load, and for
     invalid values."""
     planes = {plane.name: plane for plane in container.pictures.inputs if plane.is_open}
     for name in values:
@@ -150,10 +158,11 @@ def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArra
 
 
 def _bits(plane: InputPlane, value: Any, target: Target) -> NDArray[np.bool_]:
-    """Return the bits of an input plane, bool (rows, cols), from an array, a file or None (its
-    initial bits).
+    """Return the bits of an input plane, bool (rows, cols), from an array of 0 and 1, the path of a
+    file with one (.npy, .npz or a picture), or None, which stands for the plane's initial bits.
 
-    Raises Rejected for another shape, or values other than 0 and 1."""
+    Raises Rejected (NS0546) for another shape, values other than 0 and 1, and files that cannot be
+    read."""
     shape = target.rows, target.cols
     if value is None:
         return unpacked_bits(plane.bits, shape)
@@ -174,8 +183,11 @@ def _bits(plane: InputPlane, value: Any, target: Target) -> NDArray[np.bool_]:
 
 
 def _stored(name: str, path: Path) -> NDArray[Any]:
-    """Return the array in an .npy or .npz file (key `name`), or the bits of a picture: 1 above half
-    of its range."""
+    """Return the array in an .npy file or, with the key `name`, in an .npz file, of any shape and
+    type. Other files are read as pictures: bool (rows, cols), True where the mean of the colours is
+    above half of the range.
+
+    Raises Rejected: NS0546 if the array cannot be read, and as `read_picture` for pictures."""
     ending = path.suffix.lower()
     if ending in (".npy", ".npz"):
         from nscc.npy import npy_array, npz_arrays

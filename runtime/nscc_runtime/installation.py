@@ -21,7 +21,8 @@ def findings() -> Iterator[Finding]:
 
 
 def _loops() -> Finding:
-    """Return whether the compiled loops work on this processor, compiling them if necessary."""
+    """Return the finding whether the compiled loops work on this processor, and whether they are
+    kept for the next command; they are compiled if necessary. Without numba they are absent."""
     if find_spec("numba") is None:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
     from nscc_runtime.emulator.loops import expose_pixels
@@ -38,7 +39,8 @@ def _loops() -> Finding:
 
 
 def _ports() -> Finding:
-    """Return the finding that lists the serial ports."""
+    """Return the finding that lists the serial ports, "none" if there are none. Without pyserial
+    the finding is that they are absent."""
     if find_spec("serial") is None:
         return Finding(ABSENT, "serial ports: pyserial lists them")
     from nscc_runtime.device.port import list_ports
@@ -48,5 +50,6 @@ def _ports() -> Finding:
 
 
 def described(text: str) -> str:
-    """Return a port's description in parentheses; empty if there is none."""
+    """Return the description `text` of a port after a space and in parentheses; empty if it is
+    empty or "n/a", which pyserial says for none."""
     return f" ({text})" if text not in ("", "n/a") else ""

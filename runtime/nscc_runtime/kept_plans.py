@@ -87,10 +87,11 @@ def _planned(
     make: Callable[[int], Plan],
     measure: Callable[[Plan], Plan | None],
 ) -> tuple[Plan, _KeptPlan]:
-    """Return the plan of a scene, and the plan to keep for the next one (see `KeptPlans.plan`).
+    """Return the plan of a scene, and the plan to keep for the next one.
 
-    `make` makes a new plan for a number of frames; `measure` returns the earlier plan with its
-    error on this scene, or None if the error is too large."""
+    `frames`: the largest number of frames for which a plan has to pay. `earlier`: the plan kept
+    last; None makes a new one. `make` makes a new plan for a number of frames; `measure` returns
+    the earlier plan with its error on this scene, or None if the error is too large."""
     if earlier is None:
         plan = make(frames)
         return plan, _KeptPlan(plan, scenes=1, most_scenes=_AGAIN)

@@ -141,7 +141,8 @@ class Light:
 
     @property
     def timing(self) -> Hashable:
-        """A key that is equal for two lights whose frames fall into the same slots."""
+        """A key that is equal for two lights whose frames fall into the same slots with the same
+        weights, whatever the frames contain."""
         arrays = self.row_start, self.frame_index, self.weight
         key = len(self.frames), *(array.tobytes() for array in arrays)
         return key if self.motion is None else (key, self.motion.timing)
@@ -162,7 +163,7 @@ class Light:
             (rows, cols). It may be a view of `frames`, so do not write to it.
         """
         start, stop = int(self.row_start[n]), int(self.row_start[n + 1])
-        if stop == start:
+        if stop == start:  # no frame falls into the slot
             return np.zeros(self.shape, np.float32)[rows]
         if stop == start + 1 and self.weight[start] == 1.0:
             return self._frame(start, rows)
@@ -172,7 +173,7 @@ class Light:
         return total.astype(np.float32)
 
     def _frame(self, k: int, rows: slice) -> NDArray[np.float32]:
-        """Return rows of the frame of matrix entry k."""
+        """Return the `rows` of the frame of entry k, a view (rows, cols) of `frames`."""
         frame: NDArray[np.float32] = self.frames[self.frame_index[k], rows]
         return frame
 
@@ -182,6 +183,7 @@ class Light:
         Parameters
         ----------
         rows, cols : slice
+            Rows and columns of the rectangle.
 
         Returns
         -------
@@ -197,6 +199,7 @@ class Light:
         Parameters
         ----------
         factor : float
+            At least 0, because light has no negative values.
 
         Returns
         -------
@@ -271,7 +274,8 @@ class Light:
 
     @cached_property
     def frame_weight(self) -> NDArray[np.float64]:
-        """Sum of the weights (T,) of each frame over all slots."""
+        """The sum of the weights of each frame over all slots, (T,); 0 for frames that fall into
+        none."""
         count = np.bincount(self.frame_index, self.weight, len(self.frames))
         return np.asarray(count, np.float64)
 
@@ -283,7 +287,8 @@ class Light:
 
     @cached_property
     def matrix(self) -> LightMatrix:
-        """The frames and weights as an argument of compiled loops."""
+        """The frames and weights as an argument of compiled loops; arrays are copied only if their
+        type or order in memory differs."""
         return LightMatrix(
             np.require(self.frames, np.float32, ["C", "A"]).reshape(len(self.frames), -1),
             np.require(self.row_start, np.int64, ["C", "A"]),
@@ -293,8 +298,8 @@ class Light:
 
     @cached_property
     def _summed(self) -> tuple[NDArray[np.float64], bool]:
-        """The light of all slots together (`sum_e`), and whether some pixel exceeded the largest
-        value."""
+        """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and
+        whether a pixel exceeded that."""
         weight = self.frame_weight
         with np.errstate(over="ignore", invalid="ignore"):
             if (weight == weight[0]).all():
@@ -316,6 +321,7 @@ class Light:
         array of float64
             J weights of each frame, (T, J).
         """
+        # Two simple cases first, which need no sparse matrix (and no scipy).
         if len(self.frames) == 1 and self.one_each:
             return (self.weight @ slots)[None]
         if self.in_order:
@@ -334,7 +340,8 @@ class Light:
 
     @cached_property
     def one_each(self) -> bool:
-        """Whether each slot is a multiple of one frame."""
+        """Whether each slot has exactly one entry: it is a multiple of one frame, which may differ
+        from slot to slot."""
         return bool(np.array_equal(self.row_start, np.arange(self.slots + 1)))
 
     @cached_property

@@ -48,13 +48,13 @@ OFFSET = parameter(
 
 
 def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:
-    """Return converter codes, whole numbers 0..`top`, of exposures in electrons and noise in
-    codes."""
+    """Return converter codes, whole numbers 0..`top` as float64, of exposures in electrons. NaN
+    stays NaN. `noise`: codes added before rounding, an array like `exposure` or one number."""
     # In place, because new arrays take most of the time.
     codes = np.asarray(exposure / ELECTRONS_PER_LSB(sensor))
     codes += noise
     np.rint(codes, out=codes)
-    codes += OFFSET(sensor)
+    codes += OFFSET(sensor)  # may be a fraction, so the sum is rounded again
     np.clip(codes, 0, top, out=codes)
     return np.rint(codes, out=codes)
 

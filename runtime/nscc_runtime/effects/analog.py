@@ -94,16 +94,19 @@ _noise, _spread, _bias = map(_in_electrons, (NOISE, PATTERN, BIAS))
 
 
 def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the fixed error (pixels,) of an addition in electrons, including the bias."""
+    """Return the fixed error of an addition in electrons, including the bias, (pixels,). `pixels`:
+    places on the chip with the seed `device_seed`."""
     z = normals(key(device_seed, ANALOG.stream), pixels)
     return np.asarray(_bias(sensor) + _spread(sensor) * z)
 
 
 def _written(pixels: Pixels, value: Values, word: Word, destination: int, sign: float) -> Values:
-    """Return the value (e) that an analog word writes: with gain, fixed pattern and random error.
+    """Return what an analog word writes to a destination instead of its exact result `value`, both
+    (pixels,) in electrons.
 
-    An addition has the full errors. A move has its own gain, less noise and no fixed pattern.
-    `sign` is that of the value in its register."""
+    An addition has a gain, a fixed pattern and a random error; a move has its own gain, less noise
+    and no fixed pattern. `destination`: its index in the word, which selects the random numbers.
+    `sign`: -1 if its register holds inverted values, else 1."""
     sensor, sigma = pixels.sensor, _noise(pixels.sensor)
     sigma = sigma if word.adds else MOVE_NOISE(sensor) * sigma
     random = sigma * pixels.error("analog", word, destination) if sigma else 0.0

@@ -41,7 +41,8 @@ _OF_BOTH: dict[str, Any] = {
 
 
 def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the comparator offset (pixels,) of each pixel in electrons."""
+    """Return the offset of each pixel's comparator in electrons, (pixels,). `pixels`: places on the
+    chip with the seed `device_seed`."""
     z = normals(key(device_seed, COMPARATOR_OFFSET.stream), pixels)
     return np.asarray(SPREAD(sensor) * FULL(sensor) * z)
 

@@ -25,13 +25,15 @@ SPREAD = parameter(
 
 
 def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the dark current (pixels,) of each pixel in electrons per second."""
+    """Return the dark current of each pixel in electrons per second, (pixels,). `pixels`: places on
+    the chip with the seed `device_seed`."""
     z = normals(key(device_seed, DARK.stream), pixels)
     return CURRENT(sensor) * log_normal(SPREAD(sensor), z)
 
 
 def _fall(slots: Slots, charge: Values) -> Values:
-    """Return the charge of the slots with the electrons of the dark current."""
+    """Return `charge`, electrons (N, rows, cols) that fall in each slot, plus the counted electrons
+    of the dark current."""
     rates = slots.scene.slot_s[:, None, None] * slots.fixed(current_e_per_s)
     return charge + slots.counted(DARK.stream, WITHOUT_LIGHT, rates)
 

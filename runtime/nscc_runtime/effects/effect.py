@@ -32,7 +32,9 @@ MARKED = {
 
 @dataclass(frozen=True)
 class Mark:
-    """A bit of `saturated_by` and its name. It is set if more than `least_e` electrons are lost.
+    """A bit of `saturated_by`, a power of two, and its name. It is set where an effect has clipped
+    a value; that of registers only if more than `least_e` electrons (a function of the sensor) are
+    lost.
 
     A mark follows the value. A word that reads a full PIX marks its result as added or as
     subtracted. Every further word inverts its result and exchanges the two. So a full PIX that no
@@ -92,11 +94,13 @@ class CannotHave:
 
 @dataclass(frozen=True)
 class InLoop:
-    """The fields of the loop over words that an effect sets, by name.
+    """The fields of the loop over words that an effect sets, by name; without any, the loop has
+    nothing to do for it.
 
-    Names are fields of the records in `nscc_runtime.execution.layout`. `switch`: turns the effect
-    on. `numbers`: its values. `patterns`: its fixed patterns. `draws`: names the random key of its
-    draws at words, if it has no `Errors`."""
+    Names are fields of the records in `nscc_runtime.execution.layout`. `switch`: the field of
+    `Switches` that turns the effect on. `numbers`: functions of the sensor for fields of `Numbers`.
+    `patterns`: its fixed patterns, for fields of `FixedPatterns`. `draws`: the field of `WordKeys`
+    for its random key, if it has no `Errors`."""
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
@@ -154,17 +158,21 @@ class Effect:
     marks: Mapping[str, Mark] = field_of(default_factory=dict)
 
     def summed_ns(self, frames: int) -> float:
-        """Return the nanoseconds per pixel saved by leaving the effect out of a scene's sums."""
+        """Return the nanoseconds per pixel saved by leaving the effect out when the sums of a scene
+        with `frames` frames of light are prepared."""
         return self.cost_ns + self.light_ns * frames
 
     def parts_of_kind(self, kind: type[P]) -> list[P]:
-        """Return the parts of the effect, in sums over slots, that are instances of `kind`."""
+        """Return the parts of the effect, in sums over slots, that are instances of `kind`; empty
+        if it has none or sums cannot have it."""
         if isinstance(self.sums, CannotHave):
             return []
         return [member for member in self.sums if isinstance(member, kind)]
 
     def lacks(self) -> list[str]:
-        """Return the missing or wrong entries of the declaration; empty if it is complete."""
+        """Return the missing or wrong entries of the declaration, each a text that completes "it
+        lacks"; empty if it is complete. Fields of any type are checked, because other code may
+        declare effects."""
         missing = [
             f"`{name}`, a text"
             for name in ("name", "title", "model", "size", "cost", "applied", "absent")
@@ -195,6 +203,7 @@ class Effect:
             part_stages = {
                 getattr(member, "at", member.stage) for member in self.parts_of_kind(Part)
             }
+            # Both must name the same stages: else one of the simulations misses the effect.
             bare = {*self.reference} ^ part_stages
             if not strange and bare:
                 text = "`sums` that match `reference`: one of them has no "

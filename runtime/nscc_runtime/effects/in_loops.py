@@ -16,7 +16,8 @@ from nscc_runtime.noise.keys import base
 
 
 def switches(effects: Selection) -> dict[str, int]:
-    """Return for each switch of the compiled loop 1 if its effect is among `effects`, else 0."""
+    """Return the switches of the compiled loop by field of `Switches`: 1 if the effect to which it
+    belongs is among `effects`, else 0."""
     return {
         loop.switch: int(effect in effects)
         for effect, loop in _in_loops()
@@ -25,8 +26,8 @@ def switches(effects: Selection) -> dict[str, int]:
 
 
 def figures(sensor: Sensor, effects: Selection) -> dict[str, float]:
-    """Return the numbers of effects that the compiled loop takes, by name; 0 for effects that
-    are off."""
+    """Return the numbers of effects that the compiled loop takes, by field of `Numbers`, with the
+    values of `sensor`; 0 for effects that are not in `effects`."""
     return {
         name: figure(sensor) if effect in effects else 0.0
         for effect, loop in _in_loops()
@@ -35,8 +36,9 @@ def figures(sensor: Sensor, effects: Selection) -> dict[str, float]:
 
 
 def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Values]:
-    """Return the fixed patterns (pixels,) of effects at some places of a chip, by name; zeros for
-    effects that are off."""
+    """Return the fixed patterns of effects, each (pixels,), by field of `FixedPatterns`; zeros for
+    effects that are not in `effects`. `device`: all pixels of the chip. `places`: the pixels to
+    return, row * cols + col."""
     return {
         name: device.fixed(pattern)[places] if effect in effects else np.zeros(len(places))
         for effect, loop in _in_loops()
@@ -45,8 +47,9 @@ def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Va
 
 
 def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:
-    """Return the first halves of the random keys for errors of words, by name; `source`
-    distinguishes uses of one stream."""
+    """Return the first halves of the random keys for errors of words, by field of `WordKeys`, for
+    all effects, also those that are off. `seed`: of the noise. `source`: number that distinguishes
+    uses of an effect's stream."""
     keys_by_name: dict[str, np.uint64] = {
         error_part.at: base(seed, effect.stream, source)
         for effect in registered()

@@ -34,7 +34,8 @@ SPREAD = parameter(
 
 
 def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the leakage rate 1 / tau (pixels,) of each pixel, in 1/s."""
+    """Return the leakage rate 1 / tau of each pixel in 1/s, (pixels,). `pixels`: places on the chip
+    with the seed `device_seed`."""
     z = normals(key(device_seed, LEAKAGE.stream), pixels)
     return np.asarray(log_normal(SPREAD(sensor), z) / TAU(sensor))
 

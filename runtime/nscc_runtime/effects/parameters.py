@@ -38,12 +38,14 @@ class Parameter(Key):
 
     @property
     def basis(self) -> str:
-        """What the default rests on: "chip frames", a "publication", or an "assumption"."""
+        """What the default rests on: "chip frames", a "publication", or an "assumption", which also
+        stands for values of the target. It is the part of `source` before the colon."""
         basis, colon, _ = self.source.partition(":")
         return basis if colon and self.source.startswith((CHIP, PUBLISHED)) else "assumption"
 
     def default_for(self, target: Target, values: Mapping[str, float]) -> float:
-        """Return the default on a target, given the values of the preceding parameters."""
+        """Return the default on a target, given the values by name of the parameters before it in a
+        sensor file. Raises AttributeError if the target has no value that the default names."""
         if self.default is None:
             return float(getattr(target, self.name))
         return float(self.default(target, values) if callable(self.default) else self.default)

@@ -23,7 +23,8 @@ SPREAD = parameter(
 
 
 def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """Return the response factor (pixels,) of each pixel, at least 0."""
+    """Return the response factor of each pixel, (pixels,), with mean 1, at least 0. `pixels`:
+    places on the chip with the seed `device_seed`."""
     z = normals(key(device_seed, PRNU.stream), pixels)
     return np.asarray(np.maximum(1.0 + SPREAD(sensor) * z, 0.0))
 

@@ -23,7 +23,7 @@ def _of_scamp(value: float) -> Default:
     not measured."""
 
     def default(target: Target, _values: Mapping[str, float]) -> float:
-        """Return the default on chips with logic; 0 on others."""
+        """Return `value` on chips with logic, 0 on others; other parameters do not matter."""
         return value if target.has_logic else 0.0
 
     return default
@@ -84,8 +84,8 @@ lags 1 to 5. The noise itself has 1.18 times these: rounding adds white noise to
 
 
 def _pattern_lsb(sensor: Sensor, device_seed: int, shape: tuple[int, int]) -> Values:
-    """Return the fixed error of each pixel's code in converter codes, shape (rows, cols):
-    independent errors and smooth waves."""
+    """Return the fixed error of each pixel's code, in converter codes, for a chip of `shape` (rows,
+    cols) with the seed `device_seed`: independent errors and smooth waves."""
     rows, cols = (np.arange(size) for size in shape)
     places = rows[:, None] * cols.size + cols
     pattern = PATTERN(sensor) * normals(key(device_seed, READOUT_PATTERN.stream), places)
@@ -108,7 +108,8 @@ def _pattern_sd_lsb(sensor: Sensor) -> float:
 
 
 def _weights(sensor: Sensor) -> NDArray[np.float64]:
-    """Return the weights of the readout errors that pixels share; their squares sum to 1."""
+    """Return six weights of readout noise, (6,): of a pixel itself, then of the five pixels below
+    it in its column, nearest first. Their squares add up to 1."""
     weights = np.array(_SHARED)
     weights[1:] *= COLUMNS(sensor)
     return np.asarray(weights / np.sqrt(weights @ weights))

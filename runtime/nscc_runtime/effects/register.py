@@ -13,6 +13,8 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Values
 
 _KNEE = 0.9
+"""Default of the part of a register's range in which it is linear; so the target's own limits,
+which are divided by it, are the ends of the linear part."""
 _BEYOND = f"{TARGET}, over {_KNEE}: codes of a chip are clipped by its converter, not registers"
 LOWEST = parameter(
     "register_min_e",
@@ -48,7 +50,9 @@ KNEE = parameter(
 
 
 def soft(value: Values, sensor: Sensor) -> Values:
-    """Return the content of a register after `value` is written; exactly `value` up to the knee."""
+    """Return the content of registers after `value` (any shape, electrons) is written: exactly
+    `value` up to the knee, beyond it less, and never more than the range. NaN stays NaN. The result
+    may be `value` itself."""
     knee = KNEE(sensor)
     limit = np.where(value < 0, -LOWEST(sensor), HIGHEST(sensor))
     size = np.abs(value)
@@ -62,7 +66,8 @@ def soft(value: Values, sensor: Sensor) -> Values:
 
 
 def _high(sensor: Sensor) -> float:
-    """Return the smaller of the absolute limits of a register in electrons."""
+    """Return the smaller of the absolute limits of a register in electrons: sums do not know the
+    sign of a register's value."""
     return min(abs(LOWEST(sensor)), HIGHEST(sensor))
 
 
@@ -72,14 +77,17 @@ def _linear(sensor: Sensor) -> float:
 
 
 def _compute_loss_e(sensor: Sensor, size: Values) -> Values:
-    """Return how much (e) a register loses of values of this size."""
+    """Return how many electrons a register loses of values of the absolute `size` (any shape, e),
+    whatever their sign; 0 in the linear range."""
     over = np.maximum(size - _linear(sensor), 0.0)
+    # With a knee of 1 there is no room: everything beyond is lost, without a division by 0.
     room = max(_high(sensor) - _linear(sensor), 1e-9)
     return np.asarray(over - room * np.tanh(over / room))
 
 
 def _half_slope_loss_e(sensor: Sensor) -> float:
-    """Return the loss at which a register stores half of a further increment: tanh' = 1/2."""
+    """Return the loss in electrons at which a register stores half of a further increment: where
+    the slope of tanh is 1/2. It is 0 for registers that clip hard."""
     half = math.acosh(math.sqrt(2.0))
     return (half - math.tanh(half)) * (_high(sensor) - _linear(sensor))
 

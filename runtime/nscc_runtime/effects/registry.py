@@ -47,7 +47,9 @@ _complete = False
 
 
 def register(effect: Effect) -> None:
-    """Register an effect. Raises NS0905 with all missing entries of its declaration."""
+    """Register an effect. Raises Rejected (NS0905) with all missing entries of its declaration if
+    it is incomplete, else with all conflicts with registered effects; then nothing is
+    registered."""
     lacking = (
         effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is not an Effect"]
     )
@@ -110,7 +112,8 @@ def _clashes(effect: Effect) -> list[str]:
 
 
 def registered() -> tuple[Effect, ...]:
-    """Return all effects; the first call loads those of other distributions."""
+    """Return all effects in the order of registration. The first call loads those of other
+    distributions. Raises Rejected (NS0905) if one of these cannot be registered."""
     global _complete
     if not _complete:
         for effect in added("nscc.effects").values():
@@ -121,7 +124,7 @@ def registered() -> tuple[Effect, ...]:
 
 
 def by_name() -> dict[str, Effect]:
-    """Return all effects by name."""
+    """Return all effects by name, in the order of registration."""
     return {effect.name: effect for effect in registered()}
 
 
@@ -131,7 +134,7 @@ def optional() -> tuple[str, ...]:
 
 
 def marks() -> dict[str, Mark]:
-    """Return the marks of all effects by kind."""
+    """Return the saturation marks of all effects by kind, the keys of `MARKED`."""
     return {at: mark for effect in registered() for at, mark in effect.marks.items()}
 
 
@@ -153,7 +156,8 @@ def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
 
 
 def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
-    """Return the effects as JSON values. The defaults of parameters are the values of `sensor`."""
+    """Return a dict for each effect, in the order of registration, for JSON: its texts, `kind` and
+    `always`, and a list of its `parameters`, whose "default" is the value of `sensor`."""
     return [
         {
             "name": effect.name,

@@ -42,7 +42,8 @@ class Selection:
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
-        """Return whether an effect is simulated."""
+        """Return whether `effect`, an `Effect`, is simulated; False for anything else, also for a
+        name."""
         return isinstance(effect, Effect) and effect.name in self.on
 
     @cached_property
@@ -51,12 +52,14 @@ class Selection:
         return tuple(effect for effect in registered() if effect in self)
 
     def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
-        """Return the effects that act at a stage of the reference, with their functions."""
+        """Return the effects that act at `stage` (a key of `STAGES`) of the reference, with their
+        functions there, in the order of registration; empty if none does."""
         acting = [effect for effect in self.effects if stage in effect.reference]
         return [(effect, effect.reference[stage]) for effect in acting]
 
     def at(self, stage: str) -> list[Callable[..., Any]]:
-        """Return the functions of the effects at a stage of the reference."""
+        """Return the functions of the effects at `stage` (a key of `STAGES`, which says what they
+        take), in the order in which they are called; empty if no effect acts there."""
         return [does for _, does in self.acting(stage)]
 
     def marking(self, at: str) -> Mark | None:
@@ -65,7 +68,8 @@ class Selection:
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Return pairs of an effect that is on and its part that is an instance of `kind`."""
+        """Return pairs of an effect that is on and its part that is an instance of `kind`, in the
+        order of registration; empty if there is none."""
         # mypy considers a class not hashable.
         of_all = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
         return [(effect, member) for effect, member in of_all if effect.name in self.on]
@@ -78,7 +82,8 @@ class Selection:
 
     @remembered
     def find_part(self, kind: type[P]) -> P | None:
-        """Return the part that is an instance of `kind`; None if no effect that is on has one."""
+        """Return the part that is an instance of `kind`; None if no effect that is on has one. Of
+        several it is the first; only `Errors` and code errors occur more than once."""
         return next((effect_part for _, effect_part in self.having(kind)), None)
 
     def require_part(self, kind: type[P]) -> P:
@@ -100,12 +105,13 @@ class Selection:
         return hypot(*(part.sigma_lsb(sensor) for part in errors))
 
     def without(self, *names: str) -> Selection:
-        """Return the selection without some effects. Equal calls return the same object, because
-        selections cache their parts."""
+        """Return the selection without the effects called `names`; names that are not on change
+        nothing. Equal calls return the same object, because selections cache their parts."""
         return _without(self, frozenset(names))
 
     def including(self, name: str) -> Selection:
-        """Return the selection with one more effect."""
+        """Return the selection with the effect called `name` switched on; the caller has checked
+        the name."""
         return Selection(self.on | {name}, self.forced, self.auto)
 
 

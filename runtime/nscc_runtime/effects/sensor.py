@@ -48,16 +48,17 @@ class Sensor:
 
     @cached_property
     def _hash(self) -> int:
-        """The hash; cached."""
+        """The hash of the values, without their names; cached."""
         # Hash the numbers alone: cached hashes travel to processes that hash names differently.
         return hash(frozenset(self.values.values()))
 
     def changed(self, **values: float) -> Sensor:
-        """Return a sensor with other values of some parameters.
+        """Return a sensor with other values of some parameters. Ranges are not checked.
 
         Parameters
         ----------
         **values : float
+            New values by name of a parameter, in its unit.
 
         Returns
         -------
@@ -77,7 +78,8 @@ class Sensor:
 def before_readout_effects(values: Mapping[str, float]) -> dict[str, float]:
     """Return the parameters that sensors of earlier versions lack, with the values that describe
     their frames: all words had the same errors, in codes of the converter, and the readout had
-    white noise alone."""
+    white noise alone. `values`: the parameters of such a sensor by name, with `electrons_per_lsb`
+    among them."""
     return {
         "analog_lsb_e": values["electrons_per_lsb"],
         "analog_move_loss": 1.0,

@@ -8,7 +8,8 @@ from nscc_runtime.effects.views import LIGHT, Slots, Values
 
 
 def _count(slots: Slots, light: Values) -> Values:
-    """Return the numbers of photons drawn for the expected light of slots."""
+    """Return the numbers of photons drawn for `light`, the expected electrons (N, rows, cols) of
+    each slot."""
     return slots.counted(SHOT.stream, LIGHT, light)
 
 

@@ -11,7 +11,8 @@ from nscc_runtime.loop import compiled
 
 
 def log_normal(fraction: float, z: Values) -> Values:
-    """Return lognormal factors of mean 1, standard deviation `fraction`, from normal numbers z."""
+    """Return lognormal factors of mean 1 and standard deviation `fraction` (at least 0), one for
+    each standard normal number in `z`, in its shape."""
     variance = float(np.log1p(fraction * fraction))
     return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
 
@@ -20,7 +21,8 @@ def log_normal(fraction: float, z: Values) -> Values:
 def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
     """Return the content of a register after `value` is written, with soft saturation.
 
-    Up to `knee` times the limit (`low` or `high`) it is exact; beyond, it approaches the limit.
+    All are electrons but `knee`, a fraction. Up to `knee` times the limit (`low`, below 0, or
+    `high`) it is exact; beyond, it approaches the limit. NaN is not expected.
     `nscc_runtime.effects.register.soft` does the same for arrays."""
     limit = -low if value < 0.0 else high
     size = abs(value)

@@ -44,13 +44,15 @@ class Device:
 
     @remembered
     def fixed(self, make: OnDevice) -> Values:
-        """Return a fixed pattern of the chip (pixels,), cached."""
+        """Return the fixed pattern of the chip that `make` computes from sensor, device seed and
+        places, (pixels,); cached. Callers do not change it."""
         return make(self.sensor, self.device_seed, self.places)
 
 
 @lru_cache(2)
 def whole_device(sensor: Sensor, device_seed: int, pixels: int) -> Device:
-    """Return all pixels of a chip; the last results are cached with their fixed patterns."""
+    """Return all `pixels` pixels of the chip with the seed `device_seed`, in the order of places.
+    The last two results are cached with their fixed patterns."""
     return Device(sensor=sensor, device_seed=device_seed, places=np.arange(pixels))
 
 
@@ -82,11 +84,13 @@ class Slots(Where, ABC):
 
     @abstractmethod
     def electrons(self, light: Light) -> Values:
-        """Return the light of every slot in electrons, shape (N, rows, cols)."""
+        """Return the electrons of `light` in every slot, (N, rows, cols)."""
 
     @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
-        """Return Poisson counts of mean `rates`. `source`: see `nscc_runtime.effects.views`."""
+        """Return Poisson counts with the means `rates`, both (N, rows, cols). `stream`: random
+        stream of the effect. `source`: LIGHT or WITHOUT_LIGHT; counts of different sources are
+        independent."""
 
 
 class Pixels(Where, ABC):
@@ -94,4 +98,5 @@ class Pixels(Where, ABC):
 
     @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """Return the standard normal error (pixels,) of effect `name` at a word's destination."""
+        """Return standard normal numbers (pixels,) for the effect called `name` at `word`. For an
+        effect of what words write, they differ for each `destination`, its index in the word."""

@@ -1,7 +1,7 @@
 """Counts of a block of pixels, for the loops over the pixels of a frame.
 
-Random numbers are keyed by place, the index of a pixel on the chip. `scratch`, `pending_rates` and
-`pending_pixels` are working memory of the loops."""
+Random numbers are keyed by place, the index of a pixel on the chip. `scratch` (`ROOM` numbers),
+`pending_rates` and `pending_pixels` (`BLOCK` each) are working memory of the loops."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ ROOM = 5 * BLOCK
 """Length of the array `scratch` for drawing counts."""
 
 MOST_COUNTED = 80
+"""The search for a count ends here; for rates below SEARCH_BELOW larger counts do not occur."""
 _NOTHING = 1e-17
+"""A probability below which the search for a count ends: it would not change the sum of 1."""
 
 FORMULA_FROM = 2.0
 """Smallest rate for the formula. Below, the formula's value is too often near a whole number."""
@@ -30,10 +32,12 @@ MARGIN = 0.02
 rate**1.5. Its error is at most 0.016 (1 + |z|**5) / rate**1.5 between FORMULA_FROM and
 SEARCH_BELOW."""
 _UNSURE = -1.0
+"""In place of a count: it must be searched. Counts are never negative."""
 _FEW = 8
 """The formula is used if more than one pixel in this number has a rate for the formula."""
 
 FIRST_LANE = np.uint64(0)
+"""Every draw of this module uses the first of the random numbers that a key has at a place."""
 
 
 @inlined
@@ -71,17 +75,20 @@ def _searched(
     scratch: Floats,
     out: int,
 ) -> None:
-    """Find the counts of `count` pixels with rates of at most SEARCH_BELOW, as `poisson_law.search`
-    does.
+    """Find the Poisson counts of `count` pixels with rates of at most SEARCH_BELOW, as
+    `poisson_law.search` does; nothing for 0 pixels.
 
     scratch[out + places[j]] is set to the count for the rate pending_rates[j] and the uniform
-    number scratch[remainder_at + j]. All pixels advance together; finished pixels are removed in
+    number scratch[remainder_at + j]; places[j] is an index in the block. `remainder_at`, `mass_at`
+    and `count_at` begin three parts of `scratch` of `count` numbers each, which are overwritten, as
+    are `pending_rates` and `places`. All pixels advance together; finished pixels are removed in
     between."""
     for j in range(count):
         start = _exp_minus(pending_rates[j])
         scratch[mass_at + j] = start
         scratch[remainder_at + j] -= start
         scratch[count_at + j] = 0.0
+    # Removing finished pixels takes time too, so it is done after 4 steps, then 8, 16 and so on.
     step, together = 1, 4
     while count:
         end = min(step + together, MOST_COUNTED)
@@ -111,9 +118,10 @@ def _searched(
 def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
     """Find the counts of `count` pixels by the formula, where its value is certain.
 
-    scratch[out + i] is set to the Poisson quantile at the normal number scratch[i] and the rate
-    rates[i], or SEARCH_BELOW if that is less. It is _UNSURE where the formula is uncertain, and 0
-    for rates of at least SETTLED_ABOVE, whose counts `_raised` computes."""
+    scratch[out + i] is set to the Poisson quantile, rounded down, at the normal number scratch[i]
+    and the rate rates[i], which is limited to SEARCH_BELOW. It is _UNSURE where the formula is
+    uncertain, also for all rates below FORMULA_FROM, and 0 for rates of at least SETTLED_ABOVE,
+    whose counts `_raised` computes."""
     for i in range(count):
         rate, z = rates[i], scratch[i]
         known = rate if rate > FORMULA_FROM else FORMULA_FROM
@@ -128,10 +136,11 @@ def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 @compiled
 def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
-    """Raise scratch[out + i] to the formula's count for rates of at least SEARCH_BELOW.
+    """Raise scratch[out + i] to the formula's count at the normal number scratch[i], for each of
+    `count` pixels with a rate of at least SEARCH_BELOW. Other counts stay.
 
-    Up to SETTLED_ABOVE, scratch[out + i] contains the count at SEARCH_BELOW: the formula's error
-    must not give a larger rate a smaller count."""
+    Before, scratch[out + i] contains the count at SEARCH_BELOW for rates from there up to
+    SETTLED_ABOVE: the formula's error must not give a larger rate a smaller count."""
     for i in range(count):
         rate = rates[i]
         x = np.floor(quantile(scratch[i], rate if rate > SEARCH_BELOW else SEARCH_BELOW))
@@ -142,8 +151,9 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 @inlined
 def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
-    """Set out[i] to the standard normal number of key `stream` at places[first + i]. The two steps
-    are separate loops, because a single loop runs out of processor registers."""
+    """Set out[i], for i below `count`, to the standard normal number of the random key `stream` at
+    places[first + i]. The two steps are separate loops, because a single loop runs out of processor
+    registers."""
     for i in range(count):
         out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
     for i in range(count):
@@ -162,14 +172,18 @@ def counted(
     pending_rates: Floats,
     pending_pixels: Ints,
 ) -> None:
-    """Replace the rates values[i] by Poisson counts drawn at places[first + i].
+    """Replace the rates values[i] by Poisson counts drawn with the random key `stream` at
+    places[first + i], for i from 0 to stop - first - 1, at most `BLOCK` pixels.
 
     For rates below SEARCH_BELOW they equal those of `nscc_runtime.noise.poisson_law.search`, else
-    `quantile` rounded down, and at least the count at SEARCH_BELOW. Rates are clipped to `top`."""
+    `quantile` rounded down; below SETTLED_ABOVE, they are at least the count at SEARCH_BELOW. Rates
+    are clipped to 0..`top`; NaN counts as 0."""
     count, low, middle, high = stop - first, 0, 0, 0
     for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0
         values[i] = rate if rate < top else top
+    # How many pixels are below the range in which the formula is used without a check, within the
+    # range in which it is checked, and in that in which counts are raised.
     for i in range(count):
         low += 1 if values[i] < SETTLED_ABOVE else 0
         middle += 1 if values[i] >= FORMULA_FROM and values[i] < SETTLED_ABOVE else 0
@@ -196,6 +210,7 @@ def counted(
             scratch[counts + i] = _UNSURE if is_unsure else 0.0
     unsure = 0
     for i in range(count):
+        # Written for every pixel, and overwritten by the next if this one is sure: no branch.
         pending_pixels[unsure] = i
         unsure += 1 if scratch[counts + i] < 0.0 else 0
     for j in range(unsure):

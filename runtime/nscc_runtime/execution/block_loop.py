@@ -45,8 +45,9 @@ _FIRST_LANE = np.uint64(0)
 
 @record
 class BlockSizes:
-    """Sizes for the loop: pixels `first` to `end` - 1 of `charged` pixels with charge run, which
-    belong to `pixels` pixels of the result."""
+    """Sizes for the loop. Pixels `first` to `end` - 1 run, of the `charged` pixels whose charge is
+    given; these are some of the `pixels` pixels of the result. `segments`, `words`: numbers of
+    those of the program. `frame`: number of the frame, from 0."""
 
     first: int
     end: int
@@ -60,8 +61,10 @@ class BlockSizes:
 
 
 class Charge(NamedTuple):
-    """The electrons of each stretch, and the fraction of them that is collected per microsecond
-    while words run (`pace`; the last row is for the words after the last slot)."""
+    """`electrons` (stretches, charged): the electrons that fall on a pixel in each stretch of
+    slots. `pace` (stretches + 1, charged): the fraction of them that is collected per microsecond
+    while words run at the start of a stretch; the last row is for the words after the last slot.
+    Both are flat where the loop reads them, row after row."""
 
     electrons: Floats
     pace: Floats
@@ -71,9 +74,10 @@ class BlockScratch(NamedTuple):
     """Working memory of a block.
 
     `head`: the first pixel that waits before each segment, -1 if none. `behind`: the next waiting
-    pixel after each pixel. `reached`: the stretch that each pixel has reached. `fallen_fraction`:
-    the fraction of this stretch that is collected. `keys`: the random keys of each word: of its
-    read or reset, then of its comparison or destinations."""
+    pixel after each pixel, -1 if none. `reached`: the stretch that each pixel has reached.
+    `fallen_fraction`: the fraction of this stretch that is collected. All but `head` have `BLOCK`
+    numbers, and pixels are numbered from the first of the block. `keys`: for each word, the random
+    key of its read or reset, then those of its comparison or destinations (1 + `numbered` keys)."""
 
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
@@ -86,7 +90,8 @@ class BlockScratch(NamedTuple):
 def _drawn(
     key: np.uint64, places: Ints, first: int, running: Ints, count: int, normals: Floats, at: int
 ) -> None:
-    """Set normals[at + j] to the normal number of a key at the pixel running[j] of a block."""
+    """Set normals[at + j], for j below `count`, to the standard normal number of `key` at the place
+    of pixel running[j] of the block whose first pixel is `first`."""
     for j in range(count):
         normals[at + j] = unit(bits(key, places[first + running[j]], _FIRST_LANE))
     for j in range(count):
@@ -95,7 +100,8 @@ def _drawn(
 
 @compiled
 def _set_keys(sizes: BlockSizes, keys: WordKeys, program: LoopProgram, block: BlockScratch) -> None:
-    """Set the random keys of the words in this frame."""
+    """Set `block.keys` to the random keys of the program's words in frame `sizes.frame`. Keys that
+    a word does not use keep their old values."""
     for w in range(sizes.words):
         word, at = program.words[w], w * (1 + sizes.numbered)
         stream = keys.resets if word.resets else keys.reads
@@ -120,11 +126,12 @@ def _draw(
     state: PixelState,
     block: BlockScratch,
 ) -> None:
-    """Draw normal numbers for word number `w`, for its read or reset, its comparison and each of
-    its destinations, into `state.normals`.
+    """Draw standard normal numbers for word number `w` in the `count` pixels state.running of the
+    block that begins with pixel `first`.
 
-    The numbers of the pixels first + state.running[:count] depend on `block.keys` and `places`
-    only."""
+    state.normals gets them in rows of `BLOCK` numbers: row 0 for its read or reset, row 1 for its
+    comparison, or row 1 + d for its destination d. Rows of effects that are off keep their old
+    numbers. The numbers depend on `block.keys` and `places` only."""
     running, normals, at = state.running, state.normals, w * (1 + sizes.numbered)
     if (word.resets and switches.reset_errors) or (word.reads_pix and switches.read_errors):
         _drawn(block.keys[at], places, first, running, count, normals, 0)
@@ -149,8 +156,12 @@ def _fall(
     state: PixelState,
     block: BlockScratch,
 ) -> None:
-    """Add to PIX the charge that the pixels state.running[:count] collect until `word` ends, which
-    is in stretch number `stretch`. Advances `block`."""
+    """Add to PIX the charge that the pixels state.running[:count] collect until `word` ends.
+
+    `word` runs at the start of stretch number `stretch`; the charge of all stretches from the one
+    that a pixel has reached up to this falls, and with slow words a part of this one. Pixels count
+    from `first`, the first of the block. Note in `block.reached` and `block.fallen_fraction` how
+    far each pixel is."""
     pixels = sizes.charged
     for j in range(count):
         i = state.running[j]
@@ -171,8 +182,8 @@ def _fall(
 
 @inlined
 def _hand_on(segment: int, at: int, i: int, block: BlockScratch, ends: Ints32) -> int:
-    """Queue pixel i for `segment`, and return 1. A negative number is an ending, which is stored in
-    ends[at]; return 0 for it."""
+    """Queue pixel i of a block for `segment`, and return 1. If `segment` is -1 - e, the pixel has
+    reached ending e: store e in ends[at], and return 0. `at` is the pixel's index in the result."""
     if segment < 0:
         ends[at] = -1 - segment
         return 0
@@ -197,8 +208,12 @@ def _along(
     state: PixelState,
     ends: Ints32,
 ) -> int:
-    """Run a segment's words in all pixels of a block that wait for it, queue each for its next
-    segment, and return the number of pixels that have ended."""
+    """Run the words of `segment` in all pixels of a block that wait for it, queue each for its next
+    segment, and return the number of pixels that have reached an ending.
+
+    `first`: the first pixel of the block. `places`: places of the charged pixels on the chip.
+    `chosen`: their indices in the result, where `ends` gets their endings. `block` and `state` are
+    updated."""
     count, i, running = 0, block.head[segment], state.running
     block.head[segment] = -1
     while i >= 0:
@@ -253,9 +268,11 @@ def run_blocks(
     """Run pixels through their words: set out[b, chosen[i]] to the exposure of pixel i in bucket b
     in electrons, marked[b, chosen[i]] to its saturation marks, and ends[chosen[i]] to its ending.
 
-    `begins`: the first segment of each pixel, or -1 - e for ending e. `places`: its place on the
-    chip, which names its random numbers. Pixels with the same first segments run together if they
-    are neighbours in these arrays. `block` and `state` are working memory."""
+    Pixels `sizes.first` to `sizes.end` - 1 of the charged pixels run. `begins`: the first segment
+    of each, or -1 - e if it has reached ending e already. `places`: its place on the chip, which
+    names its random numbers. `chosen`: its index in the results. Pixels with the same first
+    segments run together if they are neighbours in these arrays. `block` and `state` are working
+    memory; block.head must be -1 everywhere, and is so again at the end."""
     _set_keys(sizes, keys, program, block)
     for first in range(sizes.first, sizes.end, BLOCK):
         count = min(BLOCK, sizes.end - first)
@@ -270,7 +287,7 @@ def run_blocks(
             waiting += _hand_on(begins[first + i], chosen[first + i], i, block, ends)
             if 0 <= begins[first + i] < segment:
                 segment = begins[first + i]
-        # Answers lead only to later segments.
+        # Answers lead only to later segments, so one pass in ascending order meets all of them.
         while waiting > 0:
             if block.head[segment] >= 0:
                 waiting -= _along(

@@ -62,9 +62,9 @@ class BlockProgram:
     stretches : Stretches
         The stretches of slots of each lane.
     lane : int32, shape (rows, cols)
-        Whose stretches each pixel has.
+        The number of the lane whose stretches each pixel has; 0 for all pixels that look.
     first_segment : int64, shape (rows, cols)
-        The segment with which each pixel starts, for fixed shutters.
+        The segment with which each pixel starts, or -1 - e for ending e of a pixel that looks.
     numbered : int
         Difference between the draw numbers of consecutive words.
     most_stretches : int
@@ -86,8 +86,9 @@ class BlockProgram:
 
 
 def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str, ...]:
-    """Return the reasons why only the reference simulates a program with these effects; empty if
-    the block loop does."""
+    """Return the reasons, each a text, why only the reference simulates a program with these
+    effects; empty if the block loop does. There is one for each effect that the loop lacks, and one
+    if the program has too many paths of answers."""
     reasons = [
         f"{effect.name}: only the reference has it ({effect.words.reason})"
         for effect in effects.effects
@@ -103,10 +104,11 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
 def block_program(container: Container, kept_us: float, every_slot: bool = False) -> BlockProgram:
     """Return a program for the block loop; cached with the container.
 
-    `kept_us`: how long digital registers keep values. `every_slot`: whether each slot of a program
-    that looks is a stretch, so that light is added in the order in which exposures are defined.
-    Raises Rejected like `nscc_runtime.reference.trace.analog_words`, and ValueError where `lacks`
-    has a reason."""
+    `kept_us`: how long digital registers keep values, in microseconds. `every_slot`: whether each
+    slot of a program that looks is a stretch of its own, so that light is added in the order in
+    which exposures are defined; ignored for fixed shutters. Raises Rejected if a word is no
+    operation of the chip (`nscc_runtime.reference.trace.analog_words`), and ValueError if pixels
+    look and their paths cannot be listed."""
     if KINDS.of(container).open_times_known:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)
@@ -116,8 +118,9 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
 
 
 def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgram:
-    """Return the program in which each code is a segment, with its words and the stretches of
-    slots between them."""
+    """Return the program in which each lane is a segment: the `words` that act in it, and the
+    stretches of slots between those that read or reset PIX. `words`: all bus and reset words of a
+    frame in order."""
     assert container.pixel_codes is not None
     lanes, slots = len(container.encoding), container.slots
     acts = np.array([word.lanes for word in words], np.bool_).reshape(-1, lanes)
@@ -125,7 +128,7 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
     resets, reads = (table.words[name].astype(np.bool_) for name in ("resets", "reads_pix"))
     lane, word = np.nonzero(acts.T)
     lane, word = _in_use(lane, word, resets, reads)
-    turns = resets | reads
+    turns = resets | reads  # a new stretch begins at the boundary of such a word
     boundary = np.array([each.boundary for each in words], np.int64)[word]
     # A boundary of a lane as one number: ascending by lane, then by slot.
     numbers = lane * (slots + 1) + boundary
@@ -160,8 +163,11 @@ def _in_use(
     resets: NDArray[np.bool_],
     reads: NDArray[np.bool_],
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return the lanes and words (entries,) without resets of PIX that no read follows before the
-    lane's next reset: nothing depends on them. `resets`, `reads`: which words do so."""
+    """Return the two arrays without resets of PIX that no read follows before the lane's next
+    reset: nothing depends on them.
+
+    `lane`, `word`: entry i says that word number word[i] acts in lane lane[i]; sorted by lane, then
+    by word. `resets`, `reads` (words,): whether a word resets PIX, or reads it."""
     on_pix = np.flatnonzero(resets[word] | reads[word])
     is_read = np.zeros(len(on_pix), np.bool_)
     is_read[:-1] = reads[word[on_pix[1:]]] & (lane[on_pix[1:]] == lane[on_pix[:-1]])
@@ -170,11 +176,11 @@ def _in_use(
 
 
 def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProgram:
-    """Return the program of pixels that look: its segments are those of `paths`, which end with
-    comparisons.
+    """Return the program of pixels that look: its segments are those of `paths`, which end with a
+    comparison or at the end of the frame.
 
-    All pixels have the same stretches, which begin where words run, or with `every_slot` at all
-    boundaries."""
+    All pixels have the same stretches, which begin at the boundaries where words run, or with
+    `every_slot` at all boundaries. Pixels begin in the segment of their code."""
     assert container.pixel_codes is not None
     slots, shape = container.slots, container.pixel_codes.shape
     bounds = range(slots + 1) if every_slot else (word.boundary for word in paths.words)
@@ -202,12 +208,15 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
 
 
 def _start_s(container: Container) -> NDArray[np.float64]:
-    """Return the time (slots + 1,) at which each slot begins, and the end of the last one."""
+    """Return the times in seconds, (slots + 1,), at which each slot begins, then the end of the
+    last one; the frame begins at 0."""
     return np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
 
 
 def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgram:
-    """Return the words as a table of numbers for the compiled loop, with their operands."""
+    """Return the `words` as a table of numbers for the compiled loop, in their order. Its operands
+    are numbers of analog registers in the target's order, then of PIX and of IN: for each word the
+    sources, then the destinations."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     slots, slot_us, start_s = container.slots, container.slot_us, _start_s(container)
     rows: list[tuple[float, ...]] = []
@@ -235,8 +244,9 @@ def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgra
 
 
 def readouts_of(container: Container) -> Readouts:
-    """Return for each bucket the register, the gain and the time (s) from the last word to its
-    readout."""
+    """Return for each bucket, in the container's order, the number of the analog register that is
+    read out, the gain, and the time (s) from the end of the exposure to its readout. Raises
+    KeyError for a bucket that is not read out."""
     of_bucket = {readout.bucket: readout for readout in container.readouts}
     readouts = [of_bucket[bucket] for bucket in container.buckets]
     place = container.target.analog_registers.index
@@ -259,7 +269,8 @@ def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numb
 
 
 def switches_of(container: Container, effects: Selection) -> Switches:
-    """Return which effects the compiled loop simulates, and the bits of their saturation marks."""
+    """Return which effects the compiled loop simulates, the bits of their saturation marks (0 for
+    marks that no effect sets), and the numbers of analog registers and of buckets."""
     marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
     return Switches(
         registers=len(container.target.analog_registers),

@@ -82,7 +82,7 @@ class PixelExposures:
     saturated_by : uint8, shape (buckets, pixels)
         Saturation marks.
     endings : int32, shape (pixels,)
-        The end of the path of a pixel that looks; 0 for fixed shutters.
+        The number of the ending of each pixel's path of answers; 0 for fixed shutters.
     """
 
     exposure_e: Values
@@ -94,11 +94,12 @@ class PixelExposures:
 class ChargeScene:
     """The charge of some pixels in the stretches of slots between their words.
 
-    `number`: the index of each of these pixels among the pixels of the scene. `sites`: these
-    pixels, then neighbours whose counts they exchange. `patterns`: their fixed patterns.
-    `counted`: (stream, source, means) of each source of counts. `exchanged`: the fraction of its
-    charge that a pixel gives to each neighbour. `invalid`: the numbers of pixels whose light is not
-    a number."""
+    `number` (pixels,): the index of each of these pixels among the pixels of the scene. `sites`:
+    these pixels, then neighbours whose counts they exchange. `patterns`: the pixels' fixed
+    patterns. `counted`: for each source of counts its random stream, its source number there, and
+    the means (stretches, sites). `means`: expected charge, see `StretchMeans`. `exchanged`: the
+    fraction of its charge that a pixel gives to each neighbour. `invalid`: those of `number` whose
+    light is not a number."""
 
     number: NDArray[np.int64]
     sites: Sites
@@ -120,7 +121,8 @@ LightMeans = dict[tuple[BlockProgram, frozenset[str]], StretchMeans]
 
 @dataclass(frozen=True, eq=False)
 class BlockScene:
-    """Pixels of a scene under some effects, ready to expose any frame."""
+    """Pixels of a scene under some effects, ready to expose any frame. `places`: places (pixels,)
+    of these pixels on the chip. `device_seed`: seed of the fixed patterns."""
 
     container: Container
     program: BlockProgram
@@ -132,7 +134,7 @@ class BlockScene:
     switches: Switches
     numbers: Numbers
     parts: list[NDArray[np.int64]]
-    """Indices of the pixels whose charge is computed together."""
+    """For each group of pixels whose charge is computed together, their indices in `places`."""
     light_means: LightMeans | None = None
     """Means of light that several scenes share, see `lay_out`."""
     kept: tuple[ChargeScene, ...] = ()
@@ -189,6 +191,7 @@ def lay_out(
     # 16-bit numbers are sorted by radix, ten times as fast as others.
     few = lane.astype(np.uint16) if program.lane.max() < 1 << 16 else lane
     order = np.argsort(few, kind="stable")
+    # The means are up to five arrays of float64 with a row for each stretch.
     bytes_ = 8 * 5 * (program.most_stretches + 1) * max(len(places), 1)
     parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
     scene = BlockScene(
@@ -202,6 +205,7 @@ def lay_out(
         switches_of(container, effects),
         numbers_of(container, sensor, effects),
         parts,
+        # Several scenes share means only if about eight sets of them fit into the memory.
         light_means if 8 * bytes_ <= _MOST_BYTES else None,
     )
     if len(parts) > 1:
@@ -210,8 +214,9 @@ def lay_out(
 
 
 def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) -> ChargeScene:
-    """Return the mean charge of each stretch of slots for the pixels with these numbers, with
-    what exchange between neighbours needs."""
+    """Return the mean charge of each stretch of slots for the pixels of `scene` with the indices
+    `number`, their fixed patterns, and what exchange between neighbours needs. Means of light that
+    the scene shares are used if known, else stored in `scene.light_means`."""
     effects, program, pixels = scene.effects, scene.program, len(number)
     exchange = effects.find_part(Exchange)
     exchanged = 0.0 if exchange is None else exchange.fraction(scene.sensor)
@@ -222,7 +227,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     is_counted = bool(lit or dark) and exchanged > 0
 
     def zeros(wanted: bool, rows: int, columns: int) -> Values:
-        """Return an array of zeros, of one element if it is not wanted."""
+        """Return an array of zeros (rows, columns); (1, 1) if it is not wanted, because compiled
+        loops take arrays only."""
         return np.zeros((rows, columns) if wanted else (1, 1))
 
     means = StretchMeans(
@@ -248,7 +254,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
     def add_light(begin: int, end: int) -> None:
-        """Add up the light of pixels `begin` to `end` for each stretch of slots."""
+        """Add up, in `means`, the light of the sites from `begin` up to before `end` for each
+        stretch of slots."""
         light_means(
             sizes=Laying(begin=begin, end=end, **sizes),
             light=scene.light.matrix,
@@ -259,11 +266,12 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         )
 
     def add_dark(begin: int, end: int) -> None:
-        """Add the dark charge of the pixels from `begin` up to `end`, in place."""
+        """Add to `means` the dark charge of the sites from `begin` up to before `end`."""
         dark_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
     def complete(begin: int, end: int) -> None:
-        """Compute the expected charge of the pixels from `begin` up to `end`, in place."""
+        """Compute, in `means`, the expected charge of the pixels from `begin` up to before `end`,
+        after the exchange with neighbours."""
         charge_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
     known = {} if scene.light_means is None else scene.light_means
@@ -287,13 +295,17 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
 
 
 def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
-    """Return the pixels at `places`; if the scene `exchanges` charge, their other neighbours
-    follow, and `beside` gives the four neighbours of each."""
+    """Return the pixels at `places` as sites. If the scene `exchanges` charge, those of their
+    neighbours that are not in `places` follow in ascending order.
+
+    `beside` has the index of the sites above, below, left and right of each pixel of `places`, -1
+    beyond the border; without exchange, only -1."""
     shape, effects, sensor = scene.program.lane.shape, scene.effects, scene.sensor
     beside = np.full((len(places), 4), -1, np.int32)
     every = places
     if exchanges:
         around = neighbours_of(places, shape)
+        # One entry more than the chip has places: index -1, for beyond the border, reads it.
         number = np.full(shape[0] * shape[1] + 1, -1, np.int32)
         number[around] = 0
         number[places] = -1
@@ -369,8 +381,11 @@ def expose_pixels(
 def _charge_of_frame(
     scene: BlockScene, charge: ChargeScene, seed: int, frame: int, threads: int
 ) -> Values:
-    """Return the charge (stretches, pixels) of one frame: the means plus random counts,
-    exchanged between neighbours."""
+    """Return the charge of one frame, electrons (stretches, pixels): the means plus the deviations
+    of random counts, exchanged between neighbours.
+
+    `seed`: of the noise. `frame`: number of the frame. Without counts this is the array of means
+    itself, which callers must not change."""
     if not charge.counted:
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
@@ -379,8 +394,8 @@ def _charge_of_frame(
     missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)
 
     def run(begin: int, end: int) -> None:
-        """Exchange the counts of pixels `begin` to `end` with their neighbours, and write their
-        charge."""
+        """Exchange the counts of the pixels from `begin` up to before `end` with their neighbours,
+        and write their charge into `charge_e`."""
         exchange_counts(
             exchanging=Exchanging(
                 begin=begin,
@@ -415,10 +430,12 @@ def _run_words(
     threads: int,
     result: PixelExposures,
 ) -> None:
-    """Run pixels through their words, and store exposures, marks and endings in `result`, in place.
+    """Run the pixels of `charge` through their words, and store exposures, marks and endings in
+    `result`, in place, at their indices in the scene.
 
-    `charge_e` is the frame's charge (stretches, pixels). `first_segment` is the path segment in
-    which each pixel begins."""
+    `charge_e`: electrons of the frame, (stretches, pixels). `first_segment`: for each pixel of the
+    scene, the segment in which it begins, or -1 - e if it has reached ending e. `seed`: of the
+    noise. `frame`: number of the frame."""
     program, container, pixels = scene.program, scene.container, charge.pixels
     places = charge.sites.place[:pixels]
     shared: dict[str, Any] = {
@@ -433,7 +450,8 @@ def _run_words(
     segments, words = len(program.segments.following), len(program.words.words)
 
     def run(begin: int, end: int) -> None:
-        """Run the words in pixels `begin` to `end`, block by block, and write their exposures."""
+        """Run the words in the pixels from `begin` up to before `end`, block by block, and write
+        their exposures."""
         run_blocks(
             sizes=BlockSizes(
                 first=begin,

@@ -17,8 +17,8 @@ from nscc_runtime.pool import in_parts
 @record
 class Counting:
     """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted, in `groups`
-    groups of slots. `accumulates`: whether to add to the deviations of another source. `rate_cap`:
-    larger rates count as this rate."""
+    groups of slots. `accumulates`: 1 to add to the deviations of another source, 0 to replace them.
+    `rate_cap`: larger rates count as this rate."""
 
     begin: int
     end: int
@@ -40,11 +40,12 @@ def draw_counts(
     pending_pixels: Written[Ints],
     away: Written[Annotated[Floats, "groups pixels"]],
 ) -> None:
-    """Set away[g, p], or increase it if `accumulates`, by a Poisson count minus its mean rates[g,
-    p].
+    """Draw a Poisson count of mean rates[g, p] for each group g of slots and pixel p, and set
+    away[g, p] to the count minus the mean; with `accumulates`, add it.
 
-    `values`, `pending_rates` and `pending_pixels` are working memory for `BLOCK` pixels, `scratch`
-    for five times as many."""
+    `keys`: the random key of each group. `places`: the place of each pixel on the chip. Arrays of
+    two axes are flat here, row after row. `values`, `pending_rates` and `pending_pixels` are
+    working memory for `BLOCK` pixels, `scratch` for five times as many."""
     for first in range(counting.begin, counting.end, BLOCK):
         stop = min(first + BLOCK, counting.end)
         for group in range(counting.groups):
@@ -76,10 +77,12 @@ def draw_deviations(
     frame: int,
     threads: int,
 ) -> NDArray[np.float64]:
-    """Return the deviations of counts (rows, pixels) from their means, added up over sources.
+    """Return the deviations of counts from their means, (rows, pixels), added up over sources.
 
-    `sources`: random stream, number of the source, and means (rows, pixels) of each. Row r of a
-    source is drawn with the key of group r."""
+    `sources`, at least one: of each the random stream, the number of the source, and the means
+    (rows, pixels). A row is a stretch or group of slots, and row r is drawn with the key of group
+    r. `places` (pixels,): places on the chip. `seed`: of the noise. `frame`: number of the frame.
+    Results do not depend on `threads`."""
     rows, pixels = sources[0][2].shape
     away = np.empty((rows, pixels))
     keys = [
@@ -88,7 +91,8 @@ def draw_deviations(
     ]
 
     def run(begin: int, end: int) -> None:
-        """Draw the counts of pixels `begin` to `end` from all sources, and write the deviations."""
+        """Draw the counts of the pixels from `begin` up to before `end` from all sources, and write
+        the deviations into `away`."""
         values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
         for number, (of_rows, (_, _, means)) in enumerate(zip(keys, sources, strict=True)):
             draw_counts(

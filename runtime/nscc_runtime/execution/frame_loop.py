@@ -23,7 +23,8 @@ from nscc_runtime.loop import (
 
 @record
 class Adding:
-    """Sizes for `add_up`. `fraction`: part of a pixel's charge that moves to each neighbour."""
+    """Sizes for `add_up`, which exposes the rows `begin` to `end` - 1 of `rows` rows. `fraction`:
+    part of a pixel's charge that moves to each neighbour."""
 
     begin: int
     end: int
@@ -55,10 +56,12 @@ def _beside(
     total: Floats,
 ) -> None:
     """Add to total[bucket, i], for pixel first + i, the charge from the neighbour in one
-    `direction` minus the charge given to it.
+    `direction` (above, below, left or right: 0 to 3) minus the charge given to it. Pixels at a
+    border without such a neighbour get nothing.
 
-    `away`: deviation of the count of number `draw` from its mean, by pixel. The weights say how
-    much of it this bucket of the pixel, or of the neighbour, collects."""
+    Pixels `first` to `stop` - 1 are in one row. `away`: deviations of counts from their means, of
+    which number `draw` is used. `own_weights`, `neighbour_weights`: electrons in this bucket of the
+    pixel for one count of its own, and of the neighbour."""
     cols, pixels = adding.cols, adding.pixels
     step, begin, end = on_side(first // cols, adding.rows, cols, direction)
     draw_start = draw * adding.pixels
@@ -82,10 +85,11 @@ def _counted(
     total: Floats,
 ) -> None:
     """Set total[bucket, i] to the deviation of the exposure of pixel first + i from its mean, due
-    to counts of photons.
+    to counts of photons; 0 without counts. Pixels `first` to `stop` - 1 are computed.
 
-    `away` (draws, pixels) has the deviations of counts; `own_weights` and `neighbour_weights` say
-    how much of them each bucket collects."""
+    `away` (draws, pixels): deviations of counts from their means. `own_weights` (draws, buckets,
+    pixels) and `neighbour_weights` (draws, 4, buckets, pixels): electrons in each bucket for one
+    count of the pixel, and of a neighbour. All are flat."""
     for bucket in range(adding.buckets):
         at = bucket * BLOCK - first
         for p in range(first, stop):
@@ -125,15 +129,18 @@ def add_up(
     drawn: Written[Floats],
     exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
-    """Compute exposures of some rows of a frame from their means and from deviations of counts.
+    """Compute the exposures, in electrons, of some rows of a frame from their means `expected`,
+    from the deviations `away` of counts from their means, and from normal errors.
 
-    `own_weights`: weights of a pixel's own deviations. `neighbour_weights` (draws, 4, buckets,
-    pixels): weights of its neighbours' deviations, used if neighbours exchange counts. `total` and
-    `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
+    `noise_keys`: the random key of each source of errors, drawn at `places`. `sigma`: its standard
+    deviation in each bucket and lane; `lanes` has the lane of each pixel. `own_weights`: electrons
+    for one count of the pixel itself. `neighbour_weights` (draws, 4, buckets, pixels): for one
+    count of a neighbour, used if neighbours exchange counts. `total` and `drawn` are working memory
+    for `BLOCK` pixels, `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
-        # With crosstalk a block must not extend over several rows.
+        # With crosstalk a block must not extend over several rows: `_beside` has one row's limits.
         last = (first // cols + 1) * cols if adding.exchanges else end
         stop = min(first + BLOCK, last)
         _counted(adding, first, stop, own_weights, neighbour_weights, away, total)
@@ -151,5 +158,5 @@ def add_up(
         for bucket in range(adding.buckets):
             at, pixel_start = bucket * BLOCK, bucket * pixels + first
             for i in range(stop - first):
-                exposure[pixel_start + i] = total[at + i] + 0.0
+                exposure[pixel_start + i] = total[at + i] + 0.0  # -0 + 0 is +0
         first = stop

@@ -54,7 +54,8 @@ class FrameSource:
     near: Places
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
-        """Yield frames 0 to `count` - 1. Raises ValueError if `count` < 1."""
+        """Yield frames 0 to `count` - 1 with the noise of `seed`. Raises ValueError, when the first
+        frame is asked for, if `count` < 1."""
         if count < 1:
             raise ValueError(f"{count} frames")
         for number in range(count):
@@ -63,7 +64,9 @@ class FrameSource:
 
 @lru_cache(64)
 def slow_effects(effects: Selection) -> tuple[str, ...]:
-    """Return the names of effects that only the reference simulates for fixed shutters."""
+    """Return the names of those `effects` that only the reference simulates for fixed shutters:
+    neither sums of light nor the loop over words have them. Empty if the reference is not
+    needed."""
     # Programs with fixed shutters compare nothing, so effects of comparators do not act.
     return tuple(
         effect.name
@@ -106,15 +109,16 @@ def frame_source(
     Raises
     ------
     Rejected
-        NS0734 for light of another size, NS0442 for words that open no shutters, NS0741 for a
-        converter that is not simulated.
+        NS0734 for light of another size, NS0741 for a program without pixel codes, NS0442 for
+        words that open no shutters, NS0742 for a converter with more bits than frames store.
     """
     check_size(container, light)
     check_adc(container.target)
     count = threads_of(threads)
 
     def convert(exposure: Exposure, seed: int, number: int) -> Frame:
-        """Return the codes of an exposure, with the noise of this frame's readout."""
+        """Return the frame of `exposure` with converter codes. `seed` and the frame's `number`
+        select the noise of its readout."""
         seeds = seed, device_seed
         return converted(exposure, container.target, sensor, effects, seeds, number)
 
@@ -133,7 +137,9 @@ def frame_source(
         block = lay_out(container, sensor, light, effects, near, device_seed, count)
 
     def expose(seed: int, number: int) -> Exposure:
-        """Expose frame `number`: all pixels by sums, then those near saturation by their words."""
+        """Expose frame `number` with the noise of `seed`: all pixels by sums, then those near
+        saturation by their words, which replace the sums. Values that are not finite, as for light
+        that is NaN, are invalid."""
         exposure_e = draw_exposures(moments, program.lane, seed, number, count)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if block is not None:

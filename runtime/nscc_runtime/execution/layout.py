@@ -15,8 +15,9 @@ BLOCK = 256
 
 @record
 class Switches:
-    """Switches of effects in the loops (0: off), and the numbers of registers and buckets. Each
-    effect names its switches and numbers in an `nscc_runtime.effects.effect.InLoop`."""
+    """Switches of effects in the loops (0: off, 1: on), and the numbers of analog registers and
+    buckets. Each effect names its switches and numbers in an
+    `nscc_runtime.effects.effect.InLoop`."""
 
     registers: int
     buckets: int
@@ -61,7 +62,8 @@ class Numbers:
 
 @record
 class WordKeys:
-    """First halves of a frame's random keys: of reads and resets of PIX, words, comparisons."""
+    """First halves of a frame's random keys: of reads and resets of PIX, of results of words, and
+    of comparisons. The loop completes them with the number of the frame and of the draw."""
 
     reads: np.uint64
     resets: np.uint64
@@ -71,8 +73,9 @@ class WordKeys:
 
 @record
 class LoopWord:
-    """An analog word, as the loops read it. `resets`, `compares`, `reads_pix`, `adds`: whether it
-    does so. `sources`, `destinations`: numbers of registers."""
+    """An analog word, as the loops read it. `resets` (PIX), `compares`, `reads_pix`, `adds`
+    (several sources): 1 if it does so, else 0. `sources`, `destinations`: how many registers it
+    reads and writes. `divisor`: its result is -(sum of its sources) / divisor."""
 
     resets: int
     compares: int
@@ -97,7 +100,8 @@ OfWords = Annotated[NDArray[Any], LoopWord]
 
 
 class LoopProgram(NamedTuple):
-    """The words of a program, their `operands`, and the `signs` of errors in each register."""
+    """The words of a program in order, their `operands` (see `LoopWord.operands`: numbers of analog
+    registers, then PIX, then IN), and the sign, 1 or -1, of errors in each analog register."""
 
     words: OfWords
     operands: Ints
@@ -105,10 +109,10 @@ class LoopProgram(NamedTuple):
 
 
 class Segments(NamedTuple):
-    """Segments of words. Segment k runs the words word[start[k] : start[k + 1]], of which only the
-    last may compare. Before the word number e of them, the first stretch[e] stretches of the pixel
-    have ended. Pixels whose comparison has the answer a continue with following[k, a]: a segment,
-    or -1 - e for ending e."""
+    """Segments of words. Segment k runs the words with the numbers word[start[k] : start[k + 1]],
+    of which only the last may compare. Before word[e], the first stretch[e] stretches of the pixel
+    have ended. Pixels whose comparison has the answer a (0 or 1; 0 without a comparison) continue
+    with following[k, a]: a segment, or -1 - e for ending e."""
 
     start: Annotated[Ints, "segments+1"]
     word: Annotated[Ints32, "entries"]
@@ -117,8 +121,8 @@ class Segments(NamedTuple):
 
 
 class Readouts(NamedTuple):
-    """For each bucket: the number of its register, the gain of its readout, and the seconds from
-    the end of the frame to its readout."""
+    """For each bucket: the number of its analog register, the gain of its readout, and the seconds
+    from the end of the frame to its readout."""
 
     register: Annotated[Ints, "buckets"]
     gain: Annotated[Floats, "buckets"]
@@ -126,8 +130,9 @@ class Readouts(NamedTuple):
 
 
 class FixedPatterns(NamedTuple):
-    """Fixed patterns of the pixels: the error of a word in electrons, the leakage rate of registers
-    in 1/s, the offset of the comparator in electrons."""
+    """Fixed patterns of the pixels: the error that each addition adds in electrons, the leakage
+    rate of registers in 1/s, the offset of the comparator in electrons; 0 for effects that are
+    off."""
 
     error_e: Annotated[Floats, "charged"]
     leak_per_s: Annotated[Floats, "charged"]
@@ -164,12 +169,13 @@ class PixelState(NamedTuple):
 
     @classmethod
     def of(cls, registers: int, draws: int) -> PixelState:
-        """Allocate the arrays for a block of pixels; `draws`: largest number of draws of a word."""
+        """Allocate the arrays for a block of pixels; most contents are arbitrary. `registers`:
+        number of analog registers. `draws`: largest number of draws of a word."""
 
         def floats(count: int = 1) -> Floats:
             return np.empty(count * BLOCK)
 
-        rows = registers + 2
+        rows = registers + 2  # PIX and IN follow the registers
         return cls(
             pattern=floats(),
             leak=floats(),

@@ -20,8 +20,9 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 @inlined
 def on_side(row: int, rows: int, cols: int, side: int) -> tuple[int, int, int]:
-    """Return the step to the neighbour on one side, and the first pixel and the end of the pixels
-    of a row that have one."""
+    """Return the step from the number of a pixel to that of its neighbour on one `side` (UP, DOWN,
+    LEFT or RIGHT), and the first pixel and the end (exclusive) of the pixels of `row` that have
+    one. In an array of `rows` rows, the two are equal where no pixel has."""
     begin, end = row * cols, (row + 1) * cols
     if side == UP:
         return -cols, begin, end if row > 0 else begin
@@ -64,7 +65,10 @@ def _covariances(
     unknown: Floats,
     covariance_e2: Floats,
 ) -> None:
-    """Set the covariances of the exposures of a row of pixels due to counts, by pair of buckets."""
+    """Set the covariances of the exposures of the pixels of `row` due to counts, in square
+    electrons: covariance_e2 is (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the
+    buckets a >= b. Larger ones than `sizes.cap_e2` are set to it. For the other arguments see
+    `complete_moments`."""
     cols, first, pair = sizes.cols, row * sizes.cols, 0
     for bucket in range(sizes.buckets):
         for other in range(bucket + 1):
@@ -72,6 +76,7 @@ def _covariances(
             for p in range(first, first + cols):
                 light_e2 = sums[at + p] if sizes.light_pairs else 0.0
                 covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if sizes.dark_pairs else 0.0)
+            # Buckets share no charge whose count is unknown: it adds to variances only.
             for side in range(4 if bucket == other and sizes.exchanged > 0.0 else 0):
                 step, begin, end = on_side(row, sizes.rows, cols, side)
                 part = (side * sizes.buckets + bucket) * sizes.pixels
@@ -93,10 +98,14 @@ def _separate(
     counts: Floats,
     own_weights: Floats32,
 ) -> None:
-    """Set the means of the independent counts of a row of pixels, and their weights if buckets
-    overlap: covariance = L D L^T, where L has a unit diagonal; both replace the covariance. Buckets
-    that depend on earlier ones have no count of their own."""
+    """Set the means `counts` (buckets, pixels) of the independent counts of the row of pixels that
+    begins with `first`, and their weights `own_weights` if buckets overlap.
+
+    `covariance_e2`: see `_covariances`. It becomes L D L^T, where L has a unit diagonal, and both
+    replace it. Buckets that depend on earlier ones have no count of their own: its mean is 0.
+    `electron_weights` (buckets, pixels): electrons for one count."""
     pixels, cols, buckets = sizes.pixels, sizes.cols, sizes.buckets
+    # First a limit below which a remaining variance is a rounding error of the whole variance.
     for a in range(buckets):
         at, own = a * pixels + first, a * (a + 3) // 2 * cols
         for i in range(cols):
@@ -105,6 +114,7 @@ def _separate(
         at, own = a * pixels + first, a * (a + 3) // 2 * cols
         for i in range(cols):
             variance_e2, weight = covariance_e2[own + i], electron_weights[at + i]
+            # Written with `not`, so that NaN stays NaN.
             variance_e2 = variance_e2 if not variance_e2 <= counts[at + i] else 0.0
             covariance_e2[own + i] = variance_e2
             counts[at + i] = variance_e2 / (weight * weight)
@@ -141,11 +151,13 @@ def complete_moments(
 ) -> None:
     """Compute the moments of pixels from sums of their light: means, and independent counts.
 
-    `sums`: covariances that counts of light cause in pairs of buckets, then exposures for each
-    bucket and rate of leakage, which `rate_weights` interpolate. `fixed_e`, `dark_e2`: what does
-    not depend on the light. `charge_e`: the charge of each pixel in the frame; the parts `unknown`
-    of it that go to neighbours do not follow from its counts. `own_weights` is set only if buckets
-    overlap. `covariance_e2` is working memory for the pairs of a row."""
+    `sums`: covariances (e^2) that counts of light cause in pairs of buckets, then exposures (e) for
+    each bucket and rate of leakage, which `rate_weights` interpolate. `fixed_e`, `dark_e2`: means
+    and covariances that do not depend on the light. `charge_e`: the charge of each pixel in the
+    frame; the parts `unknown` of it that go to neighbours do not follow from its counts.
+    `electron_weights`: electrons in a bucket for one count. Results: `mean_e`, the means `counts`,
+    and `own_weights` (draws, buckets, pixels), which is set only if buckets overlap. Without counts
+    only `mean_e` is set. `covariance_e2` is working memory for the pairs of a row."""
     pixels, cols = sizes.pixels, sizes.cols
     for row in range(sizes.begin, sizes.end):
         first, stop = row * cols, (row + 1) * cols

@@ -75,12 +75,14 @@ class Moments:
     error_e: Values
 
     def variance_e2(self, lane: NDArray[np.int32]) -> Values:
-        """Return the variance (buckets, pixels) over frames, without the readout.
+        """Return the variance of exposures over frames, in square electrons, (buckets, pixels);
+        that of the readout is not included.
 
         `lane` (rows, cols): the lane of each pixel."""
         own_weights: Values | NDArray[np.float32] = self.own_weights
         variance_e2 = (self.error_e**2).sum(axis=0)[:, lane.reshape(-1)]
         if self.exchanged and len(self.counts):
+            # `given`: the fraction of its charge that a pixel loses, less at the border.
             fractions = np.full((4, 1, lane.size), self.exchanged)
             given = _at_neighbours(fractions, np.ones(lane.size), lane.shape).sum(axis=(0, 1))
             own_weights = own_weights * (1.0 - given)
@@ -160,7 +162,8 @@ class _ChipMoments:
 
 
 def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
-    """Return the moments that all scenes on a chip share, cached by effects and device seed."""
+    """Return the moments that all scenes on a chip share, cached with the program by the effects
+    that are on and the seed of the fixed patterns. Callers must not change the arrays."""
 
     def make() -> _ChipMoments:
         """Compute everything about the moments that depends on the chip and the effects but not on
@@ -209,7 +212,12 @@ def _completed(
     shape: tuple[int, int],
     threads: int,
 ) -> Moments:
-    """Return the moments of a scene (see `complete_moments`) on an array of this shape."""
+    """Return the moments of a scene on an array of `shape` (rows, cols).
+
+    `sums`: the sums of light of `scene_moments`, (sums, pixels). `charge_e`: the charge of each
+    pixel in the frame, (pixels,). `light_pairs`: number of pairs of buckets at the start of `sums`,
+    0 if light is not counted. `exchanged`: fraction of its charge that a pixel gives to each
+    neighbour."""
     buckets, pixels = chip.fixed_e.shape
     draws = buckets if light_pairs or len(chip.dark_e2) else 0
     mean_e, counts = np.empty((buckets, pixels)), np.empty((draws, pixels))
@@ -218,7 +226,7 @@ def _completed(
         own_weights = np.empty((draws, buckets, pixels), np.float32)
 
     def run(begin: int, end: int) -> None:
-        """Complete the moments of the rows from `begin` up to `end`, in place."""
+        """Complete the moments of the rows from `begin` up to before `end`, in place."""
         complete_moments(
             sizes=Completing(
                 begin=begin,
@@ -258,8 +266,8 @@ def exchanged_fraction(effects: Selection, program: AnalysedProgram) -> float:
 
 
 def light_factor(effects: Selection, device: Device) -> Values:
-    """Return the factor (pixels,) on the light of each pixel: lag of an equal previous frame, and
-    the pixel's response."""
+    """Return the factor (pixels,) on the light of each pixel: 1 plus the lag of an equal previous
+    frame, times the pixel's response; 1 if neither effect is on."""
     echo, response = effects.find_part(Echo), effects.find_part(Response)
     factor = 1.0 if echo is None else 1.0 + echo.fraction(device.sensor)
     if response is None:
@@ -268,7 +276,8 @@ def light_factor(effects: Selection, device: Device) -> Values:
 
 
 def dark_e_per_s(effects: Selection, device: Device) -> Values:
-    """Return the dark current (pixels,) of each pixel; 0 if the effect is not simulated."""
+    """Return the dark current of each pixel in electrons per second, (pixels,); 0 if the effect is
+    not on."""
     dark = effects.find_part(CountedDark)
     return np.zeros(len(device.places)) if dark is None else device.fixed(dark.per_s)
 
@@ -292,8 +301,9 @@ def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
 
 
 def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Values:
-    """Return weights (rates, pixels) with which sums at the `rates` of leakage give those at
-    each pixel's own rate."""
+    """Return weights (rates, pixels) with which sums at the `rates` of leakage (1/s, one or two:
+    `leak_rates`) are added up to those at each pixel's own rate. They sum to 1; a pixel whose rate
+    is outside the two has a negative one."""
     leak = effects.find_part(Leak)
     if leak is None or len(rates) == 1:
         return np.ones((1, len(device.places)))
@@ -302,8 +312,10 @@ def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) 
 
 
 def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
-    """Return sums (buckets, pixels) at each pixel's leakage, from sums at each rate (buckets *
-    rates, pixels)."""
+    """Return sums (buckets, pixels) at each pixel's own rate of leakage.
+
+    `sums` (buckets * rates, pixels): those at each rate, where all rates of a bucket follow each
+    other. `rate_weights` (rates, pixels): see `_rate_weights`."""
     by_rate = sums.reshape(-1, len(rate_weights), sums.shape[1])
     return np.asarray(np.einsum("brp,rp->bp", by_rate, rate_weights))
 
@@ -315,8 +327,11 @@ def _fixed_e(
     rates: tuple[float, ...],
     rate_weights: Values,
 ) -> Values:
-    """Return the part of mean exposures (buckets, pixels) that does not depend on the light: dark
-    charge and fixed errors of words."""
+    """Return the part of mean exposures that does not depend on the light, in electrons (buckets,
+    pixels): dark charge and fixed errors of words; 0 if neither effect is on.
+
+    `device`: the fixed patterns of all pixels. `rates`: the rates of leakage of sums.
+    `rate_weights` (rates, pixels): see `_rate_weights`."""
     model, lanes = program.model(effects), program.lanes
     weights = [program.weights(replace(model, leak_per_s=rate)) for rate in rates]
     total = np.zeros((len(program.container.buckets), lanes.size))
@@ -337,8 +352,9 @@ def _fixed_e(
 
 
 def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Values:
-    """Return the covariances (pairs of buckets, pixels) that counts of dark charge cause, in
-    square electrons; no pairs without the effect."""
+    """Return the covariances that counts of dark charge cause, in square electrons, (pairs of
+    buckets, pixels). Pairs are (0, 0), (0, 1), (1, 1), (0, 2) and so on; there are none, shape (0,
+    pixels), without the effect."""
     if effects.find_part(CountedDark) is None:
         return np.zeros((0, program.lane.size))
     weights = program.weights(program.model(effects)).slots
@@ -354,7 +370,8 @@ def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Devi
 
 def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> Values:
     """Return `weights` (4, buckets, pixels) times the `values` (pixels,) of the neighbour above,
-    below, left and right; 0 beyond the border of an array of this shape."""
+    below, left and right of each pixel, as an array like `weights`. It is 0 where a pixel of the
+    array of `shape` (rows, cols) has no such neighbour."""
     products = np.zeros((*weights.shape[:2], *shape))
     for product, of_side, (to, source) in zip(products, weights, NEIGHBOURS, strict=True):
         at = (slice(None), *to)
@@ -377,8 +394,9 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
 def _neighbour_weights(
     program: AnalysedProgram, model: WeightModel
 ) -> tuple[NDArray[np.float32], Values]:
-    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the parts of the
-    frame (4, buckets, pixels) whose counts do not follow from them; cached.
+    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the parts (4,
+    buckets, pixels) of neighbours' charge in a frame whose counts do not follow from them. Both are
+    cached with the program and the `model` of weights.
 
     The counts of a neighbour in the slots that a pixel sees are estimated from its own draws, as if
     its light were steady."""
@@ -386,8 +404,8 @@ def _neighbour_weights(
     def make() -> tuple[NDArray[np.float32], Values]:
         """Compute how much a pixel's counts tell about the charge that it gives to its neighbours.
 
-        Returns the weights of each draw, and for four directions and each bucket the variance (per
-        second) that the draws do not determine."""
+        Return the weights of each draw, and for four directions and each bucket the variance, for a
+        charge of 1 e in the frame, that the draws do not determine."""
         weights = program.weights(model).slots
         seconds = weights * program.slot_s[:, None, None]
         # The covariance of a lane's own exposures in steady light gives its draws.
@@ -409,8 +427,8 @@ def _neighbour_weights(
 
 
 def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
-    """Return the errors of words under `effects` as factors of normal numbers, (draws, buckets,
-    lanes); cached in the `program`."""
+    """Return the errors of words under `effects` as factors of normal numbers, in electrons,
+    (draws, buckets, lanes); cached in the `program`. Without such effects there are no draws."""
 
     def make() -> Values:
         """Return the standard deviations (e) of all word errors by draw, bucket and lane.
@@ -431,8 +449,11 @@ def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
 
 
 def lower_triangular(covariance: Values) -> tuple[Values, Values]:
-    """Return L and d with covariance = L diag(d) L^T: L has a unit diagonal and is lower
-    triangular. Matrices are in the first two axes; rows that depend on earlier rows have d = 0."""
+    """Return L, shape (n, n, ..), and d, shape (n, ..), with covariance = L diag(d) L^T for each of
+    the symmetric matrices in the first two axes of `covariance` (n, n, ..).
+
+    L is lower triangular with a unit diagonal. A row that depends on earlier rows up to rounding (1
+    part in 10^9) has d = 0, and 0 below it in L."""
     size = len(covariance)
     lower, variance = np.zeros_like(covariance), np.zeros_like(covariance[0])
     for a in range(size):
@@ -446,7 +467,8 @@ def lower_triangular(covariance: Values) -> tuple[Values, Values]:
 
 
 def inverse_lower(lower: Values) -> Values:
-    """Return the inverses of lower triangular matrices with unit diagonals (first two axes)."""
+    """Return the inverses of the lower triangular matrices in the first two axes of `lower` (n, n,
+    ..), whose diagonals are 1; the diagonal and what is above it are not read."""
     inverse = np.zeros_like(lower)
     for b in range(len(lower)):
         inverse[b, b] = 1.0

@@ -51,7 +51,8 @@ NO_PIXELS = NearSaturation(np.empty(0, np.int64), np.empty(0))
 def near_saturation(
     program: AnalysedProgram, light: Light, device_seed: int, effects: Selection
 ) -> NearSaturation:
-    """Return the pixels that may saturate under `effects`; cached with the light."""
+    """Return the pixels of the chip of `device_seed` that may saturate under `effects`, cached with
+    the light; none if no effect saturates."""
     if not effects.names(Saturates):
         return NO_PIXELS
     source = (effects.find_part(Moving) and light.motion) or light
@@ -65,9 +66,13 @@ def near_saturation(
 
 @dataclass(frozen=True, eq=False)
 class _Limits:
-    """For each lane the weights of slots (kinds, N, lanes) on PIX and in registers, the seconds of
-    dark charge in them (kinds, lanes), the smallest charge with which a pixel may saturate (kinds,
-    lanes), and the smallest mean charge (pixels,) that noise may raise to it."""
+    """When a pixel may saturate. A kind is a sum of charge: that on PIX first, then those in
+    registers.
+
+    `weights` (kinds, N, lanes): weights of the slots in each sum. `dark_s` (kinds, lanes): the
+    seconds whose dark charge it contains. `saturation_e` (kinds, lanes): the smallest sum with
+    which a pixel may saturate, infinite if it cannot. `mean_e` (pixels,): the smallest mean charge
+    that noise may raise to the smallest of these."""
 
     weights: SlotWeights
     dark_s: Values
@@ -78,8 +83,9 @@ class _Limits:
 def _search(
     program: AnalysedProgram, light: Light, effects: Selection, device: Device
 ) -> NearSaturation:
-    """Return the pixels that may saturate: an upper bound for all pixels selects candidates,
-    whose charge is then computed. `device` are the fixed patterns of all pixels."""
+    """Return the pixels that may saturate in `light`, possibly none. An upper bound for all pixels
+    selects candidates, whose charge is then computed. `device`: the fixed patterns of all
+    pixels."""
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
     factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
     exchanged = exchanged_fraction(effects, program)
@@ -121,12 +127,8 @@ def _search(
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
-    """Return what decides whether a pixel may saturate, for each lane of a program under
-    these effects.
-
-    The result holds the slots whose light PIX and each register sum, the dark charge's time, the
-    charge (e) at which each of them saturates, and the mean charge (e) above which noise may reach
-    the smallest of these. PIX is row 0; without effects that saturate, the charges are inf."""
+    """Return what decides whether a pixel may saturate, for each lane of `program` under these
+    effects. Without an effect that saturates PIX or registers, their limits are infinite."""
     reach = reach_of(program)
     held_weights = () if reach.held_weights is None else reach.held_weights
     weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)
@@ -139,7 +141,7 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
         registers = saturation_e if reach.held_weights is None else saturation_e[1:]
         np.minimum(registers, reach.least_e, out=registers)
     least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
-    # The smallest mean charge that noise raises to the limit.
+    # The smallest mean charge m that noise raises to the limit: m + _SIGMAS sqrt(m) = least_e.
     mean_e = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
     return _Limits(
         SlotWeights(weights), program.slot_s @ weights, saturation_e, mean_e[program.lanes]

@@ -53,8 +53,10 @@ class AnalysedProgram:
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> AnalysedProgram:
-        """Return the analysis of the program of `container` on a chip with `sensor`. Raises
-        Rejected (NS0442) if its words open no shutters."""
+        """Return the analysis of the program of `container` on a chip with `sensor`.
+
+        Raises Rejected if the program has no pixel codes (NS0741) or its words open no shutters
+        (NS0442), and ValueError for an inconsistent container."""
         check_program(container)
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
@@ -76,23 +78,26 @@ class AnalysedProgram:
 
     @remembered
     def model(self, effects: Selection) -> WeightModel:
-        """Return the weight model under some effects, at the mean leakage."""
+        """Return the parameters of weights under `effects`, at the mean leakage of the pixels;
+        remembered for each selection."""
         return WeightModel.of(effects, self.sensor)
 
     def weights(self, model: WeightModel) -> Backward:
-        """Return the weights of slots and of words' errors under a model, cached."""
-        # Models with the same weights share a result.
+        """Return the weights of slots and of words' errors under `model`; cached."""
+        # Models with the same weights share a result: decay may change nothing, and light is in a
+        # reset level only if it is collected while words run.
         decay = model.decay and self.decayed is not self.fresh
         lit_level = model.lit_level and model.dead_time
         return self._backward(replace(model, decay=decay, lit_level=lit_level))
 
     @remembered
     def _backward(self, model: WeightModel) -> Backward:
-        """Return the weights of slots and words under a model; cached."""
+        """Return the weights of slots and words under `model`, which `weights` has simplified;
+        cached."""
         return backward(self.container, self.decayed if model.decay else self.fresh, model)
 
     def buckets_overlap(self, model: WeightModel) -> bool:
-        """Return whether the charge of some slot reaches two buckets."""
+        """Return whether the charge of some slot reaches two or more buckets, in any lane."""
         return bool(((self.weights(model).slots != 0.0).sum(axis=2) > 1).any())
 
     @cached_property
@@ -102,7 +107,8 @@ class AnalysedProgram:
 
     @cached_property
     def seen_slots(self) -> NDArray[np.bool_]:
-        """Mask (N, lanes) of the slots whose charge is on PIX at some read."""
+        """Mask (N, lanes) of the slots whose charge is on PIX when a word reads it: slots with no
+        read between them and the next reset, or the end of the frame, are False."""
         container = self.container
         is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
@@ -119,18 +125,21 @@ class AnalysedProgram:
         return is_seen
 
     def device(self, device_seed: int) -> Device:
-        """Return the fixed patterns of all pixels of a chip."""
+        """Return the fixed patterns of all pixels of the chip with this seed."""
         return whole_device(self.sensor, device_seed, self.lane.size)
 
     def slot_weights(
         self, model: WeightModel, leak_rates: tuple[float, ...], products: bool
     ) -> SlotWeights:
-        """Return the weights of slots for the sums of a scene, cached: the weights of each bucket
-        at each leakage rate, after the `products` of the weights of two buckets (a <= b)."""
+        """Return the weights (sums, N, lanes) of slots for the sums of a scene; cached.
+
+        They are those of each bucket at each of the `leak_rates` (1/s), all rates of a bucket one
+        after the other. If `products` is True, the products of the weights of two buckets come
+        first: (0, 0), (0, 1), (1, 1), (0, 2) and so on."""
 
         def make() -> SlotWeights:
-            """Return the weights of each slot by lane: products of buckets, then each bucket for
-            each leak rate."""
+            """Return the weights of each slot by lane: products of buckets if wanted, then each
+            bucket for each rate of leakage."""
             weights = self.weights(model).slots
             buckets = range(weights.shape[2])
             pairs = [(a, b) for b in buckets for a in range(b + 1)] if products else []

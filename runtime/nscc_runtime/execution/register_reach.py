@@ -20,10 +20,13 @@ Values = NDArray[np.float64]
 
 _MOST_LANES = 64
 _MOST_STRETCHES = 128
+"""Largest numbers of lanes and of stretches that are followed; of more, a sample is."""
 _SIGMAS = 6.0
+"""Number of standard deviations by which noise may move a register."""
 _KINDS = 2
 """Number of kinds of register content, usually light of open slots and light subtracted later."""
 _ROUNDING = 1e-9
+"""Weights that differ by less are equal; their differences are rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,9 +49,10 @@ def reach_of(program: AnalysedProgram) -> RegisterReach:
 
 
 def _reach_of(program: AnalysedProgram) -> RegisterReach:
-    """Return the charge with which registers leave their linear range, for each lane and slot.
+    """Return the charge with which registers of `program` leave their linear range.
 
-    With many lanes or stretches, only a sample is followed, and the worst of it counts for all."""
+    With more than `_MOST_LANES` lanes or `_MOST_STRETCHES` stretches, only a sample evenly spread
+    over them is followed, and the worst of it counts for all."""
     lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in program.decayed])
@@ -59,6 +63,7 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
         return RegisterReach(
             None, np.full((1, lanes), register_reach.least.min() / register_reach.most)
         )
+    # The stretch of each slot; slots after the last word get the column of zeros that is appended.
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(
         register_reach.held_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
@@ -69,10 +74,9 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
 def _farthest(
     program: AnalysedProgram, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64]
 ) -> _RegisterReach:
-    """Run the words over the lanes `sampled_lanes`, and return the largest values that each written
-    register can hold, as weighted sums of the light.
-
-    Stretches of slots end at the boundaries `ends`."""
+    """Run the words over the lanes with the numbers `sampled_lanes`, and return how far the written
+    registers are from the ends of their linear range. Stretches of slots end at the boundaries
+    `ends`, ascending."""
     effects, sensor = everything(), program.sensor
     gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
@@ -100,8 +104,8 @@ class _RegisterState:
     column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
 
     def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
-        """Begin with all registers of these `lanes` at 0 in every one of the `stretches`, and with
-        the variance of each kind of word error."""
+        """Begin with all registers at 0, without noise, for this number of `lanes` and of
+        `stretches`. Errors of words have the variances that all effects give them together."""
         self._container, sensor, effects = program.container, program.sensor, everything()
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
@@ -116,16 +120,16 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
-        """Reset PIX where `in_lane` is true: its charge becomes 0, and its level has the variance
-        of a reset."""
+        """Reset PIX in the lanes of the mask `in_lane` (lanes,): its charge becomes 0, and its
+        reset level has the variance of a reset, independent of everything before."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
-        """Run a bus word in the lanes that the mask selects: update weights and covariance of
-        its destinations."""
+        """Run the bus word `word` in the lanes of the mask `in_lane` (lanes,): update weights and
+        covariance of its destinations."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:
@@ -144,7 +148,8 @@ class _RegisterState:
     def _write(
         self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
     ) -> None:
-        """Set `rows` to the weighted sum `total` of all rows plus independent noise."""
+        """Set the registers `rows` in the lanes `lanes` (their numbers) to the sum of all rows with
+        the weights `total` (rows,), plus noise of this `variance` (e^2), the same in all `rows`."""
         new_weights = total @ self.held_weights[lanes]
         new_covariance = total @ self.covariance[lanes]
         for row in rows:
@@ -157,10 +162,12 @@ class _RegisterState:
 
 @dataclass(eq=False)
 class _RegisterReach:
-    """The linear range of the registers that were written so far (see `RegisterReach`).
+    """The charge up to which the registers that were written so far stay in their linear range, as
+    in `RegisterReach`.
 
-    `held_weights`: shape (kinds, lanes, stretches). `error_e`: mean and spread of the fixed error.
-    """
+    `linear_e`: end of that range, in electrons. `error_e`: mean and spread of the fixed error.
+    `held_weights` (kinds, lanes, stretches): largest weights of a stretch's charge; 0 before the
+    first register. `least` (kinds, lanes): the charge in electrons; infinite before."""
 
     linear_e: float
     error_e: tuple[float, float]
@@ -175,8 +182,9 @@ class _RegisterReach:
     def add(self, lanes: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
         """Take a written register into account.
 
-        `lanes`: mask of the lanes that write it. `lit` (lanes, stretches), `fixed`: weights of
-        charge and of the fixed error in it. `sigma`: standard deviation of its noise."""
+        `lanes`: mask (lanes,) of the lanes that write it. `lit` (lanes, stretches), `fixed`
+        (lanes,): weights of charge and of the fixed error in it. `sigma` (lanes,): standard
+        deviation of its noise, in electrons."""
         mean_e, spread_e = self.error_e
         low_e, high_e = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))
         above = self.linear_e - np.maximum(low_e, high_e) - _SIGMAS * sigma

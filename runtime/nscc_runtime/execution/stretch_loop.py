@@ -35,15 +35,18 @@ class Stretches(NamedTuple):
 
     @classmethod
     def of(cls, start: Ints, boundary: Ints32, start_s: Floats) -> Stretches:
-        """Return the stretches with these boundaries."""
+        """Return the stretches of lanes. `start` (lanes + 1,): index of each lane's first boundary
+        in `boundary`; see `Stretches`. `start_s` (slots + 1,): seconds."""
+        # The last number of each lane, for no stretch, is meaningless and not read.
         seconds = np.diff(start_s[boundary], append=np.inf)
         return cls(start, boundary, 1.0 / seconds, start_s)
 
 
 class Sites(NamedTuple):
-    """The sites. `place`: on the chip. `lane`: whose stretches the site has. `factor`: of its
-    light. `dark_e_per_s`: its dark current. `beside`: the sites above, below, left and right of
-    each pixel that runs through its words, -1 beyond the border."""
+    """The sites. `place`: row * cols + col on the chip. `lane`: number of the lane whose stretches
+    the site has. `factor`: multiplies its light. `dark_e_per_s`: its dark current. `beside`: the
+    indices of the sites above, below, left and right of each pixel that runs through its words, -1
+    beyond the border."""
 
     place: Annotated[Ints, "sites"]
     lane: Annotated[Ints32, "sites"]
@@ -55,10 +58,11 @@ class Sites(NamedTuple):
 class StretchMeans(NamedTuple):
     """Means of the charge of stretches in electrons.
 
-    `lit`, `dark`: counted charge of the sites. `charge`: charge of the pixels after crosstalk.
-    `pace`: the fraction of it that is collected per microsecond of the stretch's first slot, then,
-    after the pixel's last stretch, of the last slot. `missing_e2`: the variance of neighbours'
-    counts that the counts of their own stretches do not determine."""
+    `lit`, `dark` (stretches, sites): counted charge of the sites. `charge` (stretches, pixels):
+    charge of the pixels after crosstalk. `pace` (stretches + 1, pixels): the fraction of it that is
+    collected per microsecond of the stretch's first slot, then, after the pixel's last stretch, of
+    the last slot. `missing_e2` (stretches, pixels): the variance (e^2) of neighbours' counts that
+    the counts of their own stretches do not determine. An array that is not needed is (1, 1)."""
 
     lit: Written[Floats]
     dark: Written[Floats]
@@ -92,8 +96,9 @@ class Laying:
 def _light_of_slot(
     sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
 ) -> float:
-    """Return the mean light of a slot at a site, in electrons; the slot has the entries `start` to
-    `stop` - 1 of the light."""
+    """Return the mean light of a slot at the site of index `site`, in electrons, between 0 and
+    `sizes.rate_cap`, or NaN. The slot is the weighted sum of the frames of `light` in its entries
+    `start` to `stop` - 1."""
     total, place = 0.0, sites.place[site]
     for k in range(start, stop):
         at = light.frame_index[k] * sizes.pixels + place
@@ -109,8 +114,9 @@ def _light_of_slot(
 def _exchanged(
     sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
 ) -> float:
-    """Return the light of slots `start` to `stop` - 1 that pixel `i` collects after crosstalk, in
-    electrons; `own` is its light before."""
+    """Return the light of one slot that pixel `i` collects after crosstalk, in electrons. `own` is
+    its light before. The slot has the entries `start` to `stop` - 1 of `light`. A neighbour beyond
+    the border neither gives nor takes."""
     flow = 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
         other = sites.beside[NEIGHBOURS * i + side]
@@ -139,8 +145,11 @@ def light_means(
     added: Written[Floats],
     means: StretchMeans,
 ) -> None:
-    """Compute the light of sites and pixels in their stretches; `means` is 0 before. `pace` is set
-    to the light of the first slot of each stretch, then of the last slot.
+    """Compute the light of the sites order[begin : end] in their stretches, in electrons.
+
+    `means` is 0 before. Its `lit` gets the light of sites, `charge` that of pixels after crosstalk,
+    and `pace` the light of the first slot of each stretch, then of the last slot, until
+    `charge_means` converts it.
 
     Sites are taken some at a time, in the `order` of their places: neighbours share cache lines of
     every frame. The stretch of each of them (`reached`), and the light in it (`added`), are working
@@ -166,6 +175,7 @@ def light_means(
                     for e in range(last + 1 if is_slow else 0):
                         means.pace[e * sizes.own + i] = total
                     continue
+                # Slot n begins a stretch; `reached` is -1 before the first, at boundary 0.
                 if stretches.boundary[start + reached[j] + 1] == n:
                     if n > 0:
                         _store(sizes, means, reached[j], i, added[j], added[total_at])
@@ -185,8 +195,9 @@ def light_means(
 def _add_missing(
     sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
 ) -> None:
-    """Add to the variance in the stretches of pixel i what the counts of a neighbour's own
-    stretches do not determine of its counts."""
+    """Add to `means.missing_e2` of pixel i, for each of its stretches, the variance of the counts
+    of its neighbour, the site `other`, in that stretch that the counts of the neighbour's own
+    stretches do not determine."""
     boundary, times, at_s = stretches.boundary, stretches.start_s, 0.0
     first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
     e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
@@ -205,7 +216,8 @@ def _add_missing(
 
 @loop
 def dark_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
-    """Compute the means of the counted dark charge of sites in their stretches."""
+    """Set `means.dark` to the means of the counted dark charge of the sites begin to end - 1 in
+    their stretches, in electrons."""
     for i in range(sizes.begin, sizes.end):
         first = stretches.start[sites.lane[i]]
         for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
@@ -216,8 +228,9 @@ def dark_means(sizes: Laying, stretches: Stretches, sites: Sites, means: Stretch
 
 @loop
 def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
-    """Complete the means of pixels, from light: add dark charge to `charge`, convert `pace`, and
-    compute `missing_e2`."""
+    """Complete the means of the pixels begin to end - 1, which contain light (`light_means`): add
+    dark charge to `charge`, convert `pace` from electrons to fractions per microsecond, and add up
+    `missing_e2`."""
     times = stretches.start_s
     for i in range(sizes.begin, sizes.end):
         flow = 0.0
@@ -249,7 +262,9 @@ def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: Stret
 
 @record
 class Exchanging:
-    """Sizes for `exchange_counts`: pixels `begin` to `end` - 1, in `rows` stretches at most."""
+    """Sizes for `exchange_counts`: pixels `begin` to `end` - 1 of `pixels`, with at most `rows`
+    stretches each. `exchanged`: the fraction of its charge that a pixel gives to each
+    neighbour."""
 
     begin: int
     end: int
@@ -272,8 +287,9 @@ def _receive(
     other: int,
     charge: Floats,
 ) -> None:
-    """Add to the charge of pixel i what it receives from a neighbour, whose counts are spread
-    evenly over the time of its own stretches."""
+    """Add to the charge of pixel i in each of its stretches what it receives from its neighbour,
+    the site `other`: a fraction of the deviations `away` (stretches, sites) of the neighbour's
+    counts, which are spread evenly over the time of the neighbour's own stretches."""
     boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged
     e, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
     end, own, theirs = stretches.start[sites.lane[i] + 1] - 1, i, other
@@ -303,8 +319,11 @@ def exchange_counts(
     drawn: Written[Floats],
     charge: Written[Floats],
 ) -> None:
-    """Set the charge of the stretches of pixels from the deviations `away` of the counts of sites
-    from their means. `drawn` is working memory for `BLOCK` pixels."""
+    """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame: the
+    means `mean_e` plus the deviations `away` (stretches, sites) of counts from their means, after
+    crosstalk.
+
+    `missing_e2`: see `StretchMeans`. `drawn` is working memory for `BLOCK` pixels."""
     pixels, c = exchanging.pixels, exchanging.exchanged
     for first in range(exchanging.begin, exchanging.end, BLOCK):
         count = min(BLOCK, exchanging.end - first)
@@ -318,6 +337,7 @@ def exchange_counts(
             drawn_normals(key, sites.place, first, count, drawn)
             for i in range(count):
                 charge[own + i] += c * math.sqrt(missing_e2[own + i]) * drawn[i]
+        # Without crosstalk the range is empty.
         for i in range(first, first + count if c > 0.0 else first):
             neighbours = 0
             for side in range(NEIGHBOURS):

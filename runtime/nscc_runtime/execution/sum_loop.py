@@ -34,10 +34,11 @@ TOGETHER = 4
 
 @record
 class SceneSizes:
-    """The size of the frames, and the rows `begin` to `end` - 1 to process.
+    """The size of the frames, and the rows `begin` to `end` - 1 to process. `count`: number of
+    frames. `lane_count`: number of lanes.
 
-    Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's light moves to
-    each neighbour."""
+    Of the `sums` sums, those from number `smeared` on use light after crosstalk; `fraction` of a
+    pixel's light moves to each neighbour."""
 
     begin: int
     end: int
@@ -62,8 +63,11 @@ def _moved(
     right_step: int,
     c: np.float32,
 ) -> np.float32:
-    """Return the light of pixel p of a frame after crosstalk. The steps are index differences to
-    its neighbours."""
+    """Return the light of pixel p of a frame after crosstalk, where `share` is a factor on the
+    light of each pixel, and `c` the part that moves to each neighbour.
+
+    `frame`: index in `frames` of the frame's first pixel. The steps are the differences of index to
+    the four neighbours; 0 at a border, so that the pixel itself stands for a missing neighbour."""
     own_light = share[p] * frames[frame + p]
     four = (
         share[p + up_step] * frames[frame + p + up_step]
@@ -86,8 +90,11 @@ def _smear(
     lit: Floats32,
     at: int,
 ) -> None:
-    """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame. The
-    border reflects. All pixels belong to one row."""
+    """Set lit[at + i] to q + fraction laplacian(q) at pixel first + i, where q = share * frame.
+
+    `frame`: index in `frames` of the frame's first pixel. Pixels `first` to `stop` - 1, at least
+    one, belong to one row. A neighbour beyond the border counts as equal to the pixel, so no light
+    is lost there."""
     cols, c = sizes.cols, np.float32(sizes.fraction)
     row = first // cols
     up_step = -cols if row > 0 else 0
@@ -107,7 +114,10 @@ def _smear(
 def _gather(
     source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
 ) -> None:
-    """Add the light at first + i of `count` frames, `step` apart, to gathered[i]."""
+    """Add the light of pixel first + i of `count` frames to gathered[i], up to pixel `stop` - 1.
+
+    `at`: index in `source` of pixel 0 of the first frame; each further frame begins `step` later.
+    """
     for k in range(0, count - count % TOGETHER, TOGETHER):
         frame = at + k * step
         for p in range(first, stop):
@@ -134,9 +144,10 @@ def _gather_smeared(
     gathered: Floats,
 ) -> None:
     """Add the light of frames `k` to k + count - 1 after crosstalk to gathered[:stop - first], for
-    pixels `first` to `stop` - 1.
+    pixels `first` to `stop` - 1 of one row.
 
-    `share` is the charge that each pixel exchanges; `lit` is scratch memory."""
+    `share`: a factor on the light of each pixel. `lit` is working memory for `TOGETHER` times
+    `BLOCK` pixels."""
     pixels = sizes.rows * sizes.cols
     for first_frame in range(0, count, TOGETHER):
         together = min(TOGETHER, count - first_frame)
@@ -165,8 +176,9 @@ def _add_alike(
     """Add frames `k` to k + alike - 1, which have equal weights, to all sums `out`, for pixels
     `first` to `stop` - 1.
 
-    `table` has the weight of each sum, frame and lane; `lit_sums` says which sums contain a frame.
-    `lit` and `gathered` are scratch memory."""
+    `table` (sums, count, lanes): the weights. `lit_sums` (sums, count): 1 if a sum contains a
+    frame. `lanes`: the lane of each pixel. `share`: see `_moved`. `lit` and `gathered` are working
+    memory."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
@@ -204,11 +216,12 @@ def scene_sums(
 ) -> None:
     """Set out[j, p] to the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
 
-    The frames are read once for all sums. Products and sums are float64; light after crosstalk is
-    float32. `share`: `scale` in float32, for sums with crosstalk. `lit_sums`: whether any lane has
-    a nonzero weight. `alike`: number of consecutive frames from frame k on with equal weights;
-    these are added up before they are weighted. `lit` and `gathered` are working memory for
-    `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
+    For the sums j from number `sizes.smeared` on, scale * frames is the light after crosstalk; it
+    is computed in float32 with `share`, which is `scale` in float32. All other products and sums
+    are float64. The frames are read once for all sums. `lit_sums`: whether any lane has a nonzero
+    weight. `alike`: number of consecutive frames from frame k on with equal weights; these are
+    added up before they are weighted. `lit` and `gathered` are working memory for `TOGETHER` times
+    `BLOCK` pixels and for `BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):
@@ -247,8 +260,9 @@ _MOST_KEPT = 1 << 21
 
 @dataclass(frozen=True, eq=False)
 class FrameWeights:
-    """Weights (sums, frames, lanes) of frames of light, for all lights with the same timing.
-    `frame_weight` (frames,): total weight of each frame."""
+    """Weights (sums, frames, lanes) of frames of light, for all lights with the same `timing`
+    (`Light.timing`). `frame_weight` (frames,): how much each frame of light weighs in all slots
+    together."""
 
     timing: Hashable
     weights: NDArray[np.float64]
@@ -256,7 +270,8 @@ class FrameWeights:
 
     @classmethod
     def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> FrameWeights:
-        """Convert weights (N, lanes) of slots to weights of the frames of a light."""
+        """Convert the weights `slots`, one array (N, lanes) for each sum, at least one, to weights
+        of the frames of `light`."""
         flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
         by_frame = light.on_frames(flat).reshape(-1, len(slots), slots[0].shape[1])
         return cls(light.timing, np.ascontiguousarray(by_frame.swapaxes(0, 1)), light.frame_weight)
@@ -268,7 +283,8 @@ class FrameWeights:
 
     @cached_property
     def alike(self) -> NDArray[np.int64]:
-        """The number of frames with equal weights in a row from each frame on, shape (frames,)."""
+        """For each frame, how many successive frames from it on have the same weights in all sums
+        and lanes, (frames,); at least 1, the frame itself."""
         count = self.weights.shape[1]
         differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
         ends = np.append(np.flatnonzero(differs) + 1, count)
@@ -277,18 +293,19 @@ class FrameWeights:
 
     @cached_property
     def most_part(self) -> NDArray[np.float64]:
-        """Largest weight (lanes,) of a frame, as a fraction of the frame's total weight."""
+        """The largest weight of a frame in any sum, as a fraction of the frame's total weight, for
+        each lane, (lanes,); 0 for frames without weight."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
         np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
         return np.asarray(fractions.max(axis=(0, 1)))
 
 
 class SlotWeights:
-    """One or more weights (N, lanes) of slots. The weights of the last light's frames are cached,
-    because series of frames have the same timing."""
+    """The weights of slots in one or more sums, each an array (N, lanes). The weights of the last
+    light's frames are cached, because series of frames have the same timing."""
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
-        """Store the weights (N, lanes) of each sum."""
+        """Store the weights `slots`, an array (N, lanes) for each sum; at least one sum."""
         self.slots = [*slots]
         self._last: FrameWeights | None = None
 
@@ -298,8 +315,8 @@ class SlotWeights:
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
-        """Return these weights of slots as weights of the frames of `light`; the last result is
-        cached."""
+        """Return these weights of slots as weights of the frames of `light`. The last result is
+        cached for lights of the same timing, unless it is large (`_MOST_KEPT`)."""
         last = self._last  # other threads may replace it
         if last is None or last.timing != light.timing:
             last = FrameWeights.of(light, self.slots)
@@ -308,8 +325,8 @@ class SlotWeights:
         return last
 
     def batches(self, light: Light) -> Iterator[tuple[slice, FrameWeights]]:
-        """Yield these weights, converted to frames of `light`, in batches that fit into memory,
-        each with its slice of the weights."""
+        """Yield these weights, converted to frames of `light`, in batches of sums that fit into
+        memory, at least one sum each: the slice of sums, and their weights."""
         room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
         if room >= len(self.slots):
             yield slice(0, len(self.slots)), self.of_frames(light)
@@ -328,13 +345,15 @@ def light_sums(
     fraction: float,
     threads: int = 1,
 ) -> NDArray[np.float64]:
-    """Return the sums (weights, pixels) of a light's slots, each weighted by slot and lane.
+    """Return the sums (sums, pixels) of a light's slots, in electrons, each weighted by slot and
+    lane.
 
     `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
-    and in float32. Sums from number `smeared` on use light after crosstalk; `fraction` of a pixel's
-    light moves to each neighbour. Results do not depend on `threads`. Raises ValueError for a lane
-    without weights."""
+    and in float32; the latter may be empty if no sum has crosstalk. Sums from number `smeared` on
+    use light after crosstalk; `fraction` of a pixel's light moves to each neighbour. Results do not
+    depend on `threads`. Raises ValueError for a lane without weights."""
     shape, count = light.shape, len(weights.slots)
+    # Seen as unsigned, a negative lane is a large number: one comparison finds both faults.
     if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")
     out = np.empty((count, *shape))
@@ -364,7 +383,8 @@ def light_sums(
         def run(
             begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
         ) -> None:
-            """Add up the light of pixels `begin` to `end` with the weights of their codes."""
+            """Add up the light of the rows from `begin` up to before `end` with the weights of
+            their lanes. The defaults bind the arrays of this batch."""
             lit = np.empty(TOGETHER * BLOCK, np.float32)
             gathered = np.empty(BLOCK)
             scene_sums(
@@ -379,6 +399,7 @@ def light_sums(
 
 
 def light_at(light: Light, places: NDArray[np.int64]) -> Light:
-    """Return the light of the pixels at `places` as a scene with one row."""
+    """Return the light of the pixels at `places`, row * cols + col, as a light with one row, in
+    this order. It has no motion of its own: a light that moves is chosen before."""
     frames = light.frames.reshape(len(light.frames), -1).take(places, axis=1)
     return replace(light, frames=frames[:, None], motion=None)

@@ -24,9 +24,11 @@ SUMS, COUNTS, ERRORS = 0, 1, 2
 def draw_exposures(
     moments: Moments, lane: NDArray[np.int32], seed: int, frame: int, threads: int
 ) -> Values:
-    """Return the exposures (buckets, pixels) of a frame.
+    """Return the exposures of frame number `frame`, in electrons, (buckets, pixels), drawn from the
+    moments of its scene without saturation.
 
-    `lane` (rows, cols): the lane of each pixel. Results do not depend on `threads`."""
+    `lane` (rows, cols): the lane of each pixel. `seed`: of the noise. Results do not depend on
+    `threads`."""
     (rows, cols), (buckets, pixels) = lane.shape, moments.mean_e.shape
     places = np.arange(pixels, dtype=np.int64)
     away = np.empty((0, pixels))
@@ -49,7 +51,7 @@ def draw_exposures(
     exposure = np.empty((buckets, pixels))
 
     def run(begin: int, end: int) -> None:
-        """Draw the exposures of pixels `begin` to `end` from their moments."""
+        """Draw the exposures of the rows from `begin` up to before `end` into `exposure`."""
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
             noise_keys=np.array(noise_keys, np.uint64),

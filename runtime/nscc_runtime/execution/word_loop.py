@@ -35,14 +35,15 @@ def begin(switches: Switches, state: PixelState, i: int) -> None:
         at = register * BLOCK + i
         state.value[at], state.since_s[at] = 0.0, 0.0
         state.lost_e[at], state.full[at] = 0.0, 0
+    # PIX was reset before the frame: words at time 0 must not see a fresh reset.
     state.since_s[switches.registers * BLOCK + i] = -1.0
     state.level[i] = 0.0
 
 
 @inlined
 def fill(switches: Switches, numbers: Numbers, state: PixelState, at: int, charge_e: float) -> None:
-    """Add `charge_e` electrons to the PIX at index `at`; if wells are limited, PIX stops at the
-    full well and is marked as saturated."""
+    """Add `charge_e` electrons to the PIX at index `at` of state.value; NaN makes it NaN. If the
+    effect of the full well is on, PIX stops at the full well and is marked as full."""
     total = state.value[at] + charge_e
     if switches.holds and total > numbers.well:
         total = numbers.well
@@ -54,8 +55,9 @@ def fill(switches: Switches, numbers: Numbers, state: PixelState, at: int, charg
 def reset(
     switches: Switches, numbers: Numbers, word: LoopWord, count: int, state: PixelState
 ) -> None:
-    """Reset PIX of the pixels state.running[:count] at the time of `word`; with reset errors, the
-    error of pixel number j is made from state.normals[j]."""
+    """Run the reset word `word` in the pixels state.running[:count]: empty PIX, clear its marks,
+    note the time, and set the reset level to its error, that of pixel number j from
+    state.normals[j], or to 0 without reset errors."""
     for j in range(count):
         i = state.running[j]
         at = switches.registers * BLOCK + i
@@ -74,8 +76,12 @@ def add(
     program: LoopProgram,
     state: PixelState,
 ) -> None:
-    """Set the totals of `state` to the sum of a word's sources, their losses and their marks; the
-    error of a read is state.normals[j]."""
+    """Set state.total, total_lost_e and total_full to the sum of a word's sources, of their lost
+    electrons, and to the OR of their marks, for the pixels state.running[:count].
+
+    Registers leak until the word. A read of PIX adds its reset level and an error made from
+    state.normals[j]. Directly after a reset at the same boundary, PIX reads without its charge,
+    unless light is let into the level."""
     pixels, total, pix = state.running, state.total, switches.registers
     for j in range(count):
         total[j], state.total_lost_e[j], state.total_full[j] = 0.0, 0.0, 0
@@ -86,6 +92,7 @@ def add(
                 noise = numbers.read_error * state.normals[j] if switches.read_errors else 0.0
                 at = pix * BLOCK + pixels[j]
                 charge, full = state.value[at], state.full[at]
+                # PIX was reset at this boundary.
                 if state.since_s[at] == word.time_s:
                     full = full | LEVEL if switches.lit_level and full else 0
                     charge = charge if switches.lit_level else 0.0
@@ -113,8 +120,9 @@ def add(
 def compare(
     switches: Switches, numbers: Numbers, count: int, state: PixelState, normals: int
 ) -> None:
-    """Add the comparator's offset and noise to state.total[:count]; the noise of pixel number j is
-    made from state.normals[normals + j]."""
+    """Add the comparator's offset and noise to state.total[:count], as far as these effects are on;
+    the noise of pixel number j is made from state.normals[normals + j]. The caller compares with
+    0."""
     if switches.compares_off:
         for j in range(count):
             state.total[j] += state.offset[state.running[j]]
@@ -133,8 +141,11 @@ def write(
     state: PixelState,
     normals: int,
 ) -> None:
-    """Write a bus word's result to its destinations d, each with the error
-    state.normals[normals + d * BLOCK + j]."""
+    """Write -(state.total) / divisor to the destinations of a bus word in the pixels
+    state.running[:count], with the marks and losses of its sources.
+
+    With errors of words, the result has the word's gain and an error, for destination d made from
+    state.normals[normals + d * BLOCK + j]. With soft registers it is bent into their range."""
     if switches.holds:
         for j in range(count):
             # A bus word negates, so added and subtracted are exchanged.
@@ -174,8 +185,9 @@ def read_out(
     out: Floats,
     marked: Bytes,
 ) -> None:
-    """Read out the pixels of a block into `out` (electrons) and `marked` (saturation marks): pixel
-    i of the block is number chosen[first + i] of `pixels`."""
+    """Read out the first `count` pixels of a block into `out` (electrons) and `marked` (saturation
+    marks), both (buckets, pixels), flat. Pixel i of the block is number chosen[first + i] of the
+    `pixels` pixels there. Registers leak until their readout."""
     for bucket in range(switches.buckets):
         gain = readouts.gain[bucket]
         negative = gain < 0.0
@@ -193,5 +205,5 @@ def read_out(
             if state.full[at] & LEVEL:
                 mark |= switches.level_bit
             place = bucket * pixels + chosen[first + i]
-            out[place] = value + 0.0
+            out[place] = value + 0.0  # -0 + 0 is +0
             marked[place] = np.uint8(mark)

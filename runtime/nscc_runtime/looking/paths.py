@@ -31,7 +31,8 @@ MOST = 1 << 21
 
 
 class Pathless(Exception):
-    """The reason why the paths of a program cannot be followed."""
+    """Raised where the paths of a program cannot be followed; its text is the reason, without a
+    final stop."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,8 +55,11 @@ class Paths:
 
     @classmethod
     def of(cls, container: Container, retention_us: float = inf) -> Paths:
-        """Return the paths of a container with a state machine. Raises Pathless if they cannot be
-        followed. A digital register reads 0 if no word wrote it for more than `retention_us`."""
+        """Return the paths of a container with a state machine.
+
+        A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Pathless
+        if there are too many paths, or if an answer, a state or an exposure depends on an unknown
+        bit or on the frame before."""
         by_node, nodes = start_bits(container), int(container.machine.first[1])
         bits = np.array([*by_node.values()], np.int8).reshape(-1, nodes)
         # All combinations of bits with which a frame can start, by loaded register.
@@ -66,7 +70,8 @@ class Paths:
 
     @cached_property
     def _packed(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """The bits of the starts as ascending numbers, and the first segment of each."""
+        """The bits of each start as one number (see the function `_packed`), ascending, and the
+        first segment of each, both (starts,)."""
         numbers = _packed(self.starts, (len(self.first),))
         order = np.argsort(numbers)
         return numbers[order], self.first[order]
@@ -74,11 +79,13 @@ class Paths:
     def begins(
         self, loaded: Mapping[str, NDArray[Any]], shape: tuple[int, ...]
     ) -> NDArray[np.int64]:
-        """Return the first segment of pixels of a `shape` with the `loaded` bits. Raises ValueError
-        for bits that belong to no code and no kept state."""
+        """Return the first segment, or -1 - e for ending e, of each pixel of an array of `shape`.
+        `loaded`: bits by register, each an array of this shape; those of all `starts` are needed.
+        Raises ValueError for bits that no code and no kept state has."""
         numbers, first = self._packed
         loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
+            # The usual case, without a search; a start without registers has the number 0 too.
             at = np.zeros(shape, np.intp)
         else:
             at = np.minimum(np.searchsorted(numbers, loaded_numbers), len(numbers) - 1)
@@ -89,8 +96,9 @@ class Paths:
 
 @OfContainer
 def paths_of(container: Container, retention_us: float) -> Paths | str:
-    """Return the paths of a container with a state machine, or a text with the reason why there are
-    none. Digital registers keep their values for `retention_us`."""
+    """Return the paths of a container with a state machine, or the reason of `Pathless` as a text
+    if they cannot be followed; cached. Digital registers keep their values for `retention_us`
+    microseconds."""
     try:
         return Paths.of(container, retention_us)
     except Pathless as why:
@@ -98,7 +106,8 @@ def paths_of(container: Container, retention_us: float) -> Paths | str:
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
-    """Return for each pixel of `shape` the bits of its registers as one number."""
+    """Return for each pixel of an array of `shape` its `bits`, arrays by register, as one number:
+    bit k is that of the k-th register in alphabetical order. Without registers it is 0."""
     numbers = np.zeros(shape, np.int64)
     for k, name in enumerate(sorted(bits)):
         numbers |= bits[name].astype(np.int64) << k
@@ -106,8 +115,11 @@ def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray
 
 
 def start_bits(container: Container) -> dict[str, Bits]:
-    """Return the bits (nodes,) at the start of a frame in each node of the machine's first stage,
-    by loaded register: codes and kept states."""
+    """Return the bits with which a frame can start, by loaded register in alphabetical order:
+    registers of codes and of kept states.
+
+    Each array has a bit, 0 or 1, for each node of the state machine's first stage: a combination of
+    a code's behaviour and of values of states."""
     machine = container.machine
     nodes = np.arange(machine.first[1])
     encoding = container.encoding[machine.behaviour[nodes]]
@@ -128,10 +140,10 @@ class _PathReplay:
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
-        """Begin with one path segment for each combination of bits in `starts`, the known registers
-        at the start of a frame.
+        """Begin with one lane and one segment for each combination of bits in `starts`: bits
+        (starts,) of the registers known at the start of a frame. All others are unknown.
 
-        A register forgets its bit `retention_us` microseconds after it was written."""
+        A register reads 0 more than `retention_us` microseconds after it was written."""
         self.container, self.target = container, container.target
         self.starts = self.segments = len(next(iter(starts.values()))) if starts else 1
         unknown = np.full(self.starts, UNKNOWN)
@@ -147,7 +159,8 @@ class _PathReplay:
         self.size = 0
 
     def run(self) -> tuple[RunningWord, ...]:
-        """Replay all words and return the analog ones, which the compiled loop executes."""
+        """Replay all words of a frame, and return the analog ones in order, which the compiled loop
+        executes. Raises Pathless if the paths cannot be followed. Call it once."""
         start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
         words: list[RunningWord] = []
         for word in running_words(self.container):
@@ -160,7 +173,9 @@ class _PathReplay:
         return tuple(words)
 
     def distinct_endings(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
-        """Return the endings as bits (endings,) by state register, and the ending of each lane."""
+        """Return the different endings after `run`, as bits (endings,) by state register, and the
+        number of the ending of each lane, (lanes,). Raises Pathless if the bit of a state is
+        unknown."""
         planes = self.container.state_planes.values()
         names = sorted({register for state_planes in planes for register in state_planes.registers})
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
@@ -171,9 +186,9 @@ class _PathReplay:
         return dict(zip(names, endings, strict=True)), ending.reshape(-1)
 
     def _met(self, word: RunningWord) -> None:
-        """Record in which segments an analog word acts; a comparison divides the segments.
-
-        Raises Pathless if there are too many."""
+        """Record in which segments the analog word `word` acts; a comparison continues each in new
+        segments. Raises Pathless if words times lanes exceed `MOST`, or if it is unknown whether a
+        comparison acts."""
         flag = self.registers.read("FLAG")
         everywhere = (word.resets and self.target.reset_honours_flag == "no") or (
             word.compares and not self.target.where_obeys_flag
@@ -187,8 +202,9 @@ class _PathReplay:
             self._answered(acts)
 
     def _answered(self, is_asked: Bits) -> None:
-        """Continue every lane with the answer 0, and also with the answer 1 where `is_asked` is 1.
-        Raises Pathless if `is_asked` is unknown in a lane."""
+        """Continue every lane with the answer 0, and also with the answer 1 where `is_asked`
+        (lanes,) is 1. The answer is written to FLAG, lanes with equal bits are merged, and each
+        remaining one begins a new segment. Raises Pathless if `is_asked` is unknown in a lane."""
         if (is_asked == UNKNOWN).any():
             raise Pathless("a comparison is made where FLAG is unknown")
         all_lanes = np.arange(len(is_asked))
@@ -218,7 +234,10 @@ def _alive(
     It goes backwards through the segments: a word counts only if it writes a register that a later
     word or the readout reads (a live register). A comparison counts only if its answers lead to
     different segments. Sets of registers are integers with a bit for each register. A segment
-    number below 0 stands for an ending (see `_by_segment`)."""
+    number of -1 - k stands for ending k.
+
+    `words`: all analog words of a frame. `walk`: their finished replay. `starts`: see `Paths`.
+    Raises Pathless if an exposure depends on an unknown bit or on registers of the frame before."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
     reads = [_together(registers, word.sources) for word in words]
     writes = [
@@ -235,6 +254,7 @@ def _alive(
         no, yes = (leads_to[n] if n >= 0 else n for n in following[segment].tolist())
         alive = last if no < 0 else live[no]
         chosen: list[int] = []
+        # From the last word to the first: `alive` are the registers that are read later.
         for number, acts in reversed(passed[segment]):
             if words[number].compares:
                 if no == yes:
@@ -270,17 +290,19 @@ def _alive(
 
 
 def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
-    """Return a set of registers as bits of a number; IN is ignored."""
+    """Return the set of the registers `names` as a number: the sum of their bits in `registers`. A
+    name that has none, such as IN, is ignored; a repeated name counts once."""
     return sum({registers[name] for name in names if name in registers})
 
 
 def _by_segment(
     walk: _PathReplay, ending: NDArray[np.intp]
 ) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
-    """Return for each segment its words with whether they act in it, and the next segment for each
-    answer.
+    """Return for each segment its analog words as pairs (number of the word, whether it acts: 0, 1
+    or UNKNOWN) in order, and the next segments (segments, 2) for the answers 0 and 1.
 
-    A negative number -1 - k stands for ending k instead of a segment."""
+    `ending` (lanes,): the ending of each lane after the frame. A number -1 - k stands for ending k
+    instead of a segment. Where no comparison acts, both answers lead to the same."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
         for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):
@@ -289,6 +311,7 @@ def _by_segment(
     for before, answer, leads in walk.following:
         following[before, answer] = leads
         if answer == 0:
+            # Replaced by the next entry where the answer 1 is possible.
             following[before, 1] = leads
     following[walk.segment] = -1 - ending[:, None]
     return passed, following

@@ -38,15 +38,17 @@ from nscc_runtime.sensor import default_sensor
 class ArrayContents:
     """The contents of registers after the words, by name.
 
-    `register`: analog registers (rows, cols) in electrons. `cut_by`: their saturation marks.
-    `planes`: digital registers (rows, plane words)."""
+    `register`: analog registers (rows, cols) in electrons. `cut_by`: their saturation marks, also
+    (rows, cols), 0 where nothing saturated. `planes`: digital registers (rows, words of 64 pixels),
+    as `unpacked` reads them."""
 
     register: Mapping[str, NDArray[np.float64]]
     cut_by: Mapping[str, NDArray[np.uint8]]
     planes: Mapping[str, NDArray[np.uint64]]
 
     def bit(self, name: str) -> NDArray[np.bool_]:
-        """Return a digital register (rows, cols)."""
+        """Return the digital register called `name`, such as `R3`, as bits (rows, cols). Raises
+        KeyError for other names."""
         return unpacked(self.planes[name], next(iter(self.register.values())).shape[1])
 
     def hold(self, seconds: float) -> None:
@@ -54,11 +56,13 @@ class ArrayContents:
 
 
 class PictureWords:
-    """Words in their order, each with its steps of IN or None, prepared for arrays of a target."""
+    """Words in the order of execution, prepared for arrays of a target. They may be run any number
+    of times."""
 
     def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
-        """Translate words to tables for the compiled loop; each word has the value of IN set before
-        it."""
+        """Translate `words` to tables for the compiled loop. Each is an operation and the value of
+        IN set before it, in steps of `target.electrons_per_step`; None leaves IN as it was, at
+        first 0."""
         self._target, self._table = target, ArrayWords(target)
         in_e, words_with_in = 0.0, list[tuple[Op, float]]()
         for op, level in words:
@@ -74,10 +78,11 @@ class PictureWords:
         exposed_by: Mapping[str, NDArray[np.uint8]],
         code: Mapping[str, NDArray[np.bool_]],
     ) -> ArrayContents:
-        """Return the contents of registers after the words.
+        """Return the contents of registers after the words, for an array of `shape` (rows, cols).
 
-        Before the words, registers hold `exposed` (electrons) with the marks `exposed_by`, and the
-        bits of `code`, all (pixels,). All other registers hold 0."""
+        Before the words, analog registers hold `exposed` (electrons) with the saturation marks
+        `exposed_by`, which has the same names; digital registers hold the bits `code`. All map the
+        name of a register to an array (pixels,), row after row. Other registers hold 0."""
         (rows, cols), table, names = shape, self._table, self._target.analog_registers
         length, last, digital = cols + 1, len(names) * (rows + 1), table.digital
         array = table.shape(rows, cols, length, len(names), RANGE_BIT)
@@ -101,6 +106,7 @@ class PictureWords:
             values=values,
             marks=marks,
             planes=planes,
+            # An array of one number, because the loop sets it to 1 when the first value saturates.
             marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
         )
         return ArrayContents(register, cut_by, dict(zip(digital, planes, strict=True)))
@@ -112,8 +118,10 @@ Planes = dict[str, NDArray[np.bool_]]
 
 
 class KeptRegisters(Record, eq=False):
-    """What registers keep from frame to frame, by register: bits of states and input planes, and
-    the electrons and saturation marks of kept images, all (pixels,)."""
+    """What registers keep from frame to frame, all by name of a register and (pixels,).
+
+    `bits`: the bits of states and input planes. `images`, `marks`: the electrons and the saturation
+    marks of kept images; both have the same names."""
 
     bits: Planes
     images: Mapping[str, NDArray[np.float64]] = MappingProxyType({})
@@ -121,8 +129,8 @@ class KeptRegisters(Record, eq=False):
 
     @classmethod
     def at_start(cls, container: Container) -> KeptRegisters:
-        """Return the registers that the host loads before the first frame: kept bits, input
-        planes, kept images."""
+        """Return the registers that the host loads before the first frame: kept states, input
+        planes and kept images with their declared starts, without saturation marks."""
         pictures, target = container.pictures, container.target
         shape, registers = (target.rows, target.cols), pictures.registers
         bits = {
@@ -131,13 +139,15 @@ class KeptRegisters(Record, eq=False):
         }
         images, marks = {}, {}
         for image in pictures.kept_images:
+            # The words compute some images with the opposite sign; their registers begin with it.
             sign = -1 if image.name in pictures.negated else 1
             images[registers[image.name]] = np.full(target.rows * target.cols, sign * image.start_e)
             marks[registers[image.name]] = np.zeros(target.rows * target.cols, np.uint8)
         return cls(bits, images, marks)
 
     def with_inputs(self, container: Container, inputs: Mapping[str, Any]) -> KeptRegisters:
-        """Return the registers after the host has loaded other bits (rows, cols) by name."""
+        """Return the registers after the host has loaded `inputs`: bits (rows, cols) by name of an
+        input plane. Planes that are not named keep their bits. The caller has checked the names."""
         registers = container.pictures.registers
         loaded = {registers[name]: bits.reshape(-1) for name, bits in inputs.items()}
         return replace(self, bits=self.bits | loaded) if loaded else self
@@ -145,9 +155,10 @@ class KeptRegisters(Record, eq=False):
 
 @dataclass(frozen=True, eq=False)
 class PicturedProgram:
-    """A container with images and planes, prepared for a sensor and a set of effects. `threads`:
-    number of threads (None: all processors); results do not depend on it. `by_words`: exposures
-    with effects are simulated by the reference."""
+    """A container with images and planes, prepared for a sensor and a set of effects.
+
+    `threads`: number of threads (None: all processors); results do not depend on it. `by_words`:
+    whether the reference simulates exposures with effects, instead of the faster loops."""
 
     container: Container
     sensor: Sensor
@@ -173,7 +184,9 @@ class PicturedProgram:
         count: int,
         settings: Sequence[HostSetting] = (),
     ) -> Iterator[Frame]:
-        """Yield frames 0 to `count` - 1 of one light; states go on from frame to frame."""
+        """Yield frames 0 to `count` - 1 of one light, like `film` with the same light `count`
+        times: `seed` is that of the noise, `device_seed` that of the chip, `settings` what the host
+        sets before each frame."""
         return self.film(repeat(light, count), seed, device_seed, settings)
 
     def film(
@@ -183,19 +196,23 @@ class PicturedProgram:
         device_seed: int,
         settings: Sequence[HostSetting] = (),
     ) -> Iterator[Frame]:
-        """Yield a frame of each light; states go on from frame to frame.
+        """Yield a frame of each light; states and kept images go on from frame to frame.
 
-        `settings`: what the host sets before each frame; the last one also holds for all later
-        frames."""
+        `seed`: seed of the noise. `device_seed`: seed of the chip's fixed patterns. `settings`:
+        what the host sets before each frame; the last one also holds for all later frames, and
+        without any, parameters and input planes have their declared starts. Raises Rejected before
+        the first frame if the converter has more bits than frames store (`check_adc`)."""
         check_adc(self.container.target)
         kept = KeptRegisters.at_start(self.container)
         settings = settings or (HostSetting.at_start(self.container),)
         params = chain((each.params for each in settings), repeat(settings[-1].params))
+        # The cached reaches hold for the starts of parameters, which `settings` may change.
         first = None if self.pictures.params else _beyond_reaches(self.container)
         all_reaches = reaches_of_frames(self.container, first, params)
         previous: Light | None = None
         for number, light in enumerate(lights):
             reaches, seeds = next(all_reaches), (seed, device_seed)
+            # A film of one light prepares it once.
             if light is not previous:
                 expose, previous = self.exposing(light, device_seed), light
             exposure = expose(seed, number)
@@ -213,15 +230,18 @@ class PicturedProgram:
         number: int,
         params: Mapping[str, int] = MappingProxyType({}),
     ) -> tuple[Frame, KeptRegisters]:
-        """Return frame `number` of a film, and what registers keep for the next frame.
+        """Return frame `number` of a film (from 0), and what registers keep for the next frame.
 
-        `kept` is what the previous frame left; a register without bits contains its code bits.
-        `seeds`: seed of the noise, and of the device. `reaches`: see `told_of_planes`. `params`:
-        values of parameters, by default their starts."""
+        `exposure`: the frame's light in the buckets, before images are computed. `kept` is what the
+        previous frame left; a register without bits in it contains its code bits. `seeds`: seed of
+        the noise, then that of the device. `reaches`: by name of an output, how far around a pixel
+        it depends on values outside the array; None for those of a first frame. `params`: values of
+        parameters by name, by default their starts."""
         container, pictures = self.container, self.pictures
         pixels = self._computed(exposure, seeds, number, kept, params)
         frame = self._frame_of(pixels, exposure, seeds, number, reaches)
         # Bits of states are 0 if exposure and readouts take longer than registers keep them.
+        # Planes take no time here: only readouts of values use the converter.
         values_read = sum(name not in pictures.planes for name in pictures.reads)
         between_us = sum(container.slot_us) + values_read * container.target.readout_us
         is_kept = between_us <= retention_us(self.effects, self.sensor)
@@ -236,8 +256,8 @@ class PicturedProgram:
         return frame, KeptRegisters(bits, values, marks)
 
     def exposing(self, light: Light, device_seed: int) -> Callable[[int, int], Exposure]:
-        """Return a function of (seed, frame number) that exposes frames of one light, without
-        the words of images."""
+        """Return a function of (noise seed, frame number) that exposes a frame of `light`, without
+        the words of images and planes. Without noise both arguments are ignored."""
         container, effects = self.container, self.effects
         if effects.noiseless:
             from nscc_runtime.emulator import expose
@@ -261,8 +281,10 @@ class PicturedProgram:
     ) -> Frame:
         """Return the frame that is read out after the last word, with images, planes and reports.
 
-        `pixels` holds the registers of the array, `seeds` are those of noise and device, and
-        `reaches` tells which pixels depend on light beyond the array."""
+        `pixels` holds the registers of the array, and its registers leak while values are read one
+        after the other. `exposure` tells only which pixels are valid. `seeds` are those of noise
+        and device, `number` is that of the frame, and `reaches` tells which pixels depend on light
+        beyond the array (None: as in a first frame)."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
@@ -271,7 +293,7 @@ class PicturedProgram:
         for name in pictures.reads:
             register = pictures.registers[name]
             if register not in pixels.register:
-                continue
+                continue  # a plane: its register is digital, and `told_of_planes` reports it
             values = pixels.register[register].reshape(valid.shape) + 0.0  # -0 + 0 is +0
             read[name] = values, pixels.cut_by[register].reshape(valid.shape)
             pixels.hold(wait_s)
@@ -299,8 +321,11 @@ class PicturedProgram:
         seeds: tuple[int, int],
         number: int,
     ) -> Frame:
-        """Return the frame of the buckets `names`, which may be empty. `read`: value and saturation
-        marks (rows, cols) by name. `valid` (rows, cols): see `Exposure`."""
+        """Return the frame of the buckets `names`; without names, a frame of no buckets.
+
+        `read`: electrons and saturation marks, each (rows, cols), by name. `valid` (rows, cols):
+        False where a value is no number or meaningless. `seeds`: of noise and device. `number`:
+        number of the frame."""
         shape = (len(names), *valid.shape)
         values, marks = np.zeros(shape), np.zeros(shape, np.uint8)
         for index, name in enumerate(names):
@@ -320,10 +345,12 @@ class PicturedProgram:
         seeds: tuple[int, int],
         number: int,
     ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-        """Return the converter codes of images, 128 for 0, and their saturation marks, each (names,
-        rows, cols).
+        """Return the converter codes of the images `names`, 128 for 0 e, and their saturation
+        marks, each (names, rows, cols).
 
-        `read` holds each image's electrons and marks; invalid pixels get code 0."""
+        `read`: electrons and saturation marks, each (rows, cols), by name. Pixels that are not
+        `valid` (rows, cols) get code 0. `seeds`: of noise and device. `number`: number of the
+        frame."""
         target = replace(self.container.target, readout="full")
         # The converter draws noise by index: images follow the buckets.
         buckets = len(self.container.buckets)
@@ -345,8 +372,9 @@ class PicturedProgram:
     ) -> ArrayPixels | ArrayContents:
         """Return the registers of all pixels after the words of images and planes.
 
-        `kept` are the registers that the frame before left, and `params` the values of parameters
-        in steps of IN."""
+        `exposure`: the light in the buckets, with which their registers begin. `seeds`: of noise
+        and device. `number`: number of the frame. `kept`: the registers that the frame before left.
+        `params`: values of parameters by name, in steps of IN."""
         container, pictures = self.container, self.pictures
         shape = exposure.exposure_e.shape[1:]
         exposed, exposed_by = {}, {}
@@ -355,6 +383,7 @@ class PicturedProgram:
             values = exposure.exposure_e[index].reshape(-1)
             marks = exposure.saturated_by
             by = np.zeros(values.shape, np.uint8) if marks is None else marks[index].reshape(-1)
+            # An exposure at the limit may exceed it by a rounding error.
             beyond = values > pictures.limits_e[readout.bucket] * (1 + 1e-9)
             exposed[readout.register] = values / readout.gain
             exposed_by[readout.register] = by | beyond.view(np.uint8) * np.uint8(RANGE_BIT)
@@ -383,7 +412,8 @@ class PicturedProgram:
 
 
 class _WordsOfParams:
-    """The words of a container's images and planes for the last values of its parameters."""
+    """The words of a container's images and planes, cached for the values of its parameters with
+    which they were asked for last."""
 
     def __init__(self, container: Container) -> None:
         """Begin without words."""
@@ -391,16 +421,16 @@ class _WordsOfParams:
         self._last: tuple[Any, list[tuple[Op, int | None]], PictureWords | None] | None = None
 
     def listed(self, params: Mapping[str, int]) -> list[tuple[Op, int | None]]:
-        """Return the words for these values of parameters in execution order, each with its
-        value of IN."""
+        """Return the words for these values of parameters (by name) in execution order, each with
+        the value of IN set before it in steps, or None if it stays."""
         key = tuple(sorted(params.items()))
         if self._last is None or self._last[0] != key:
             self._last = key, picture_words(self._container, params), None
         return self._last[1]
 
     def compiled(self, params: Mapping[str, int]) -> PictureWords:
-        """Return the words for these values of parameters as tables of the compiled loop; the
-        last are cached."""
+        """Return the words for these values of parameters (by name) as tables of the compiled
+        loop. Those of the last values are cached."""
         words = self.listed(params)
         assert self._last is not None
         key, _, prepared = self._last
@@ -415,7 +445,10 @@ _words_of_params, _beyond_reaches = OfContainer(_WordsOfParams), OfContainer(bey
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:
     """Return the sensor whose converter reads images: its codes are symmetric around 0, and the
-    words before it do not spread the values."""
+    words before it do not spread the values.
+
+    A value of `sensor` is replaced by that of a full readout only where it is still the target's
+    default; values that the user set stay."""
     own, full = (default_sensor(each).values for each in (target, replace(target, readout="full")))
     given = sensor.values
     changed = {name: full[name] for name in full if given[name] == own[name] != full[name]}
@@ -427,9 +460,12 @@ def sums_of_images(
     values: Mapping[str, NDArray[np.float64]],
     reaches: Mapping[str, Reach] | None = None,
 ) -> Told:
-    """Return the reports of sums: electrons of all pixels outside the margin of an image.
+    """Return the reports of sums, each an array without axes, by the report's key: the electrons of
+    all pixels outside the margin of an image, 0 if all lie in it.
 
-    `values`: analog registers; `reaches` as for `told_of_planes`."""
+    `values`: analog registers by name, of any shape with rows * cols values. `reaches`: by name,
+    how far around a pixel an image depends on values outside the array; None for those of a first
+    frame. Reports of other kinds are left out."""
     pictures, shape = container.pictures, (container.target.rows, container.target.cols)
     reaches = _beyond_reaches(container) if reaches is None else reaches
     told: Told = {}
@@ -447,11 +483,13 @@ def told_of_planes(
     reaches: Mapping[str, Reach] | None = None,
     summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
 ) -> Told:
-    """Return the planes, reports and margin of a frame.
+    """Return the planes, reports and margin of a frame: `margin` and `plane_NAME` are bits (rows,
+    cols), and reports have the keys of `reported`. Sums of images are not among them.
 
-    `planes` are the bits (rows, cols) by digital register, and `summaries` those of planes that are
-    only reported, without the pixels of their margins. `reaches` tells by name how far around a
-    pixel the outputs depend on buses, by default in the first frame."""
+    `planes`: the bits (rows, cols) by digital register. `summaries`: by digital register, the
+    summary of a plane that is only reported, without the pixels of its margin; other reported
+    planes must be in `planes`. `reaches`: by name, how far around a pixel an output depends on
+    values outside the array; None for those of a first frame."""
     pictures = container.pictures
     reaches = _beyond_reaches(container) if reaches is None else reaches
     shape = container.target.rows, container.target.cols

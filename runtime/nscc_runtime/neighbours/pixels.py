@@ -25,11 +25,12 @@ RANGE_BIT = 32
 
 @dataclass(eq=False, kw_only=True)
 class ArrayPixels(WordPixels):
-    """All pixels of an array of `shape` (rows, columns); all other arrays are (pixels,).
+    """All pixels of an array of `shape` (rows, columns); all other arrays are (pixels,), row after
+    row, by name of a register.
 
     `exposed`: analog registers after the exposure, in electrons. `exposed_by`: their saturation
-    marks. `code`: digital registers after the exposure. `cut_by`: the saturation marks of every
-    register."""
+    marks. `code`: digital registers after the exposure, bool. `cut_by`: the saturation marks of
+    every analog register and of IN while words run. The values of IN have no marks."""
 
     word_draws = 2  # words after an exposure
     shape: tuple[int, int]
@@ -56,7 +57,8 @@ class ArrayPixels(WordPixels):
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
 
     def bit(self, name: str) -> Bits:
-        """Return a digital register of all pixels."""
+        """Return the bits (pixels,) of the digital register `name`. An unknown bit, or one held for
+        longer than the retention time, reads False."""
         return np.asarray(self.digital.read(name) == 1)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
@@ -75,7 +77,8 @@ class ArrayPixels(WordPixels):
     # --- words
 
     def _run(self, word: RunningWord) -> None:
-        """Run one word on all pixels."""
+        """Run one word on all pixels, and update their registers. Words of unknown effect change
+        nothing."""
         op, digital = word.op, self.digital
         match op.operation.effect:
             case WordEffect.BUS:
@@ -107,22 +110,24 @@ class ArrayPixels(WordPixels):
         return total
 
     def _bus_on_array(self, word: RunningWord) -> None:
-        """Run an analog word: add the sources, invert, add errors, limit, and write the
-        destinations."""
+        """Run an analog word where FLAG is 1: write -(sum of its sources) / divisor to each
+        destination, as the effects of words and registers change it there."""
         result = self.total(word) / -word.op.operation.divisor
         cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):
             value, register = result, "NEWS" if name in NEIGHBOURS else name
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(register, self.container))
+            # Marks tell the range before the effects of registers bend the value into it.
             by = self._with_range(cut, value)
             for bends in self.at("registers"):
                 value = bends(self, value)
             self._store(name, value, by)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
-        """Return the saturation marks of all sources of a word together, of neighbours where the
-        word reads these."""
+        """Return the bitwise OR (pixels,) of the saturation marks of a word's sources. For a source
+        in a neighbour, the marks are the neighbour's; beyond the array they are 0."""
+        # `_uncut` itself, not a copy, stands for "no marks": comparing objects is fast.
         marks = self._uncut
         for name in op.sources:
             by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
@@ -133,7 +138,8 @@ class ArrayPixels(WordPixels):
         return marks
 
     def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
-        """Return the marks, with RANGE_BIT where the value is beyond the registers' range."""
+        """Return the marks `cut` (pixels,), with RANGE_BIT set where `value` (electrons) is beyond
+        the range of registers; `cut` itself if it is nowhere."""
         high, low = self.target.register_max_e, self.target.register_min_e
         if value.max() <= high and value.min() >= low:
             return cut
@@ -141,8 +147,9 @@ class ArrayPixels(WordPixels):
         return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
 
     def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
-        """Write a value and its saturation marks `by` to a register where FLAG is 1; NEWS forms
-        shift both first."""
+        """Write `value` (electrons) and its saturation marks `by` to the register `name` where FLAG
+        is 1. If `name` is a neighbour's bus, each pixel gets value and marks of the pixel on the
+        opposite side, 0 at the border, and the register is NEWS."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
             value = self.moved(value, -right, -down, beyond=0.0)
@@ -158,7 +165,8 @@ class ArrayPixels(WordPixels):
 
     def _neighbour_values(self, op: Op) -> None:
         """Run the DNEWS word `op`: write the OR of the bits of those neighbours that the pixel
-        chooses by its steering registers."""
+        chooses by its steering registers, 0 if it chooses none. Outside the array all bits are 1 if
+        the word is of the inverted kind, else 0."""
         source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         result = np.zeros(len(self.places), np.bool_)
         bits = digital.read(source) == 1
@@ -169,7 +177,8 @@ class ArrayPixels(WordPixels):
         digital.write(op.destinations[0], result)
 
     def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
-        """Return for each pixel the value of the pixel `right` columns and `down` rows away."""
+        """Return for each pixel (pixels,) the value of the pixel `right` columns and `down` rows
+        away, each -1, 0 or 1. Pixels outside the array have the value `beyond`."""
         rows, cols = self.shape
         padded = np.full((rows + 2, cols + 2), beyond, values.dtype)
         padded[1:-1, 1:-1] = values.reshape(self.shape)
@@ -182,10 +191,11 @@ def propagated(
     chosen: Sequence[NDArray[np.bool_]],
     pixels: int,
 ) -> NDArray[np.bool_]:
-    """Return bits after one propagation in the pixels of a mask, all (rows, cols).
+    """Return the bits after one propagation, in which a 1 spreads step by step to neighbours.
 
-    `chosen`: the registers that choose directions, in the order of `STEERING`. `pixels`: the
-    largest number of pixels that a bit passes. Outside the array, all bits are 0."""
+    All arrays are (rows, cols). A pixel where `mask` is 1 becomes 1 if a neighbour that it chooses
+    is 1. `chosen`: for each direction, in the order of `STEERING`, the pixels that choose the
+    neighbour there. `pixels`: the largest number of steps. Outside the array, all bits are 0."""
     padded = np.pad(bits, 1)
     inner = padded[1:-1, 1:-1]
     rows, cols = bits.shape

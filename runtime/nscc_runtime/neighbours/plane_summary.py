@@ -12,12 +12,14 @@ from nscc.words.pictures import PlaneReport
 
 PlaneSummary = tuple[int, Sequence[int], NDArray[np.int32]]
 """The number of bits that are 1; their smallest x and y and largest x and y, four times -1 without
-such bits; (x, y) of the first of them in reading order."""
+such bits; (bits, 2): x and y of the first of these bits in reading order, at least as many as the
+reports of the plane may send. x is a column, y a row."""
 NO_BOX = (-1, -1, -1, -1)
 
 
 def summary_of(bits: NDArray[np.bool_]) -> PlaneSummary:
-    """Return the summary of a plane (rows, cols), with the places of all bits that are 1."""
+    """Return the summary of a plane (rows, cols), with x and y of all bits that are 1, row after
+    row. Without such bits the box is `NO_BOX`, and the coordinates have shape (0, 2)."""
     rows, cols = np.nonzero(bits)
     places = np.stack([cols, rows], axis=1).astype(np.int32)
     box = (*places.min(axis=0), *places.max(axis=0)) if len(places) else NO_BOX
@@ -25,7 +27,11 @@ def summary_of(bits: NDArray[np.bool_]) -> PlaneSummary:
 
 
 def reported(report: PlaneReport, summary: PlaneSummary) -> dict[str, NDArray[Any]]:
-    """Return the arrays of a report about a plane; rows of -1 follow the last event."""
+    """Return the arrays of a report about a plane, by the report's key.
+
+    `flood`: whether no bit is 1; `any`: whether a bit is; `box`: smallest x and y, largest x and y,
+    or -1; `count`: the number of bits. `events`: x and y of the first bits, (most, 2), with rows of
+    -1 after the last; KEY_count tells how many, and KEY_overflow whether there are more."""
     name = report.key
     count, box, places = summary
     if report.kind == "flood":

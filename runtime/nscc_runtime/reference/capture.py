@@ -48,7 +48,8 @@ _FIRST_BIT = 256
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """A program prepared for simulation with the given effects. `words`: all words of a frame."""
+    """A program prepared for simulation with the given effects of `sensor`. `words`: all words of
+    a frame in the order of execution."""
 
     container: Container
     sensor: Sensor
@@ -57,11 +58,13 @@ class Reference:
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
-        """Prepare a program. Raises Rejected if its words fail, and NS0442 if the words of a
+        """Prepare a program. Raises ValueError for a container without pixels, Rejected if a word
+        is invalid (as `nscc.words.legality.decoded`), and Rejected with NS0442 if the words of a
         program without looks open no shutters."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
         if KINDS.of(container).open_times_known:
+            # Only for its error: a weight other than 0 or 1 is no shutter.
             backward(container, analog_words(container)).open()
         return cls(container, sensor, effects, tuple(running_words(container)))
 
@@ -75,7 +78,7 @@ class Reference:
         # A slot at whose start words run is an interval of its own, because a part of its light
         # falls while they run.
         at = {launch.instant for launch in self.container.launches}
-        # After the last slot the light goes on as in that slot.
+        # After the last slot the light goes on as in that slot, which must not share an interval.
         first = {0, *at, *(n + 1 for n in at), *(slots - 1 for n in at if n == slots)}
         return tuple(sorted(n for n in first if n < slots))
 
@@ -87,7 +90,9 @@ class Reference:
         frame: int = 0,
         threads: int | None = None,
     ) -> Exposure:
-        """Return the exposure of frame `frame`, equal for all `threads` (None: all processors)."""
+        """Return the exposure of frame number `frame` of a scene. `seed`: of the noise.
+        `device_seed`: of the fixed patterns and the contents of registers at the start. Results do
+        not depend on `threads` (None: all processors)."""
         rows = range(scene.light.shape[0])
         return self.expose_rows(scene, rows, seed, device_seed, frame, threads)
 
@@ -100,7 +105,8 @@ class Reference:
         frame: int = 0,
         threads: int | None = None,
     ) -> Exposure:
-        """Return the exposure of consecutive rows, identical to these rows of the whole frame."""
+        """Return the exposure of the consecutive `rows`, identical to these rows of the result of
+        `expose`, whose other arguments are the same. They must lie in the array."""
         loaded = self.container.planes()
         return self.execute(scene, loaded, (seed, device_seed), frame, rows, threads).exposure
 
@@ -113,12 +119,13 @@ class Reference:
         rows: range | None = None,
         threads: int | None = None,
     ) -> Executed:
-        """Return the exposure of frame number `frame`, or of consecutive rows of it, and its state
-        registers.
+        """Return the exposure of frame number `frame` (from 0) and the final bits of the registers
+        that hold states or code; the latter are empty for a program without states.
 
-        `loaded`: the digital registers (rows, cols) at the start (`Container.planes`, then those
-        that the previous frame left). `seeds`: noise seed, device seed. Rows are identical to these
-        rows of the whole frame. Results do not depend on `threads` (None: all processors)."""
+        `loaded`: the digital registers of the whole array (rows, cols) at the start
+        (`Container.planes`, then those that the previous frame left). `seeds`: noise seed, device
+        seed. `rows`: consecutive rows to simulate, None for all; they are identical to these rows
+        of the whole frame. Results do not depend on `threads` (None: all processors)."""
         container, (height, cols) = self.container, scene.light.shape
         rows = range(height) if rows is None else rows
         states = {name for planes in container.state_planes.values() for name in planes.registers}
@@ -126,7 +133,7 @@ class Reference:
         final_planes = {name: np.empty((len(rows), cols), np.bool_) for name in names}
 
         def fall(part_rows: range) -> Fallen:
-            """Return the charge that falls on some rows."""
+            """Return the charge that falls on the rows `part_rows` in each interval."""
             return charge_of_rows(
                 scene, self.sensor, self.effects, seeds, frame, part_rows, self.starts
             )
@@ -167,11 +174,13 @@ def expose(
     frame: int = 0,
     threads: int | None = None,
 ) -> Exposure:
-    """Run the words of `container` over `light` with the `effects` of `sensor` in float64.
+    """Run the words of `container` over `light` with the `effects` of `sensor` in float64, and
+    return the exposure.
 
-    `frame`: number of the repeat of the scene. `threads`: None for all processors; results do not
-    depend on it. Raises Rejected like `nscc_runtime.emulator.expose`, and NS0442 for words that
-    open no shutters."""
+    `seed`: of the noise. `device_seed`: of the fixed patterns. `frame`: number of the repeat of the
+    scene, from 0, which selects its noise. `threads`: None for all processors; results do not
+    depend on it. Raises Rejected if the program and the light do not fit (as
+    `nscc_runtime.emulator.expose`), and with NS0442 for words that open no shutters."""
     check(container, light)
     scene = scene_of(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
@@ -188,15 +197,17 @@ def frames(
     count: int = 1,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 of `light` with converter codes, exposed like `expose`, also of
-    chips without logic. Raises Rejected, before the first frame, for programs and light that cannot
-    run."""
+    """Return an iterator over frames 0 to `count` - 1 of `light` with converter codes, computed one
+    by one, also for chips without logic.
+
+    `seed`: of the noise. `device_seed`: of the fixed patterns. `threads`: None for all processors.
+    Raises Rejected at the call, not at the first frame, for programs and light that do not fit."""
     check(container, light)
     scene, seeds = scene_of(container, light), (seed, device_seed)
     reference = Reference.of(container, sensor, effects) if container.stream is None else None
 
     def expose(number: int) -> Exposure:
-        """Return the exposure of a frame by its number."""
+        """Return the exposure of frame `number`."""
         if reference is None:
             return expose_stream(container, scene, sensor, effects, seeds, number, threads)
         return reference.expose(scene, *seeds, number, threads)
@@ -214,7 +225,8 @@ def scene_of(container: Container, light: Light) -> Scene:
 
 @dataclass(eq=False, kw_only=True)
 class ProgramPixels(WordPixels):
-    """Some pixels of a program during one frame. `code`: digital registers (pixels,) by name."""
+    """Some pixels of a program during one frame. `program` gives its words and intervals. `code`:
+    the digital registers (pixels,) at the start of the frame, by name; others are arbitrary."""
 
     program: Reference
     code: Planes
@@ -232,7 +244,8 @@ class ProgramPixels(WordPixels):
         )
 
     def run(self, charge: Values) -> Marked:
-        """Return exposures and saturation marks for `charge` (intervals, pixels) in electrons."""
+        """Run all words of the frame, and return exposures (buckets, pixels) in electrons and their
+        saturation marks. `charge`: electrons (intervals, pixels) that fall in each interval."""
         slots, starts = self.container.slots, self.program.starts
         slot_us = np.array(self.container.slot_us)
         interval_us = np.add.reduceat(slot_us, starts).tolist()
@@ -242,20 +255,25 @@ class ProgramPixels(WordPixels):
             self.fallen = 0.0
             while word is not None and word.boundary == n:
                 if word.op.analog:
+                    # Words after the last slot see its light: there is no further interval.
                     self._until(word, charge[min(number, len(charge) - 1)])
                 self.run_word(word)
                 word = next(words, None)
             if n < slots:
+                # A product with 1 is the same number, but costs an array.
                 self.fall(charge[number] * (1.0 - self.fallen) if self.fallen else charge[number])
                 self.hold(interval_us[number] * 1e-6)
                 self.digital.now_us += interval_us[number]
         return self.read_out()
 
     def _until(self, word: RunningWord, slot_charge: Values) -> None:
-        """Add the part of the slot's charge that is collected until a word ends."""
+        """Add to PIX the part of `slot_charge` (pixels,), the charge of the slot that begins at the
+        word's boundary, that is collected until the word ends. Without the effect of slow words,
+        this is nothing. Update `fallen`, the fraction of the slot collected so far."""
         slots, slot_us = self.container.slots, self.container.slot_us
         for ends_us in self.at("time"):
             now = ends_us(word) / slot_us[min(word.boundary, slots - 1)]
+            # A slot has no more than its charge; after the last slot the light goes on.
             now = now if word.boundary == slots else min(now, 1.0)
             self.fall(slot_charge * (now - self.fallen))
             self.fallen = now

@@ -22,22 +22,23 @@ Charge = NDArray[np.float64]
 
 
 def places_of(rows: range, cols: int) -> NDArray[np.int64]:
-    """Return the places (pixels,) of the pixels of consecutive rows."""
+    """Return the places, row * cols + column, of the pixels of consecutive rows, (pixels,)."""
     return np.arange(rows.start * cols, rows.stop * cols, dtype=np.int64)
 
 
 class Fallen(NamedTuple):
-    """The charge of some rows.
+    """The charge of some rows in successive intervals of slots.
 
-    `charge` float64 (N, rows, cols): electrons that reach PIX in each slot. `light` (N, rows,
-    cols): the electrons of the scene alone. `valid` (rows, cols): where all values are numbers."""
+    `charge` float64 (intervals, rows, cols): electrons that reach PIX in each interval. `light`, of
+    the same shape: the electrons of the scene alone, without effects. `valid` (rows, cols): False
+    where a rate is NaN or its count is invalid."""
 
     charge: Charge
     light: Charge
     valid: NDArray[np.bool_]
 
     def rows(self, rows: slice) -> Fallen:
-        """Return the charge of a slice of these rows."""
+        """Return the charge of the slice `rows`, counted from the first of these rows."""
         return Fallen(self.charge[:, rows], self.light[:, rows], self.valid[rows])
 
 
@@ -50,10 +51,11 @@ def charge_of_rows(
     rows: range,
     starts: Sequence[int],
 ) -> Fallen:
-    """Return the charge of consecutive rows in intervals, whose first slots are `starts`.
+    """Return the charge of the consecutive `rows` in intervals of slots.
 
-    `seeds`: noise seed, device seed. The charge of a pixel does not depend on how the array is cut
-    into rows."""
+    `starts`: the first slot of each interval, ascending from 0; an interval ends where the next
+    begins. `seeds`: noise seed, device seed. `frame`: number of the frame, from 0. The charge of a
+    pixel does not depend on how the array is cut into rows."""
     height, cols = scene.light.shape
     # Crosstalk needs one row of neighbours on each side.
     halo = bool(effects.at("neighbours"))
@@ -82,7 +84,10 @@ def charge_of_rows(
 
 @dataclass(eq=False, kw_only=True)
 class _Slots(Slots):
-    """The slots of some rows. `valid` (pixels,) becomes False where a rate is NaN."""
+    """The intervals of slots of some rows of the array.
+
+    `rows`: these rows. `starts`: the first slot of each interval. `valid` (pixels,): all True at
+    first; False from the time at which a rate of the pixel was NaN."""
 
     rows: slice
     starts: Sequence[int]
@@ -92,13 +97,14 @@ class _Slots(Slots):
         self.valid = np.ones(len(self.places), np.bool_)
 
     def fixed(self, make: OnDevice) -> Charge:
-        """Return a fixed pattern of the chip, (rows, cols)."""
+        """Return the fixed pattern of the chip that `make` computes, for these rows, (rows,
+        cols)."""
         return super().fixed(make).reshape(-1, self.scene.light.shape[1])
 
     @remembered
     def electrons(self, light: Light) -> Charge:
         """Return the electrons that `light` gives in each interval of slots, (intervals, rows,
-        cols)."""
+        cols); remembered for each light. Callers do not change the result."""
         shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
         out = np.zeros(shape)
         for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):
@@ -107,10 +113,11 @@ class _Slots(Slots):
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
-        """Return Poisson counts with the means `rates` (intervals, rows, cols), clipped to
-        0..`RATE_CAP`.
+        """Return Poisson counts with the means `rates`, both float64 (intervals, rows, cols).
 
-        `stream` and `source` select the random numbers. Pixels with NaN become invalid."""
+        Rates outside 0..`RATE_CAP` are clipped to it. `stream` (of the effect) and `source` (light
+        or dark charge) select the random numbers. Pixels with a NaN in any interval become invalid;
+        the count of a NaN is 0."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
         self.valid &= ~np.isnan(rates).any(axis=0)
         counted = np.zeros(rates.shape)

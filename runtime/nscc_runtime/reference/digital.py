@@ -20,14 +20,15 @@ UNKNOWN = np.int8(2)
 class Digital:
     """The one-bit registers of pixels while words run, including SELECT and the bus.
 
-    `bits`: values (pixels,) by register. A register reads 0 if no word wrote it for more than
-    `retention_us`. Where the mask register disables a write, the register keeps its value."""
+    `bits`: values (pixels,) by register, each 0, 1 or UNKNOWN. A register reads 0 if no word wrote
+    it for more than `retention_us`, by the time `now_us`, which the caller advances. Where the mask
+    register disables a write, the masked register keeps its value."""
 
     def __init__(
         self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
     ) -> None:
-        """Begin with the `bits` of all registers; bits not refreshed within `retention_us` become
-        unknown."""
+        """Begin with `bits` (pixels,) by name, of all digital registers and of FLAG. Registers that
+        are not written again within `retention_us` microseconds read 0."""
         self.bits: dict[str, Bits] = {name: plane.astype(np.int8) for name, plane in bits.items()}
         nothing = np.zeros_like(self.bits["FLAG"])
         self.bits |= {"SELECT": nothing, "bus": nothing}
@@ -37,7 +38,7 @@ class Digital:
 
     @property
     def pixels(self) -> int:
-        """Current number of pixels."""
+        """Current number of pixels; `choose` and `merge` change it."""
         return len(self.bits["FLAG"])
 
     def read(self, name: str) -> Bits:
@@ -49,11 +50,13 @@ class Digital:
         return np.where(is_retained, self.bits[name], np.int8(0))
 
     def write(self, name: str, value: NDArray[Any]) -> None:
-        """Set a register in all pixels."""
+        """Set a register in all pixels to `value` (pixels,), bool or 0, 1 and UNKNOWN, and note the
+        time."""
         self.bits[name], self.written_us[name] = value.astype(np.int8), self.now_us
 
     def run(self, op: Op) -> None:
-        """Execute the word `op`, which is neither analog nor a comparison."""
+        """Execute the word `op` in all pixels. Words that are analog or compare are left to the
+        caller: they change nothing here."""
         match op.operation.effect:
             case WordEffect.FLAG_ALL:
                 self.write("FLAG", np.ones_like(self.bits["FLAG"]))
@@ -63,8 +66,10 @@ class Digital:
                 self._digital(op)
 
     def _digital(self, op: Op) -> None:
-        """Run a digital word: read the OR of its sources, inverted if the word says so, and write
-        it."""
+        """Run a digital word: put the OR of its sources on the bus, inverted if the word says so,
+        and write the bus to its destinations.
+
+        Of a pair of words, the first only reads and the second only writes."""
         row = op.operation
         if row.phase is not Phase.WRITE:
             any_source = self._or_sources(op)
@@ -81,8 +86,9 @@ class Digital:
                 self.write(name, self.bits["bus"])
 
     def _write_where(self, name: str, guard: Bits) -> None:
-        """Write the masked register where `guard` is 1; where `guard` is unknown, differing bits
-        become unknown."""
+        """Write the bus to the masked register `name` where `guard` (pixels,) is 1, and keep its
+        value where it is 0. Where `guard` is unknown, differing bits become unknown, and the time
+        of writing is set, which is the later of the two possible ones."""
         old, new, before_us = self.read(name), self.bits["bus"], self.written_us[name]
         unsure = np.where(old == new, old, UNKNOWN)
         self.write(name, np.where(guard == 1, new, np.where(guard == 0, old, unsure)))
@@ -101,16 +107,17 @@ class Digital:
         return any_bit
 
     def choose(self, pixels: NDArray[np.intp]) -> None:
-        """Replace the pixels by those with these indices, repeated or left out as the indices
-        say."""
+        """Replace the pixels by those with the indices `pixels` (new pixels,); an index may occur
+        several times or never. Bits and times of writing follow."""
         self.bits = {name: values[pixels] for name, values in self.bits.items()}
         for name, values in self.written_us.items():
             if isinstance(values, np.ndarray):
                 self.written_us[name] = values[pixels]
 
     def merge(self) -> NDArray[np.intp]:
-        """Merge pixels with equal bits. Return the index of the new pixel of each old one
-        (pixels,)."""
+        """Merge pixels whose bits and times of writing are equal into one. Return for each old
+        pixel (pixels,) the index of the new one."""
+        # A time that is a single number is the same in all pixels.
         times = [
             written_us
             for written_us in self.written_us.values()

@@ -33,7 +33,8 @@ _ACTING = {
 
 
 def absent_effects(container: Container, effects: Selection) -> Mapping[str, str]:
-    """Return the names of those `effects` that this chip cannot have, each with the reason."""
+    """Return the names of those `effects` that the chip of `container`, one without logic, cannot
+    have, each with the reason; empty if it can have all."""
     stages = _ACTING if container.target.pipelined else _ACTING | {"time"}
     return {
         effect.name: f"the pixels of {container.target.name} run no words"
@@ -51,16 +52,16 @@ def expose_stream(
     frame: int,
     threads: int | None = None,
 ) -> Exposure:
-    """Return the exposure of frame number `frame` of a scene.
+    """Return the exposure of frame number `frame` (from 0) of a scene on a chip without logic.
 
     `seeds`: noise seed, device seed. Results do not depend on `threads` (None: all processors).
-    Raises ValueError for a container without planes."""
+    Raises ValueError for a container that sends no bit planes, that is, of a chip with logic."""
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
         raise ValueError("a container without planes")
 
     def fall(part_rows: range) -> Fallen:
-        """Return the charge that falls on some rows."""
+        """Return the charge that falls on the rows `part_rows` in each slot."""
         return charge_of_rows(
             scene, sensor, effects, seeds, frame, part_rows, range(container.slots)
         )
@@ -87,7 +88,8 @@ def expose_stream(
 
 @dataclass(frozen=True)
 class _Step:
-    """A stand-in for a word in effects: a tap, or the loading of a slot's planes."""
+    """A stand-in for a word in effects: the use of a tap (`number` is that of the tap), or the
+    loading of a slot's planes (`number` is that of the slot, `after_us` the end of loading)."""
 
     number: int
     after_us: float = 0.0
@@ -95,7 +97,8 @@ class _Step:
 
 @dataclass(eq=False, kw_only=True)
 class _Taps(Pixels):
-    """Some rows of pixels during one frame; arrays are (pixels,)."""
+    """Some rows of pixels during one frame; arrays are (pixels,), row after row. `sent`: the bit
+    planes that select taps. `rows`: the rows of the array that are simulated."""
 
     container: Container
     sent: Stream
@@ -103,12 +106,14 @@ class _Taps(Pixels):
     rows: slice
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """Return the random errors of an effect in a word, for all pixels."""
+        """Return standard normal numbers (pixels,) for the effect called `name` at the step `word`.
+        `destination` is ignored: there is one for each step. The effect must be simulated."""
         effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 
     def run(self, charge: Values) -> Marked:
-        """Return exposures and saturation marks for `charge` (N, pixels) in electrons."""
+        """Return exposures (buckets, pixels) in electrons, and their saturation marks. `charge`:
+        electrons (N, pixels) that fall in each slot."""
         container, target = self.container, self.container.target
         shape = len(container.buckets), len(self.places)
         tap_charge, marked = np.zeros(shape), np.zeros(shape, np.uint8)
@@ -124,8 +129,9 @@ class _Taps(Pixels):
         return self._read_out(tap_charge), marked
 
     def _lit(self, slot: int, slot_us: float) -> float:
-        """Return the fraction of a slot in which light is collected; a chip that is not
-        pipelined first loads the slot's bit plane."""
+        """Return the fraction of a slot (number `slot`, of `slot_us` microseconds) in which light
+        is collected. A chip that is not pipelined first loads the slot's bit plane; whether this
+        takes time is an effect (stage `time`)."""
         target = self.container.target
         if target.pipelined:
             return 1.0
@@ -133,7 +139,8 @@ class _Taps(Pixels):
         return 1.0 - float(sum(waits_us)) / slot_us
 
     def _clip_tap(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
-        """Return the charge of a tap after saturation, and its saturation marks."""
+        """Return the charge (pixels,) of a tap after saturation, in electrons, and its saturation
+        marks: the bit of each effect that reduced the charge."""
         marked = np.zeros(len(charge), np.uint8)
         for effect, holds in self.effects.acting("well"):
             charge_before, charge = charge, holds(self, charge)
@@ -144,8 +151,8 @@ class _Taps(Pixels):
         return charge, marked
 
     def _read_out(self, tap_charge: Values) -> Values:
-        """Apply reset level, gain, read errors and readout to `tap_charge` (taps, pixels) in place,
-        and return it."""
+        """Apply reset level, gain, read errors and readout to `tap_charge` (taps, pixels), which
+        holds electrons, in place, and return it."""
         for tap, readout in enumerate(self.container.readouts):
             level = np.zeros(len(self.places))
             for change in self.effects.at("resets"):

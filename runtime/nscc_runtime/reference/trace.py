@@ -30,8 +30,8 @@ _ANALOG = WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.FLAG_ANALOG
 
 
 def opens_no_shutters(problem: str) -> Rejected:
-    """Return the error NS0442 that the reference cannot simulate sensor effects of a program;
-    `problem` begins its message."""
+    """Return the error NS0442 that the reference cannot simulate sensor effects of a program, for
+    the caller to raise. `problem`: what is wrong, a clause that begins the message."""
     return rejected(
         "NS0442",
         f"{problem}, and sensor effects are defined by shutters",
@@ -44,8 +44,9 @@ def opens_no_shutters(problem: str) -> Rejected:
 class RunningWord:
     """A word executed at `boundary`, ending `after_us` microseconds after it.
 
-    `number`: number among the analog words of a frame (bus, reset and compare words). `in_e`: value
-    of IN in electrons."""
+    `number`: number of the word among the analog words of a frame (bus, reset and compare words),
+    from 0; a digital word has the number of the next analog one. `in_e`: value of IN in electrons
+    while the word runs."""
 
     number: int
     boundary: int
@@ -65,7 +66,8 @@ class RunningWord:
 
     @property
     def sources(self) -> tuple[str, ...]:
-        """Names of the analog registers, PIX and IN that the word reads."""
+        """Names of the analog registers, PIX and IN that the word reads; a register that is read
+        twice occurs twice. A reset reads nothing."""
         return () if self.resets else self.op.sources
 
     @property
@@ -75,7 +77,7 @@ class RunningWord:
 
     @property
     def destinations(self) -> tuple[str, ...]:
-        """Names of the analog registers that the word writes."""
+        """Names of the analog registers that the word writes; none for a reset or a comparison."""
         return () if self.resets or self.compares else self.op.destinations
 
 
@@ -92,10 +94,10 @@ class AnalogWord(RunningWord):
 
 
 def running_words(container: Container) -> Iterator[RunningWord]:
-    """Yield every word of a frame in execution order with its boundary, time (us) and value of IN
-    (e).
+    """Yield every word of the exposure of a frame in execution order. Launches at one boundary run
+    in their order in the container, one after the other. IN is 0 e before a launch sets it.
 
-    Raises like `nscc.words.legality.decoded`."""
+    Raises Rejected for words that are no operations of the chip (`nscc.words.legality.decoded`)."""
     kernels, target, number = decoded(container), container.target, 0
     boundary, after_us, in_e = -1, 0.0, 0.0
     for launch in sorted(container.launches, key=lambda launch: launch.instant):
@@ -111,14 +113,18 @@ def running_words(container: Container) -> Iterator[RunningWord]:
 
 
 def retention_us(effects: Selection, sensor: Sensor) -> float:
-    """Return how long digital registers keep values, in microseconds; infinite without decay."""
+    """Return how long digital registers of `sensor` keep values, in microseconds: infinite if none
+    of the effects lets them decay, the shortest time if several do."""
     return min([kept_us(sensor) for kept_us in effects.at("digital")], default=inf)
 
 
 def readout_waits_s(container: Container) -> NDArray[np.float64]:
-    """Return the time (buckets,) in seconds from the end of the exposure to the readout: readouts
-    happen one after the other. Exposures of which images are computed, and buckets that a loaded
-    container does not read, do not wait."""
+    """Return the time in seconds from the end of the exposure to the readout of each bucket,
+    (buckets,).
+
+    Readouts happen one after the other, so the first waits 0 s. Also 0 for all buckets of a program
+    with images, whose registers the words of images use at once, and for buckets that are not read
+    out."""
     if container.pictures.launches:
         return np.zeros(len(container.buckets))
     order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
@@ -128,10 +134,12 @@ def readout_waits_s(container: Container) -> NDArray[np.float64]:
 
 @OfContainer
 def analog_words(container: Container, retention_us: float = inf) -> tuple[AnalogWord, ...]:
-    """Return every bus and reset word of a frame in the order of execution; cached.
+    """Return every bus and reset word of a frame in the order of execution, with the lanes in which
+    each acts; cached with the container.
 
-    A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected
-    like `nscc.words.legality.decoded`, and NS0442 if FLAG depends on the light."""
+    A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected for
+    words that are no operations of the chip (`nscc.words.legality.decoded`), and with NS0442 if
+    FLAG depends on the light."""
     target, encoding = container.target, container.encoding
     nothing = np.zeros(len(encoding), np.bool_)
     column = {name: i for i, name in enumerate(target.digital_registers)}

@@ -16,7 +16,7 @@ from nscc_runtime.reference.charge import charge_of_rows
 from nscc_runtime.reference.trace import RunningWord
 
 _MOST_STEPS = 4096
-"""Number of words that a trace holds; a page with more of them is slow."""
+"""Largest number of words that a trace holds; a page that shows more of them is slow."""
 
 
 def traced(
@@ -27,13 +27,14 @@ def traced(
     pixel: tuple[int, int],
     seed: int,
 ) -> dict[str, Any]:
-    """Return the words of the exposure as steps with the contents of a pixel's registers after
-    them, as JSON values. `pixel`: row and column.
+    """Return the words of an exposure as steps with the contents of a pixel's registers after them,
+    as JSON values. `pixel`: row and column, inside the array. `seed`: of the noise.
 
-    A step has the boundary, the time of the word's end in microseconds from the start of the frame,
-    the word, and the values of the registers that the program uses: electrons of PIX and the analog
-    registers, then bits. Raises Rejected like `Reference.of`, and NS0510 for chips without logic.
-    """
+    Keys: `registers`, the names of the registers that the program uses; `steps`, at most 4096 of
+    the `words` words; `exposure_e`, the electrons of each bucket by name. A step has the
+    `boundary`, the end of the word in `us` after the start of the frame, the `word`, and the
+    `values` in the order of `registers`: electrons of PIX and of the analog registers, then bits.
+    Raises Rejected like `Reference.of`, and with NS0510 for chips without logic."""
     refuse_planes(container.target, "there are no words to follow", "see the shutters instead")
     row, col = pixel
     reference = Reference.of(container, sensor, effects)
@@ -62,7 +63,8 @@ def traced(
 
 
 class _WatchedPixel(ProgramPixels):
-    """A pixel that records in `steps` the values of the registers `names` after each word."""
+    """One pixel that records in `steps` the values of the registers `names` after each of the first
+    `_MOST_STEPS` words."""
 
     def __post_init__(self) -> None:
         """List the registers that the program uses; their values are recorded after each word."""
@@ -74,8 +76,9 @@ class _WatchedPixel(ProgramPixels):
         self.steps: list[dict[str, Any]] = []
 
     def run_word(self, word: RunningWord) -> None:
-        """Run a word, and record boundary, time (us), PIX and registers after it (at most
-        `_MOST_STEPS`)."""
+        """Run a word, and append a step with its boundary, the time in us of its end from the start
+        of the frame, its text, and the values of registers after it: electrons rounded to 0.1, then
+        bits. After `_MOST_STEPS` steps words still run, but are not recorded."""
         super().run_word(word)
         if len(self.steps) < _MOST_STEPS:
             us = sum(self.container.slot_us[: word.boundary]) + word.after_us

@@ -27,7 +27,8 @@ Name = TypeVar("Name", int, tuple[int, int])
 
 
 class ByName(Mapping[Name, Weights], Generic[Name]):
-    """Weights (lanes, buckets) by name. Names whose weights are all 0 are missing.
+    """Weights, each an array (lanes, buckets), by name: the number of a word, or this and the index
+    of a destination. Names whose weights are all 0 are missing: reading one raises KeyError.
 
     In long frames most words act in one lane of thousands. Only nonzero rows are stored, and arrays
     are built on access; they must not be modified."""
@@ -37,8 +38,9 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
-        """Store the weights (lanes, buckets) of a name, unless all are 0; only nonzero lanes if
-        these are few."""
+        """Store the weights (lanes, buckets) of a name, unless all are 0. Weights stored before
+        under this name are replaced."""
+        # If more than half of the lanes have weights, a list of them would save little.
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
         if 2 * len(lanes) > len(weight):
             self._held[name] = len(weight), None, weight
@@ -46,14 +48,15 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
             self._held[name] = len(weight), lanes, weight[lanes]
 
     def renamed(self, name: Callable[[Name], int]) -> ByName[int]:
-        """Return the same weights under other names."""
+        """Return the same weights under other names: `name` maps each name to its new one. If two
+        get the same, the later stored weights remain."""
         renamed: ByName[int] = ByName()
         renamed._held = {name(key): entry for key, entry in self._held.items()}
         return renamed
 
     def __getitem__(self, name: Name) -> Weights:
-        """Return the weights (lanes, buckets) of a name; they are 0 in the lanes that are not
-        stored."""
+        """Return the weights (lanes, buckets) of a name, 0 in the lanes that are not stored. Raises
+        KeyError for a name whose weights are all 0 or were never stored."""
         count, lanes, lane_weights = self._held[name]
         if lanes is None:
             return lane_weights
@@ -74,10 +77,11 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 class WeightModel:
     """The parameters on which weights depend.
 
-    `gain`, `move_gain`: gains of an addition and of a move. `move_noise`: random error of a move,
-    as a part of that of an addition. `leak_per_s`: leakage rate of registers. `dead_time`: whether
-    light is collected while words run. `decay`: whether digital registers decay. `lit_level`:
-    whether a reset level is read with the light collected since."""
+    `gain`, `move_gain`: gains of a word that adds sources, and of one that moves a value.
+    `move_noise`: random error of a move, as a fraction of that of an addition. `leak_per_s`: rate
+    (1/s) at which analog registers leak. `dead_time`: whether light is collected while words run.
+    `decay`: whether digital registers decay. `lit_level`: whether a reset level is read with the
+    light collected since. The defaults are words without errors."""
 
     gain: float = 1.0
     move_gain: float = 1.0
@@ -89,7 +93,8 @@ class WeightModel:
 
     @classmethod
     def of(cls, effects: Selection, sensor: Sensor) -> WeightModel:
-        """Return the model of words under these effects, with the mean leakage of the pixels."""
+        """Return the model of words under these effects with the values of `sensor`; effects that
+        are off have the defaults. Leakage is the mean of the pixels."""
         gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
             gain=gain.gain(sensor) if gain else 1.0,
@@ -119,8 +124,9 @@ class Backward:
     noise: ByName[tuple[int, int]]
 
     def covariance(self, at: Literal["reads", "resets", "words"]) -> Weights:
-        """Return the covariance (buckets, buckets, lanes) of exposures if each error of the kind
-        `at` has variance 1."""
+        """Return the covariance (buckets, buckets, lanes) of exposures if the errors of one kind
+        are independent, each of variance 1. `at`: errors of reading PIX, errors of resets, or the
+        random errors of words. Without such errors it is 0."""
         weights = {"reads": self.reads, "resets": self.resets, "words": self.noise}[at]
         _, lanes, buckets = self.slots.shape
         total = np.zeros((buckets, buckets, lanes))
@@ -129,16 +135,19 @@ class Backward:
         return total
 
     def variance(self, at: Literal["reads", "resets", "words"]) -> Weights:
-        """Return the variance (lanes, buckets) of exposures if each error has variance 1."""
+        """Return the variance (lanes, buckets) of exposures if the errors of the kind `at` (see
+        `covariance`) are independent, each of variance 1."""
         return np.asarray(np.einsum("bbl->lb", self.covariance(at)))
 
     @cached_property
     def error_sum(self) -> Weights:
-        """Sum (lanes, buckets) of the weights of additions: the effect of an error 1 in each."""
+        """Sum (lanes, buckets) of the weights `errors` of all additions: the change of exposures if
+        each addition has an error of 1 e. It is 0 without additions."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> NDArray[np.bool_]:
-        """Return the shutters (N, lanes, buckets). Raises NS0442 for weights other than 0 or 1."""
+        """Return the shutters (N, lanes, buckets), True where open. Raises Rejected with NS0442 if
+        the weight of a slot is neither 0 nor 1 up to rounding, as with a model that has losses."""
         is_open = self.slots > 0.5
         if not np.allclose(self.slots, is_open, rtol=0, atol=1e-9):
             raise opens_no_shutters(
@@ -151,12 +160,15 @@ class Backward:
 def backward(
     container: Container, words: Sequence[AnalogWord], model: WeightModel = WeightModel()
 ) -> Backward:
-    """Return the weights of `words` in the exposures, for the lanes of the words.
+    """Return the weights of the slots' charge and of the words' errors in the exposures, for each
+    lane.
 
-    Words multiply their results by the model's gains, and analog registers leak at the rate
-    `leak_per_s`. With `dead_time`, a slot's charge reaches PIX at a constant rate while the words
-    of its boundary run. With `lit_level`, words that read PIX after its reset at the same boundary
-    also read this charge. Decay must already be contained in the words.
+    `words`: all bus and reset words of a frame in the order of execution (`analog_words`); empty or
+    ignored for a chip without logic. Digital decay must already be contained in them: they are
+    computed with the retention time. `model`: gains, leakage and times of words, by default words
+    without errors. With its `dead_time`, a slot's charge reaches PIX at a constant rate while the
+    words of its boundary run. With `lit_level`, words that read PIX after its reset at the same
+    boundary also read this charge.
 
     A shutter that is open in the slots 1 and 2 of four counts their charge once. If every word
     loses a tenth, the two words between a slot and the readout leave 0.81 of it, and the
@@ -194,7 +206,7 @@ def backward(
     slots = np.zeros((container.slots, lanes, buckets))
     result = Backward(slots, ByName(), ByName(), ByName(), ByName())
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
-    later = container.slots
+    later = container.slots  # the boundary at which the words handled last, later in time, run
     after_the_last = np.zeros((lanes, buckets))
     by_boundary = groupby(words, key=lambda word: word.boundary)
     for boundary, executed in reversed([(n, [*group]) for n, group in by_boundary]):
@@ -206,6 +218,7 @@ def backward(
         later = boundary
         slot = min(boundary, container.slots - 1)
         ends = _ends(executed, container.slot_us[slot], boundary == container.slots)
+        # Charge that falls while words run after the last slot is a multiple of that slot's.
         fallen = after_the_last if boundary == container.slots else result.slots[slot]
         if dead_time:
             fallen *= 1.0 - ends[-1]
@@ -214,6 +227,7 @@ def backward(
             word, before = executed[index], weight["PIX"]
             _through(word, weight, container, model, result)
             if not model.lit_level:
+                # Later readings of the fresh PIX give its reset level, without this charge.
                 read = np.zeros_like(before) if word.resets else weight["PIX"] - before
                 unseen = (unseen + read * fresh[index]) * ~(word.lanes[:, None] & word.resets)
             if dead_time:
@@ -225,8 +239,11 @@ def backward(
 
 
 def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backward:
-    """Return the weights for a chip without logic, whose taps are reset and read once. Read errors
-    are added after the gain."""
+    """Return the weights for a chip without logic, whose taps are reset and read once. The numbers
+    of reads and resets are those of taps. `leak_per_s`, `dead_time`: see `WeightModel`.
+
+    Errors of reading are added after the gain, so their weights are 1; errors of resets before
+    it."""
     target, shutters = container.target, container.table.shutters
     gains = np.array([readout.gain for readout in container.readouts])
     slot_us = np.array(container.slot_us)
@@ -244,7 +261,9 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
 
 
 def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
-    """Return a mask (words, lanes, 1): PIX was reset before the word at the same boundary."""
+    """Return a mask (words, lanes, 1): True if an earlier word of the same boundary has reset PIX
+    in this lane. `executed`: the words of one boundary in order, at least one. The last axis fits
+    the buckets of weights."""
     is_fresh = np.zeros((len(executed), lanes), np.bool_)
     for index, word in enumerate(executed[:-1]):
         is_fresh[index + 1] = is_fresh[index] | (word.lanes & word.resets)
@@ -252,7 +271,11 @@ def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:
-    """Return the end of each word of a boundary as a fraction of the slot."""
+    """Return the end of each word of a boundary as a fraction of the slot that begins there, which
+    lasts `slot_us` microseconds.
+
+    It is at most 1, except after the last slot (`after_the_last`), where the slot is the last one
+    and its light goes on."""
     ends = [word.after_us / slot_us for word in executed]
     return ends if after_the_last else [min(end, 1.0) for end in ends]
 
@@ -264,8 +287,11 @@ def _through(
     model: WeightModel,
     result: Backward,
 ) -> None:
-    """Propagate the weights of registers from after a word to before it, in place, and store
-    those of its errors in `result`."""
+    """Change the weights of registers from those after `word` to those before it, in place, and
+    store the weights of the word's errors in `result`.
+
+    `weight`: by name of an analog register, PIX and IN, how much of its content reaches the
+    exposures, (lanes, buckets). In lanes in which the word does not act nothing changes."""
     acts = word.lanes[:, None]
     if word.resets:
         result.resets.keep(word.number, weight["PIX"] * acts)

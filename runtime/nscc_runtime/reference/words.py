@@ -27,14 +27,16 @@ from nscc_runtime.reference.weights import error_sign
 Full = NDArray[np.uint8]
 Values = NDArray[np.float64]
 
-ADDED, SUBTRACTED, LEVEL = 1, 2, 4
+ADDED, SUBTRACTED, LEVEL = 1, 2, 4  # bits of `Marks.full`
 
 
 class Marks:
     """Saturation marks of some pixels, by register and PIX; arrays are (pixels,).
 
-    `full`: bits that tell whether the content includes a full PIX with positive sign (ADDED), with
-    negative sign (SUBTRACTED), or in a reset level (LEVEL). `lost`: electrons that registers lost.
+    `full`: uint8 by name; its bits tell whether the content includes a full PIX with positive sign
+    (ADDED), with negative sign (SUBTRACTED), or in a reset level (LEVEL). `lost`: by name, the
+    electrons that registers lost at the ends of their range, summed up over the words on which the
+    content depends. `mark`: by kind of mark, the mark of an effect, or None if no effect sets it.
     """
 
     def __init__(
@@ -48,11 +50,12 @@ class Marks:
         self.lost = {name: np.zeros(pixels) for name in registers}
 
     def fill(self, full: NDArray[np.bool_]) -> None:
-        """Mark PIX as full where the mask is True."""
+        """Mark PIX as full where the mask `full` (pixels,) is True; other marks of PIX stay."""
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
     def fallen(self, pixels: Pixels, charge: Values) -> Values:
-        """Return the charge of PIX after saturation; mark PIX as full where charge is lost."""
+        """Return the charge (pixels,) of PIX, in electrons, after the effects of the full well.
+        Mark PIX as full where an effect with such a mark has reduced the charge."""
         for effect, clip in self.effects.acting("well"):
             charge_before, charge = charge, clip(pixels, charge)
             if "well" in effect.marks:
@@ -60,7 +63,8 @@ class Marks:
         return charge
 
     def clip_register(self, pixels: Pixels, value: Values, lost_e: Values) -> tuple[Values, Values]:
-        """Return a register's value after saturation, and the electrons lost including `lost_e`."""
+        """Return a register's `value` after saturation, and `lost_e` plus the electrons lost by it,
+        all in electrons (pixels,). Without effects of registers both stay."""
         for effect, clip in self.effects.acting("registers"):
             value_before, value = value, clip(pixels, value)
             if "registers" in effect.marks:
@@ -68,16 +72,18 @@ class Marks:
         return value, lost_e
 
     def empty(self, acting: NDArray[np.bool_]) -> None:
-        """Clear the marks of PIX where it is reset."""
+        """Clear the marks of PIX where it is reset: in the pixels of the mask `acting`."""
         self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
 
     def gathered(
         self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
     ) -> tuple[Full, Values]:
-        """Return the marks and lost electrons that a bus word's result inherits from its sources.
+        """Return the marks (see `full`) and lost electrons that the result of a bus word inherits
+        from its sources, each (pixels,).
 
-        `unseen`: where the word does not read the charge of PIX. `lit`: where it reads a reset
-        level with light."""
+        `unseen`: where the word reads the reset level without the charge of PIX; a full PIX leaves
+        no mark there. `lit`: where it reads the reset level with light; LEVEL is set there if PIX
+        is full."""
         full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
             source_full = self.full[name]
@@ -91,13 +97,16 @@ class Marks:
         return inverted(full), lost_e / op.operation.divisor
 
     def write(self, name: str, acting: NDArray[np.bool_], full: Full, lost_e: Values) -> None:
-        """Set the marks and lost electrons of a register where `acting`."""
+        """Set the marks `full` and the lost electrons `lost_e` of the register `name` in the pixels
+        of the mask `acting`; others keep theirs. All are (pixels,)."""
         self.full[name] = np.where(acting, full, self.full[name])
         self.lost[name] = np.where(acting, lost_e, self.lost[name])
 
     def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
-        """Return the bits of `saturated_by` (pixels,) for the readout of a register with this
-        gain."""
+        """Return the bits of `saturated_by` (pixels,) for the readout of the register `name`.
+
+        A negative `gain` inverts its sign, so added and subtracted charge are exchanged. Losses of
+        registers set a bit if they exceed the mark's least number of electrons."""
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
         bits = np.zeros_like(full)
         for at, is_marked in (
@@ -116,7 +125,8 @@ class Marks:
 
 
 def inverted(full: Full) -> Full:
-    """Return the marks of the negated value: ADDED and SUBTRACTED are exchanged."""
+    """Return the marks of the negated value: the bits ADDED and SUBTRACTED are exchanged, and LEVEL
+    stays."""
     exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
     return np.asarray(exchanged | full & LEVEL, np.uint8)
 
@@ -125,7 +135,9 @@ Bits = NDArray[np.bool_]
 
 
 class Resets:
-    """The reset levels of some pixels; arrays are (pixels,). Boundaries are rising numbers."""
+    """The reset levels of some pixels, in electrons, and when PIX was reset; arrays are (pixels,).
+    Boundaries are numbers that never decrease from call to call. All pixels begin at level 0, as if
+    reset before the frame."""
 
     def __init__(self, effects: Selection, pixels: int) -> None:
         """Begin with no reset level in any pixel."""
@@ -133,8 +145,8 @@ class Resets:
         self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
 
     def reset(self, pixels: Pixels, acting: Bits, word: Word, boundary: float) -> None:
-        """Set the reset level of the pixels in the mask `acting`, at the boundary of the reset
-        word."""
+        """Set the reset level of the pixels in the mask `acting` to that which the effects of
+        resets give for `word`, and note `boundary` as the time of their last reset."""
         level = np.zeros_like(self._level_e)
         for change in self._leaving:
             level = change(pixels, level, word)
@@ -147,11 +159,14 @@ class Resets:
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
     def lit(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words read the reset level plus light since the reset."""
+        """Return a mask of pixels where words read the reset level plus light since the reset: PIX
+        was reset at this boundary, and an effect lets light into the level."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
     def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
-        """Return the value that a word reads from PIX when PIX contains `charge`."""
+        """Return the electrons (pixels,) that `word` reads from PIX at `boundary` when PIX contains
+        `charge`: reset level and charge. Where PIX was reset at this boundary, the charge is left
+        out, or what effects that let light into the level make of it."""
         charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
         for lit in self._letting_in:
             charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)
@@ -159,7 +174,7 @@ class Resets:
 
 
 Marked = tuple[Values, NDArray[np.uint8]]
-"""Exposures (buckets, pixels) in electrons, and saturation marks."""
+"""Exposures (buckets, pixels) in electrons, and their saturation marks, of the same shape."""
 
 CELLS = 1 << 21
 """Largest number of slots x pixels that are processed at once, in about ten arrays of that size."""
@@ -170,10 +185,11 @@ START = 0
 
 
 def most_destinations(target: Target) -> int:
-    """Return the difference between the draw numbers of consecutive words.
+    """Return the difference between the draw numbers of consecutive words of a target.
 
-    Draws of errors are numbered by word and destination. The result is a power of two of at least
-    the largest number of destinations, so that a target's own words rarely change other draws."""
+    Errors of words are drawn by number: this difference times the word's number, plus the index of
+    the destination. It is a power of two of at least the largest number of destinations of a bus
+    word, so that words of its own rarely change a target's other draws."""
     rows = (*OPERATIONS, *target.words)
     most = max(row.destinations[1] or 0 for row in rows if row.effect is WordEffect.BUS)
     return 1 << (most - 1).bit_length()
@@ -186,10 +202,12 @@ def in_rows(
     shape: tuple[int, int, int],
     threads: int | None,
 ) -> Exposure:
-    """Return the exposure of consecutive rows of a frame, computed in strips of rows.
+    """Return the exposure of the consecutive `rows` of a frame, computed in strips of rows.
 
-    `fall` returns the charge of a strip, and `run` its exposures. `shape`: buckets, cols, and the
-    number of slots or intervals that are processed at once."""
+    `fall(strip)` returns the charge of the rows `strip`. `run(strip, charge)` returns its exposures
+    and marks, (buckets, pixels). Both must not depend on the strips. `shape`: numbers of buckets,
+    of columns, and of slots or intervals in the charge. `threads`: None for all processors. Values
+    that are not finite become invalid."""
     buckets, cols, slots = shape
     exposure = np.empty((buckets, len(rows), cols))
     saturated_by = np.empty(exposure.shape, np.uint8)
@@ -212,7 +230,10 @@ def in_rows(
 @dataclass(eq=False, kw_only=True)
 class WordPixels(Pixels):
     """The contents of some pixels while the words of one frame run. All arrays are (pixels,).
-    `word_draws`: the source number, in random keys, of draws for single words."""
+
+    `charge`: electrons of PIX. `register`: electrons of the analog registers by name. `word_draws`:
+    the source number, in random keys, of draws for single words; a subclass whose words have other
+    numbers has another."""
 
     word_draws: ClassVar[int] = WORD_DRAWS
     container: Container
@@ -230,7 +251,9 @@ class WordPixels(Pixels):
         self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
 
     def begin(self) -> None:
-        """Look up everything that does not depend on pixels, such as the effects of each stage."""
+        """Look up everything that does not depend on pixels: `at`, the functions of effects by
+        stage; `target`; `most`, see `most_destinations`; `errors_at`, the stage at which an effect
+        adds random errors, by name."""
         self.at, self.target = self.effects.at, self.container.target
         self.most = most_destinations(self.target)
         self.errors_at = {
@@ -238,34 +261,39 @@ class WordPixels(Pixels):
         }
 
     def arbitrary(self, group: int) -> Values:
-        """Return uniform numbers (pixels,) of the chip for the initial values of a register."""
+        """Return uniform numbers in [0, 1), (pixels,), for the initial values of a register. They
+        depend on the device seed and on `group`, the number of the register."""
         return uniforms(key(self.device_seed, START, group=group), self.places)
 
     def draw(self, name: str, number: int) -> Values:
-        """Return the standard normal error (pixels,) of an effect in draw `number` of its words."""
+        """Return standard normal numbers (pixels,) of the effect called `name`. `number` counts the
+        draws of this effect in a frame; the same number gives the same draw."""
         stream = by_name()[name].stream
         return normals(key(self.seed, stream, self.word_draws, self.frame, number), self.places)
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """Return the random numbers of an effect for a word, different for each `destination` if
-        the effect acts on words."""
+        """Return standard normal numbers (pixels,) of the effect called `name` for `word`. For an
+        effect of results of words they differ for each `destination` (its index in the word);
+        effects of reads, resets and comparisons have one draw a word."""
         number = word.number
         if self.errors_at.get(name) == "words":
             number = number * self.most + destination
         return self.draw(name, number)
 
     def fall(self, charge: Values) -> None:
-        """Add charge to PIX."""
+        """Add `charge` (pixels,), in electrons, to PIX, which may saturate."""
         self.charge = self.marks.fallen(self, self.charge + charge)
 
     def hold(self, seconds: float) -> None:
-        """Let registers leak for a time in seconds."""
+        """Let analog registers leak for a time in seconds, if effects do so; PIX keeps its
+        charge."""
         for decay in self.at("hold"):
             remaining = decay(self, seconds)
             self.register = {name: value * remaining for name, value in self.register.items()}
 
     def reset(self, word: RunningWord, acting: Bits) -> None:
-        """Reset PIX in the pixels of the mask `acting`."""
+        """Run the reset word `word`: empty PIX in the pixels of the mask `acting`, clear its marks,
+        and set its reset level."""
         self.charge = np.where(acting, 0.0, self.charge)
         self.marks.empty(acting)
         self.resets.reset(self, acting, word, word.boundary)
@@ -295,7 +323,9 @@ class WordPixels(Pixels):
         return total
 
     def bus(self, word: RunningWord, acting: Bits) -> None:
-        """Write -(sum of a word's sources) / divisor to its destinations where `acting`."""
+        """Run a bus word in the pixels of the mask `acting`: write -(sum of its sources) / divisor,
+        with the errors of words and saturation, and the marks of its sources to each
+        destination."""
         result, at = self.total(word) / -word.op.operation.divisor, word.boundary
         full, lost_e = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):
@@ -307,8 +337,9 @@ class WordPixels(Pixels):
             self.marks.write(name, acting, full, lost_in_register_e)
 
     def read_out(self) -> Marked:
-        """Return exposures in electrons and saturation marks of the frame, each (buckets,
-        pixels)."""
+        """Return exposures in electrons and saturation marks of the frame, each (buckets, pixels).
+        Registers leak until their readout; the registers themselves do not change. In a program
+        with images they are returned as they are, because images are computed first."""
         exposures = np.empty((len(self.container.buckets), len(self.places)))
         marked = np.empty(exposures.shape, np.uint8)
         stays = bool(self.container.pictures.launches)  # readout follows the words of images

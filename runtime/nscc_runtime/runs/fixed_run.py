@@ -16,8 +16,11 @@ from nscc_runtime.sensor import Sensor
 def exposing(
     container: Container, light: Light, sensor: Sensor, effects: Selection, request: Request
 ) -> Exposing:
-    """Return how frames are exposed, as a function of light and frame number: by the emulator
-    without effects, else by the reference."""
+    """Return the function without arguments that exposes the frames of `light`, and the compiled
+    loop that it needs: by the emulator without effects, else by the reference.
+
+    `effects` are those to simulate; `request` gives the seeds, the number of frames
+    (`request.repeat`, None for one) and the threads."""
     if request.effects.noiseless:
         from nscc_runtime.emulator.loops import expose_pixels
 

@@ -31,8 +31,10 @@ class ImagesRun(RunKind):
     def exposing(
         self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
     ) -> Exposing:
-        """Return how to expose frames with images: of one light, or of a film with a light for each
-        frame."""
+        """Return how to expose frames with images: `request.repeat` frames (None: one) of `light`,
+        or, if `request.next_lights` is not empty, a film of `light` and these, one frame each.
+
+        Raises Rejected if a light does not fit the program."""
         from nscc_runtime.emulator.capture import check
 
         lights, seeds = (light, *request.next_lights), (request.seed, request.device_seed)
@@ -45,20 +47,25 @@ class ImagesRun(RunKind):
         return Exposing(partial(program.frames, light, *seeds, request.repeat or 1, settings))
 
     def flow(self, container: Container, width: float) -> Any:
-        """Return the diagram of images and planes, of this width."""
+        """Return the diagram of how images and planes are computed, `width` wide."""
         from nscc_runtime.pictures.data_flow import DataFlow
 
         return DataFlow(container, width)
 
     def frame_sheet(self, container: Container, frame: Any, response: Any, title: str) -> Any:
-        """Draw the images and planes of a frame."""
+        """Return the drawing of the images and planes of `frame`, with `title` above; `response` is
+        not used."""
         from nscc_runtime.pictures.images import image_plane_sheet
 
         return image_plane_sheet(frame, container.buckets_read, title)
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
-        """Return the frame that a chip sent with its images and planes moved from the readouts
-        to `told`. The host adds up the images whose sum is reported."""
+        """Return the frame that a chip sent, with its images and planes moved from the readouts to
+        `told`, so that only buckets remain.
+
+        `frame` has the buckets that are read, then the images in the order in which they are sent.
+        If `sent.exact`, its electrons are exact; otherwise those of images follow from their
+        converter codes. The host adds up the images whose sum is reported."""
         told: dict[str, NDArray[Any]] = {}
         buckets = len(container.buckets_read)
         converter = image_sensor(sent.sensor, container.target)

@@ -21,10 +21,11 @@ class LooksRun(RunKind):
     def exposing(
         self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
     ) -> Exposing:
-        """Return how to expose frames of pixels that look, and the loop that is compiled first.
+        """Return how to expose `request.repeat` frames (None: one) of pixels that look, and the
+        loop that is compiled first.
 
-        Without noise, the words are executed by blocks of pixels; otherwise frames are drawn from
-        the planned `effects`."""
+        If the user asks for no effects, the compiled loop executes the words in blocks of pixels;
+        otherwise the reference does, with `effects`."""
         from nscc_runtime.execution.block_loop import run_blocks
         from nscc_runtime.looked_frames import frames
         from nscc_runtime.noise.noise_loops import fill_normals
@@ -45,13 +46,14 @@ class LooksRun(RunKind):
         return Exposing(run, run_blocks) if noiseless else Exposing(run, fill_normals, "noise")
 
     def sheet(self, container: Container, title: str) -> Any:
-        """Draw what pixels do for each sequence of answers."""
+        """Return the drawing of what pixels do for each sequence of answers, with `title` above."""
         from nscc_runtime.pictures.looking_chart import course_sheet
 
         return course_sheet(container, title)
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
-        """Return the frame with the light that the sent states give."""
+        """Return `frame` with the open times that follow from the sent states (`sent.planes`), and
+        the light that they mean, in `told`. If `sent.exact`, the exposures have no effects."""
         simulated = selected("none") if sent.exact else everything()
         told = told_by(container, sent.planes, frame, sent.sensor, simulated)
         return replace(frame, told=told)

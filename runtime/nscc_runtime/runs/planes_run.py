@@ -15,7 +15,8 @@ class BitPlanesRun(RunKind):
     without_plan = "bit planes assign the light to buckets slot by slot"
 
     def absent_effects(self, container: Container, effects: Any) -> Mapping[str, str]:
-        """Return the effects that a chip without logic does not have, with the reasons."""
+        """Return the names of those `effects` that a chip without logic does not have, each with
+        the reason; empty if it has all."""
         from nscc_runtime.reference.stream import absent_effects
 
         return absent_effects(container, effects)
