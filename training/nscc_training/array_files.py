@@ -29,7 +29,8 @@ ARRAYS = (".mat", ".npy", ".npz")
 
 
 def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
-    """Read one picture (rows, cols) or clip (T, rows, cols) of finite real numbers from a file.
+    """Read one picture (rows, cols) or clip (T, rows, cols) of finite real numbers from the file
+    `path`.
 
     Accepts `.npy`, `.npz` and `.mat` files; `key` names one of several arrays. None takes the first
     of `KEYS`, or the only array. The arrays `orig` and `video` of .mat files are (rows, cols, T)
@@ -184,8 +185,9 @@ def array_names(path: Path) -> list[str]:
 
 
 def real_array(path: Path, name: str) -> Floats:
-    """Return the array `name` of a file, or its only array, as float64. All values are finite real
-    numbers, at most `MOST` in magnitude.
+    """Return the array `name` of the .mat, .npy or .npz file `path` as float64. All values are
+    finite real numbers, at most `MOST` in magnitude. A .npy file has only one array. For the name
+    "mask", the only array of another file counts, too.
 
     Raises
     ------
@@ -207,7 +209,7 @@ def real_array(path: Path, name: str) -> Floats:
 
 
 def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
-    """Return the names of the arrays in a file, and the array `name`.
+    """Return the names of the arrays in the file `path` (none for .npy), and the array `name`.
 
     For the name "mask", the only array of a file counts, whatever its name. The array is None if it
     is missing, or if `name` is None. Raises Rejected (NS0845) if the file cannot be read."""
@@ -235,7 +237,8 @@ def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None
 
 
 def read_mask(path: Path) -> Floats:
-    """Return the array `mask` of a file, or its only array: three axes, values from 0 to 1.
+    """Return the array `mask` of the file `path`, or its only array: three axes, values 0 to 1,
+    float64. Which axis counts slots is not decided here.
 
     Raises
     ------

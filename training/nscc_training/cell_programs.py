@@ -129,7 +129,8 @@ def compiled_cell(
 
 def level_on_chip(level: float, target: Target) -> float:
     """Return `level`, in full wells, rounded to a whole step of IN, the value that the controller
-    sends to all pixels. A cell then gives the same bits in torch and on the chip."""
+    sends to all pixels. A cell with this level then gives the same bits in torch and on the chip. A
+    level below half a step becomes 0."""
     step_e = target.electrons_per_step
     return round(level * target.full_well_e / step_e) * step_e / target.full_well_e
 

@@ -149,7 +149,7 @@ class PixelCell(nn.Module):
 
         Attainable counts are -places, -places + 2, .., places, where places is the number of
         weights that are not 0. The smallest and the second largest are the limits, so that each
-        gate can be +1 and -1."""
+        gate can be +1 and -1; a gate without weights has 0."""
         taps = self.kernels().abs().sum((1, 2, 3))
         steps = torch.floor((self.threshold.detach() + taps) / 2).long()
         # At least one attainable count is above the result, and at least one is not.
@@ -220,8 +220,8 @@ class PixelCell(nn.Module):
         return torch.stack(frame_outputs, 1)
 
     def _compared(self, margins: Tensor) -> Tensor:
-        """Return +1 where a margin (a count minus its threshold) is positive, else -1. Without
-        binary weights, return tanh.
+        """Return +1 where one of `margins` (counts minus thresholds, of any shape) is positive,
+        else -1. Without binary weights, return tanh.
 
         The gradient of the comparison is that of a smooth step, as wide as the standard deviation
         of counts of random bits."""
@@ -242,7 +242,7 @@ def _read_settings(cell: PixelCell, _keys: object) -> None:
 
 def set_moving_edges(cell: PixelCell) -> None:
     """Set the weights of a cell in place to detectors of moving edges, one direction for each
-    output; their sizes stay.
+    output, evenly around the circle from the right; their sizes stay.
 
     The weights of the exposure detect an edge at its present position, those of the states detect
     the same edge one frame earlier. The gate of a state becomes a majority of the exposure's bits.

@@ -111,8 +111,9 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _readout_errors(self, codes: Tensor, generator: torch.Generator) -> Tensor:
-        """Return the readout's errors of codes (.., rows, cols): of each frame those of a random
-        chip, at a random place of its array. Frames larger than the array repeat it."""
+        """Return the readout's errors, in codes, of the shape of `codes` (.., rows, cols): of each
+        frame those of a random chip, at a random place of its array. Frames larger than the array
+        repeat it."""
         places: list[Tensor] = []
         for axis, size in zip((-2, -1), codes.shape[-2:], strict=True):
             whole = self.readout.shape[axis]
@@ -243,9 +244,9 @@ def _measured(
     """Return the mean and the standard deviation of codes above the ADC's offset, and the fraction
     of saturated pixels, each (K, r, c), at K light levels.
 
-    `light_e` (K,) are the levels in electrons over the frame. They are exposed side by side, each
-    on columns of whole tiles, in as many scenes as needed. The number of each of `chips` is its
-    seed."""
+    `container` is the program, exposed under `effects`. `light_e` (K,) are the levels in electrons
+    over the frame. They are exposed side by side, each on columns of whole tiles, in as many scenes
+    as needed. The number of each of `chips` is its seed."""
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))

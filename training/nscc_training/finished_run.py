@@ -266,8 +266,8 @@ class Run:
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
     def _dark(self, dark: DarkLike) -> Dark:
-        """Return the offset and the saturation of a dark frame, which is a file or a capture. Raise
-        Rejected (NS0819) for a file that is none."""
+        """Return the dark frame `dark`, the path of a file or a capture, with the mean over its
+        repeats. Raise Rejected (NS0819) for a file that is none."""
         if not isinstance(dark, Capture):
             return read_dark(path_of("reconstruct: dark", dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
@@ -276,8 +276,8 @@ class Run:
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
-        """Check an array of converter codes and return it as uint8 (rows, cols), or (2, rows, cols)
-        for two buckets.
+        """Check `frame`, an array of converter codes, and return it as uint8 (rows, cols), or (2,
+        rows, cols) for two buckets.
 
         A single bucket may have an axis of its own. Raises WrongArgument for another size or type,
         or codes outside the converter's range."""
@@ -346,7 +346,8 @@ def _chart(
     title: str, steps: NDArray[np.float64], values: NDArray[np.float64], colour: str
 ) -> html.Html:
     """Return the SVG chart of `values` over `steps` (both of one length), with the range of values
-    and the last step at its axes. It is empty without finite values."""
+    and the last step at its axes, `title` above, and the line in `colour`. It is empty without
+    finite values."""
     known = np.isfinite(values)
     steps, values = steps[known], values[known]
     if not len(values):

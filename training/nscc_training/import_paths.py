@@ -16,13 +16,14 @@ from nscc_training.problems import is_out_of_memory, one_line
 
 
 def is_import_path(text: str) -> bool:
-    """Return whether a configured name is an import path."""
+    """Return whether the configured name `text` is an import path, `module:name`: whether it has a
+    colon."""
     return ":" in text
 
 
 def imported(text: str, role: str) -> Any:
-    """Import the object `module:name`, also from the current folder, and return it. Python's search
-    path is restored.
+    """Import the object that `text`, `module:name`, names, also from the current folder, and return
+    it. The name may have dots (`module:Class.method`). Python's search path is restored.
 
     `role` (decoder, data or loss) names it in messages. Raises Rejected (NS0812) if it cannot be
     imported or called."""

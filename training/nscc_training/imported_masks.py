@@ -136,8 +136,8 @@ def import_mask(
 
 
 def read_binary_mask(path: Path) -> Floats:
-    """Read a mask of three axes with values 0 and 1, float64. Raise Rejected: NS0847 for other
-    values, and the errors of `read_mask`."""
+    """Read the mask of three axes in file `path`, with values 0 and 1, float64. Raise Rejected:
+    NS0847 for other values, and the errors of `read_mask`."""
     mask = read_mask(path)
     count = int(np.count_nonzero((mask != 0) & (mask != 1)))
     if count:

@@ -40,7 +40,8 @@ class ImportedNetwork:
 def import_network(
     path: Path, kernels_name: str, *, frame_us: float = 33_000.0, target: str = "scamp5"
 ) -> ImportedNetwork:
-    """Return the program of a trained cell, from a state dict (.pt) or a forward pass (.onnx).
+    """Return the program of the trained cell in file `path`, a state dict (.pt, .pth) or a forward
+    pass (.onnx).
 
     `kernels_name` is the name of the kernel file in the program's text, `frame_us` the exposure
     time of a frame in microseconds, and `target` a chip's name or file. Raises Rejected: NS0851 for

@@ -23,7 +23,7 @@ DIRECTIONS = (
 
 def still(generator: Generator, size: int) -> Picture:
     """Return a picture (size, size) of light, in an arbitrary unit, over four to six decades:
-    surfaces, edges, lamps."""
+    surfaces, edges, lamps. All draws come from `generator`."""
     surface = _fractal(generator, size, spread=4.0)
     for _ in range(int(generator.integers(6, 14))):
         shape_mask = _shape(generator, size)
@@ -39,8 +39,8 @@ def still(generator: Generator, size: int) -> Picture:
 
 
 def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
-    """Return a clip (frames, size, size) of light from 0 to 1, in which textured objects cross a
-    panning background."""
+    """Return a clip (frames, size, size) of light from 0 to 1, in which two to five textured
+    objects cross a panning background. All draws come from `generator`."""
     # More than the background can move: 1.5 pixels per frame at most.
     margin = 3 * frames
     ground = _unit(_fractal(generator, size + 2 * margin, spread=1.0))
@@ -57,8 +57,8 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
 def moving_texture(
     generator: Generator, frames: int, size: int, direction: str, speed: float
 ) -> NDArray[np.float32]:
-    """Return a clip (frames, size, size) on 0..1 of a texture that moves by `speed` pixels per
-    frame in `direction`, one of `DIRECTIONS`, blurred by its motion during each frame.
+    """Return a clip (frames, size, size), float32 on 0..1, of a texture that moves by `speed`
+    pixels per frame in `direction`, one of `DIRECTIONS`, blurred by its motion during each frame.
 
     The texture is periodic: what leaves the picture enters it on the opposite side. Its statistics
     are those of its mirror images, so the sum of all frames does not distinguish a direction from
@@ -76,7 +76,7 @@ def moving_texture(
 
 def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
     """Return noise (size, size) with mean 0 and the standard deviation `spread` / 2. Its amplitude
-    falls with spatial frequency as in natural scenes."""
+    falls with spatial frequency as in natural scenes. It is periodic."""
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
     frequency[0, 0] = 1.0
     white = np.fft.rfft2(generator.standard_normal((size, size)))
@@ -86,13 +86,14 @@ def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float
 
 def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return values scaled so that their 1 % and 99 % quantiles become 0.1 and 0.9; values beyond
-    are clipped."""
+    are clipped to this range. The two quantiles must differ."""
     low, high = np.percentile(values, (1, 99))
     return np.asarray(np.clip((values - low) / (high - low), 0, 1) * 0.8 + 0.1)
 
 
 def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
-    """Return a mask (size, size), true in a random rotated rectangle or ellipse."""
+    """Return a mask (size, size), true in a random rotated rectangle or ellipse, part of which may
+    lie outside."""
     y, x = generator.random(2) * size
     height, width = generator.uniform(0.05, 0.3, 2) * size
     angle = generator.uniform(0, np.pi)
@@ -115,8 +116,8 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
 
 
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
-    """Return the window (size, size) of `ground` whose corner (row, column) lies between pixels, by
-    linear interpolation."""
+    """Return the window (size, size) of `ground` whose corner (row, column) may lie between pixels,
+    by linear interpolation. `ground` must extend one pixel beyond the window."""
     pixel = np.floor(corner).astype(int)
     fraction = corner - pixel
     y, x = pixel
@@ -131,8 +132,8 @@ def _paste(
     mask: NDArray[np.float64],
     corner: NDArray[np.float64],
 ) -> None:
-    """Paste an object into `picture`, in place, where `mask` (side, side) is 1. Its corner is at
-    `corner`, rounded to whole pixels; parts outside are cut."""
+    """Paste an object, `texture` (side, side), into `picture` (rows, cols), in place, where `mask`
+    (side, side) is 1. Its corner is at `corner`, rounded to whole pixels; parts outside are cut."""
     side = len(texture)
     y, x = np.rint(corner).astype(int)
     # From (y0, x0) to (y1, x1): the part of the object within the picture.

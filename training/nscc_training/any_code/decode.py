@@ -74,7 +74,8 @@ def decoded_clip(
     A stage is a correction towards the frames and a denoiser. If one of several readouts was always
     open, `joined` adds static content from all readouts. The denoiser expects white to be 1, so the
     measurement is first divided by an estimate of white. The result is at least 0. `progress`
-    receives the stages and may show a bar."""
+    receives the stages and may show a bar. `measured` has light in any unit, and may have several
+    readouts."""
     unit = white(measured)
     measured = measured.over(unit)
     number = always_open(measured)
@@ -126,8 +127,8 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
 
 
 def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
-    """Denoise a still (batch, 1, rows, cols) in tiles, by the network for stills that comes with
-    nscc.
+    """Denoise `light`, the scaled logarithm of a still (batch, 1, rows, cols), in tiles, by the
+    network for stills that comes with nscc.
 
     `planes` (batch, 3, 1, rows, cols) are the network's other inputs for the whole still; `level`
     (batch,) is the assumed standard deviation of the error."""
@@ -137,8 +138,8 @@ def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
 
 
 def white(measured: Measured[Tensor]) -> Tensor:
-    """Return the light that counts as white for each frame of the batch (batch,): the 99.5 %
-    quantile of the mean light of pixels that open at all.
+    """Return the light that counts as white for each measurement of the batch `measured`, (batch,):
+    the 99.5 % quantile of the mean light of pixels that open at all.
 
     It is 1 for a frame whose pixels never open, and at least 1e-6."""
     total = measured.mask.sum(dim=(1, 2))
@@ -168,7 +169,8 @@ _STILL, _MOVING = 0.25, 0.6
 
 
 def always_open(measured: Measured[Tensor]) -> int | None:
-    """Return the index of the readout whose shutters never close in any slot and pixel.
+    """Return the index of the readout of `measured` whose shutters never close in any slot and
+    pixel, for all of the batch.
 
     If there are several, the first is returned. Return None if there is none, or if all readouts
     are always open."""

@@ -109,8 +109,8 @@ def read_coded_frames(
     dark: Path | None = None,
     warn: Callable[[Diagnostic], None] = lambda _doubt: None,
 ) -> tuple[CodedFrame, ...]:
-    """Read a frame file that any program wrote. Return one frame, or three (red, green, blue) if it
-    was exposed once for each colour.
+    """Read the frame file `path` that any program wrote. Return one frame, or three (red, green,
+    blue) if it was exposed once for each colour.
 
     Repeated frames are averaged. `program` is the container or text that exposed the frame; it is
     needed if the file contains no shutters, and checked if it does. `dark` is a frame file of the
@@ -201,7 +201,9 @@ def exposed_frame(
     """Expose `light` with the program in `container` on the emulated chip. Return the frame with
     its shutters, noise and saturation.
 
-    `request` chooses the effects and the seed."""
+    `light` is in the program's slots, `sensor` is that of the chip. `request` chooses the effects
+    and the seed. Raises KeyError if the program's shutters depend on the light, as those of pixels
+    that look."""
     return coded_capture(container, light, sensor, simulate(container, light, sensor, request))
 
 
@@ -209,8 +211,8 @@ def coded_capture(
     container: Container, light: Light, sensor: Sensor, simulated: Simulated
 ) -> CodedFrame:
     """Convert the `simulated` frame of the program in `container`, exposed to `light`, into the
-    form that is reconstructed, with the shutters, noise and saturation that program and sensor
-    give."""
+    form that is reconstructed, with the shutters, noise and saturation that program and `sensor`
+    give. Raises KeyError if the program's shutters depend on the light."""
     about = meta(container, light, simulated.frame, simulated.origin)
     table = decode_arrays(container, sensor, about["plan"])
     arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}

@@ -126,11 +126,12 @@ def measured_lesson(
     """Return the ground truth of a lesson, its measurement, and the light that a display shows as
     white (batch,).
 
-    White is None except for filmed lessons, whose errors are measured in display encoding; their
-    truth and measurement are divided by the white that the decoder estimates. Their full well is
-    within a factor of 2 of the light that the brightest percent of pixels would collect if always
-    open. This is as in protocol video-v1, so that noise is realistic for short shutters. The full
-    well of a still is 1. In other lessons some pixels may saturate."""
+    Noise is drawn from `generator`. White is None except for filmed lessons, whose errors are
+    measured in display encoding; their truth and measurement are divided by the white that the
+    decoder estimates. Their full well is within a factor of 2 of the light that the brightest
+    percent of pixels would collect if always open. This is as in protocol video-v1, so that noise
+    is realistic for short shutters. The full well of a still is 1. In other lessons some pixels may
+    saturate."""
     light, mask = lesson.light, lesson.mask
     if lesson.filmed:
         light = srgb_inverse(light)

@@ -93,7 +93,7 @@ _SPAN = log(1 + 200 / _FLOOR)
 
 def started_still(measured: Measured[Tensor]) -> Tensor:
     """Return a first estimate of the light over the frame (batch, rows, cols), from which the
-    stages start.
+    stages start. The masks of `measured` have one slot.
 
     Each pixel is the mean of its own and its neighbours' measurements, weighted by precision. A
     saturated pixel has at least the light at which it saturates; one that never opens has its
@@ -139,7 +139,8 @@ def still_stages(
     measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, count: int
 ) -> Iterator[Tensor]:
     """Yield the light (batch, rows, cols) after each of `count` stages, which begin with the
-    estimate `light`."""
+    estimate `light` of the same shape. Each stage is one correction towards the frames of
+    `measured`, and the `denoiser`."""
     for sigma in schedule(count, still=True):
         light = still_stage(measured, denoiser, light, sigma)
         yield light

@@ -55,7 +55,8 @@ def _tiles(length: int, side: int, is_mirrored: bool) -> Iterator[tuple[slice, s
     those that are read for it, with a margin.
 
     `side` is the length of a tile. The grid of tiles begins at the first pixel, or at the last if
-    the network sees the clip mirrored along this axis."""
+    the network sees the clip mirrored along this axis (`is_mirrored`), so that the mirrored clip
+    has the same grid."""
     for first in range(0, length, side):
         ends = (first, min(first + side, length))
         for_tile = (max(0, first - _MARGIN), min(first + side + _MARGIN, length))

@@ -56,8 +56,8 @@ def gap_tv_of(
 def gap_step(
     measured: Measured[Array], clip: Array, target: Array, sigma: Array
 ) -> tuple[Array, Array]:
-    """Return the clip after one step towards the frames, and the updated `target`, as in
-    `gap_tv_of`.
+    """Return the clip (batch, N, rows, cols) after one step towards the frames of `measured`, and
+    the updated `target`: the frames plus what earlier steps have not explained.
 
     `target` has the shape of the frames; the first step receives the frames themselves. `sigma`
     (batch,) is the standard deviation of the clip's error: the smaller it is, the less is

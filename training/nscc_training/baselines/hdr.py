@@ -23,12 +23,13 @@ def merged(
     """Estimate the light over the whole frame in electrons (rows, cols), as if every pixel had
     always been open.
 
-    All arrays are (rows, cols): `frame` are converter codes above the offset, `open_share` is the
-    open fraction of the frame of each pixel, and `saturated` marks codes that are lower limits. The
-    light of a pixel is the mean of the measurements around it, weighted by precision; saturated
-    measurements have weight 0. The neighbourhood grows until it contains a measurement. A saturated
-    pixel has at least the light that saturates it; one that never opens has its neighbours' light.
-    """
+    All arrays are (rows, cols): `frame` are converter codes above the offset, each of
+    `electrons_per_lsb`; `open_share` is the open fraction of the frame of each pixel, and
+    `saturated` marks codes that are lower limits. `read_noise_e` is the standard deviation of the
+    readout in electrons. The light of a pixel is the mean of the measurements around it, weighted
+    by precision; saturated measurements have weight 0. The neighbourhood grows until it contains a
+    measurement. A saturated pixel has at least the light that saturates it; one that never opens
+    has its neighbours' light."""
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
     usable = ~saturated & (open_share > 0)

@@ -24,8 +24,9 @@ def gap_tv(
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:
-    """Reconstruct a clip by `gap_tv_of`, without noise. It starts from the measurement divided
-    among the open frames.
+    """Reconstruct the clip (T, rows, cols) of a `measurement` (rows, cols) through `mask` (T, rows,
+    cols) by `iterations` of GAP-TV, without noise. It starts from the measurement divided among the
+    open frames.
 
     `weight` is that of total variation."""
     measured = Measured.exact(measurement[None], mask[None])

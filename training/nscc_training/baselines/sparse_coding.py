@@ -71,10 +71,11 @@ def coded_still(
 ) -> Picture:
     """Reconstruct the light over the frame in electrons (rows, cols).
 
-    `frame` are converter codes above the offset, `open_share` is the open fraction of each pixel,
-    and `coarse_e` an estimate of the light by another method. Photon noise of the square root of
-    light depends on the open time alone, which is the confidence of a pixel. A saturated pixel has
-    confidence 0, and at least the light that saturates it."""
+    All arrays are (rows, cols). `frame` are converter codes above the offset, each of
+    `electrons_per_lsb`; `open_share` is the open fraction of each pixel, and `coarse_e` an estimate
+    of the light by another method. Photon noise of the square root of light depends on the open
+    time alone, which is the confidence of a pixel. A saturated pixel has confidence 0, and at least
+    the light that saturates it."""
     share = np.where(open_share > 0, open_share, 1.0)
     relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)

@@ -41,8 +41,9 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Denoise clips (batch, T, rows, cols) like `tv_denoised`, but with torch's operators, on any
-    device. The result is float32 and has no gradient."""
+    """Denoise clips (batch, T, rows, cols) as `tv_denoised` does, but with torch's operators, on
+    any device: `weight`, `iterations` and `time` mean the same. The result is float32 and has no
+    gradient."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     # 1 / (2 dimensions) is where the projection is known to converge.

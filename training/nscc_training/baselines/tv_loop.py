@@ -184,8 +184,8 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
 
 
 def tv_denoised_arrays(clips: NDArray[Any], weight: float, iterations: int, time: float) -> Clip:
-    """Return clips (batch, T, rows, cols), float32, each denoised as `tv_denoise` does. The
-    arguments are not checked."""
+    """Return clips (batch, T, rows, cols), float32, each denoised by itself as `tv_denoise` does.
+    The arguments, among them `weight` above 0, are not checked."""
     image = np.ascontiguousarray(clips, np.float32)
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)

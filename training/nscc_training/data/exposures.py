@@ -54,7 +54,8 @@ class Batch:
     classes: Tensor | None = None
 
     def patches(self, first: int, last: int) -> Batch:
-        """Return the part of the batch from patch number `first` up to, but without, `last`."""
+        """Return the part of the batch from patch number `first` (0 is the first) up to, but
+        without, `last`."""
         cut = slice(first, last)
         return replace(
             self,
@@ -119,7 +120,9 @@ class ExposureSet(Dataset[Exposures]):
         seed: int,
         classes: Sequence[str] = (),
     ) -> None:
-        """Prepare to draw `batch` patches a step from the training scenes.
+        """Prepare to draw `batch` patches a step from the training scenes of `scenes`, with the
+        size and augmentation of `settings`. A region is as large as a patch or `EXPOSED`, or the
+        smallest scene.
 
         `slots` is the number of frames of a clip. `seed` and the step determine all draws.
         `classes` are the names of the scenes' classes, if the decoder classifies; empty otherwise.
@@ -220,8 +223,9 @@ class ExposureSet(Dataset[Exposures]):
 def cut_batch(
     drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
 ) -> Batch:
-    """Return the patches of a batch: the regions in `drawn` are exposed for a chip with this full
-    well, cut and augmented on `device`.
+    """Return the patches of a batch: the regions in `drawn` are exposed for a chip with the full
+    well `full_well_e`, cut and augmented on `device`. `settings` give the side of a patch and the
+    protocol.
 
     Stills are exposed so that the drawn fraction of a region saturates if it is always open. The
     brightest percent of a clip's pixels would fill a well in a frame; under a protocol with a
@@ -296,8 +300,8 @@ def _cut(
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     """Return the quantile of each row of `values` (batch, count), float64 (batch,).
 
-    `quantile` is a number from 0 to 1, or one for each row (batch,). Values between two elements
-    are interpolated linearly, as numpy does."""
+    `quantile` is a float from 0 to 1, or a tensor with one for each row (batch,). Rows have at
+    least one value. Values between two elements are interpolated linearly, as numpy does."""
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)
@@ -315,8 +319,8 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
 
 
 def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:
-    """Return the light of a scene. A panorama, twice as wide as high, loses the distorted eighths
-    at its top and bottom, if enough rows remain for a region."""
+    """Return the light of a scene, (rows, cols) or (T, rows, cols). A panorama, twice as wide as
+    high, loses the distorted eighths at its top and bottom, if enough rows remain for a region."""
     light = scene.light
     side = max(settings.patch, EXPOSED)
     if light.ndim == 2 and light.shape[1] == 2 * light.shape[0] >= 4 * side:

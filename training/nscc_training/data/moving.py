@@ -39,9 +39,10 @@ def moving(
     """Return a clip (frames, size, size), float32, with values from 0 to 1, composed of parts of
     `pictures`.
 
-    Pictures have 8 bits and are larger than `size`. The background and up to three objects come
-    from randomly chosen pictures. Half of the clips have motion blur. The values are in display
-    encoding, changed by a random power and range."""
+    Pictures (rows, cols) have 8 bits and are larger than `size`, in pixels. All draws come from
+    `generator`. The background and up to three objects come from randomly chosen pictures. Half of
+    the clips have motion blur. The values are in display encoding, changed by a random power and
+    range."""
     layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
         layers.append(_Layer.drawn(pictures, generator, size, background=False))
@@ -168,7 +169,8 @@ class _Layer:
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
         """Return the fraction (0 to 1) of each pixel of (size, size) that the object covers at time
-        `moment`, in frames from the middle of the clip. Its edge is one pixel wide."""
+        `moment`, in frames from the middle of the clip. Its edge is one pixel wide. The layer must
+        not be a background."""
         assert self.outline is not None
         y, x = self.middle + self.velocity * moment
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
@@ -202,8 +204,8 @@ def pictures_below(folder: Path) -> list[Path]:
 
 
 def light_of_picture(path: Path) -> NDArray[np.float32]:
-    """Return the linear light of a picture file (rows, cols), halved until its shorter side is
-    below `_SHORT` pixels.
+    """Return the linear light of the picture file `path`, float32 (rows, cols), halved until its
+    shorter side is below `_SHORT` pixels.
 
     The reduction gives as much detail per pixel as small cameras have."""
     import cv2
@@ -218,6 +220,6 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
 
 def shown_picture(light: NDArray[np.float32]) -> Picture:
     """Return the 8-bit display picture of linear light. White is the 98 % quantile of the light;
-    brighter pixels are clipped."""
+    brighter pixels are clipped. `light` is (rows, cols), and the result, uint8, too."""
     level = max(float(np.percentile(light, 98)), 1e-30)
     return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)

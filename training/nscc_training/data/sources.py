@@ -53,7 +53,7 @@ class SourceScene:
     """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
     White is 1 in clips from display files. `sha256` is the digest of the file, or of the array if
-    there is no file. `label` is its class, if clips are classified."""
+    there is no file. `label` is its class; "" if clips are not classified."""
 
     name: str
     sha256: str
@@ -160,8 +160,8 @@ class _Kind:
 
 
 def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
-    """Return the scenes of a source: "procedural", a Python function (module:name), or the files in
-    a folder.
+    """Return the scenes of a source, converted as `kind` says: "procedural", a Python function
+    (module:name), or the files in a folder.
 
     `split_name` is "train" or "val". Raises Rejected (NS0811, NS0812) for scenes that training
     cannot use."""
@@ -201,8 +201,8 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
-    """Return the synthetic scenes of a split, "train" or "val", determined by the seed. For
-    validation there are a quarter as many as for training."""
+    """Return the synthetic scenes of the split `split_name`, "train" or "val", determined by the
+    seed of `kind`. For validation there are a quarter as many as for training."""
     count, stream = kind.settings.scenes, DrawStream.TRAINING_SCENES
     if split_name != "train":
         count, stream = -(-count // 4), DrawStream.VALIDATION_SCENES
@@ -227,8 +227,8 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _read(path: Path, kind: _Kind) -> list[SourceScene]:
-    """Return the scenes of a file: a still; the first frames of a video; clips of a camera that
-    turns in a linear panorama; or clips whose layers are cut from a display photograph."""
+    """Return the scenes of the file `path`: a still; the first frames of a video; clips of a camera
+    that turns in a linear panorama; or clips whose layers are cut from a display photograph."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
@@ -251,8 +251,9 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
 def _turned(
     panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
 ) -> list[SourceScene]:
-    """Return clips of a camera that turns in `panorama` (rows, cols). The file's `digest` and the
-    seed determine its paths.
+    """Return clips of a camera that turns in `panorama` (rows, cols), as many as the setting
+    `paths`. The scenes are called after `name`, that of the file. The file's `digest` and the seed
+    determine its paths.
 
     Light is divided by its 99 % quantile. It is then put in display encoding if the settings treat
     stored values as light, because such runs learn from display values."""
@@ -287,8 +288,8 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
-    """Return a generator of random numbers for each clip that is made of a file. The file's
-    `digest` and the seed determine it."""
+    """Return a generator of random numbers for each clip that is made of a file, as many as the
+    setting `paths`. The file's `digest` and the seed determine it."""
     return [
         np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
@@ -301,8 +302,8 @@ def _clip_light(
     """Return the light of the first of the `stored` frames, (frames, rows, cols), cut to at most
     `_MOST_SIDE` rows and columns in their middle.
 
-    The settings limit the number of frames. `colours` is their encoding, and `path` names them in
-    messages."""
+    The settings of `kind` limit the number of frames. Raises ValueError for frames of different
+    sizes. `colours` is their encoding, and `path` names them in messages."""
     frames = [
         kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))

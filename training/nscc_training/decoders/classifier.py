@@ -68,7 +68,7 @@ def relative(values: Tensor, weight: Tensor) -> Tensor:
 
 def _convolution(inputs: int, outputs: int, stride: int) -> list[nn.Module]:
     """Return a 3 x 3 convolution from `inputs` to `outputs` channels, with batch normalisation and
-    ReLU."""
+    ReLU. A `stride` of 2 halves the resolution."""
     return [
         nn.Conv2d(inputs, outputs, 3, padding=1, stride=stride, bias=False),
         nn.BatchNorm2d(outputs),

@@ -149,7 +149,7 @@ class StillUNet(nn.Module):
 
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
         """Return the light of stills (batch, rows, cols), in full wells, from frames of the same
-        shape.
+        shape, in full wells, and `shutters` (N, r, c), a repeating tile.
 
         The network works on the logarithm of the light. If it guesses, it predicts the difference
         to the first guess."""
@@ -169,7 +169,8 @@ class StillUNet(nn.Module):
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
         """Return the light of clips (batch, N, rows, cols), in full wells / N, from a frame (batch,
-        [buckets,] rows, cols)."""
+        [buckets,] rows, cols) in full wells, and `shutters` (N, r, c) of the first bucket, a
+        repeating tile."""
         assert self.slots is not None
         inputs, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:

@@ -54,7 +54,9 @@ class Demo:
 def demo(
     scene: Scene, out: Path, settings: DemoSettings | None = None, listener: Listener | None = None
 ) -> Demo:
-    """Expose a scene with a shipped run, reconstruct it, and write both into the folder `out`.
+    """Expose a scene with a shipped run or that of `settings`, reconstruct it, and write both into
+    the folder `out`, which is created. `settings` None takes the defaults; `listener` receives
+    messages and progress, None ignores them.
 
     For a still, writes `picture_sheet.png`, `picture.hdr` and `picture.png`; for a clip,
     `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
@@ -111,8 +113,9 @@ def _reconstructed(
     """Return the reconstructed light in the shape of the truth, the seconds it took, and the name
     of the method.
 
-    `frames` are the files of the coded frame and of its dark frames. The run decodes; without one,
-    the decoder for any code; and if the settings use no network, a method without one."""
+    `frames` are the files of the coded frame and of its dark frames. The run that exposed the scene
+    decodes; without one, the decoder for any code; and if the settings use no network, a method
+    without one."""
     if settings.learned and exposed_scene.run is not None:
         from nscc_training.reconstruct import reconstruct
 
@@ -141,8 +144,9 @@ def _method(exposed_scene: Exposed, settings: DemoSettings) -> Method:
 def _commands(
     exposed_scene: Exposed, settings: DemoSettings, files: tuple[Path, ...]
 ) -> tuple[str, ...]:
-    """Return the commands that do the same as the demo, step by step: expose the scene, expose dark
-    frames, reconstruct. `files` are the files that the demo wrote, in its order."""
+    """Return three commands, with quoted arguments, that do the same as the demo, step by step:
+    expose the scene, expose dark frames, reconstruct. `files` are the files that the demo wrote, in
+    its order."""
     scene = exposed_scene.scene
     program = (
         quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"

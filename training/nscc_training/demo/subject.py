@@ -45,8 +45,8 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
     """Return whether a scene is a still or a clip, and the part of a clip to use.
 
     A clip must fill `slots` slots in `frame_s` seconds. In a longer clip, the frames with the most
-    motion are chosen, one per slot; a shorter clip is slowed down. Raises Rejected as the scene
-    readers do."""
+    motion are chosen, one per slot; a shorter clip is slowed down. A scene that is no existing file
+    counts as a still, whose reader refuses it. Raises Rejected as the scene readers do."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):
@@ -88,7 +88,8 @@ def _of_clip(
     `slots` are spread over the slots; of more frames, the part with the most motion is used.
 
     `frame_s` is the exposure time of the sensor's frame in seconds. A frame rate in `scene` is
-    kept."""
+    kept, and then no part is chosen. `transfer` is the encoding. There is at least one frame; those
+    after the first `_MOST_FRAMES` are not read."""
     small = np.stack([_reduced(frame) for frame in islice(frames, _MOST_FRAMES)])
     have = len(small)
     if have == 1:
@@ -105,10 +106,10 @@ def _of_clip(
 
 def liveliest(frames: NDArray[np.float32], count: int) -> int:
     """Return the number of the first of `count` successive frames with the most motion. Parts with
-    a cut are used only if all parts have one.
+    a cut are used only if all parts have one; of equal parts, the first is chosen.
 
-    `frames` (T, rows, cols) are grey values. Motion is the mean absolute difference of successive
-    frames."""
+    `frames` (T, rows, cols), at least `count`, are grey values. Motion is the mean absolute
+    difference of successive frames."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])
@@ -119,8 +120,8 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
 
 
 def _reduced(frame: NDArray[Any]) -> NDArray[np.float32]:
-    """Return a picture (rows, cols, [3]) as grey values of `_SIDE` x `_SIDE` pixels, in which
-    motion is measured."""
+    """Return the picture `frame` (rows, cols, [3]) as grey values (the mean of its colours) of
+    `_SIDE` x `_SIDE` pixels, whatever its shape, in which motion is measured."""
     import cv2
 
     grey = frame.mean(axis=-1) if frame.ndim == 3 else frame

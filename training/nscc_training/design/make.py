@@ -87,7 +87,8 @@ def _tables(
 
     The first is the error of each pixel's own measurement for each of `stops`, (squares, pixels,
     stops). The second is the squared difference between the light of two pixels, (squares, pixels,
-    pixels). Both are on `curve`. `number` is that of the scene, for messages."""
+    pixels). Both are on `curve`. `slots` is the number of slots of the frame, and `number` that of
+    the scene (0 is the first), for messages."""
     peak = peak_of(scene.reshape(-1), number)
     # A scene of one row or column has no tiles: it is repeated.
     scene = np.tile(scene, [2 if side == 1 else 1 for side in scene.shape])
@@ -218,7 +219,8 @@ def design_looks(
 
 def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
     """Design the 2 x 2 tile of exposure times with the smallest risk (see `best_tile`) on a curve.
-    Arguments and errors are as for `design_looks`."""
+    `scenes` are stills (rows, cols) in electrons over the frame; `frame` None takes the defaults of
+    `Frame`. Raises Rejected: NS0824 for a scene without light, and the compiler's errors."""
     frame = frame or Frame()
     chip = frame.chip()
     tile, tile_count = best_tile(chip, scenes, frame.slots, curve)

@@ -135,7 +135,9 @@ def _frames(
     """Return the frames of a still whose pixels all have the same exposure time, by this time in
     slots: electrons (rows, cols) and which pixels are saturated.
 
-    Arguments are as in `judged`. `number` is that of the scene, and seeds the noise."""
+    `light_e` (rows, cols) is in electrons over the frame, at most as large as the array. `compiled`
+    returns the program for an exposure time in slots, each of `slot_us` microseconds. `number` is
+    that of the scene, and seeds the noise."""
     seconds = np.full(slots, slot_us * 1e-6)
     target, sensor = chip.target, chip.sensor
     rows, cols = light_e.shape

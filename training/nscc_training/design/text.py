@@ -23,7 +23,8 @@ def looking_text(
     chip: str | None,
     remark: str,
 ) -> str:
-    """Return the text of a program whose pixels look at their light as a schedule says.
+    """Return the text of a program whose pixels look at their light as a schedule says, in a frame
+    of `slots` slots of `slot_us` microseconds.
 
     `target` is the chip, and `chip` its name in the text; None leaves it out. `remark` is the
     comment at the head."""
@@ -47,8 +48,9 @@ def looking_text(
 def tile_text(
     stops: Sequence[Sequence[int]], slots: int, slot_us: float, chip: str | None, remark: str
 ) -> str:
-    """Return the text of a program with a fixed tile. `stops` (rows, cols) are the numbers of slots
-    for which pixels are open.
+    """Return the text of a program with a fixed tile. `stops` (rows, cols) are the numbers of
+    slots, from the first on, for which pixels are open, in a frame of `slots` slots of `slot_us`
+    microseconds.
 
     `chip` is the target's name, None to leave it out; `remark` is the comment at the head."""
     rows = [f"[{', '.join(map(str, row))}]" for row in stops]
@@ -65,14 +67,15 @@ def tile_text(
 
 def level_text(steps: int, target: Target) -> str:
     """Return a level of `steps` steps of IN as percent of a full well, with the fewest decimals
-    from which the compiler gets the same number of steps."""
+    from which the compiler gets the same number of steps, such as "22%"."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
     candidates = (f"{percent:.{digits}f}" for digits in count())
     return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)
 
 
 def _formatted(lines: Sequence[str]) -> str:
-    """Return the program in the standard style, as `nscc fmt` writes it."""
+    """Return the program of these lines (without line ends) in the standard style, as `nscc fmt`
+    writes it."""
     return format_source(Source("design.nsl", "\n".join(lines) + "\n"))
 
 

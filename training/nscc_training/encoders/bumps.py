@@ -150,7 +150,7 @@ class Bump(Encoder):
         directions.
 
         `over` lays the tile over a patch, so that each pixel of the patch moves on its own. Only
-        the fraction `tried_share` of the pixels moves."""
+        the fraction `tried_share` of the pixels moves. The moves are drawn from `generator`."""
         fields = over(self.fields(None))
         with torch.no_grad():
             spread = self.trial_spread(fields)

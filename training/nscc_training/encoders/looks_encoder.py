@@ -77,7 +77,9 @@ class LooksEncoder(Encoder):
         """Return two versions of times and levels, moved by the same random steps in opposite
         directions.
 
-        `over` repeats them over the pixels of a patch, each of which moves on its own."""
+        `over` repeats them over the pixels of a patch, each of which moves on its own. The moves
+        are drawn from `generator`. A side has (2 looks, rows, cols) fields, as whole boundaries and
+        levels."""
         fields = over(self.fields())
         with torch.no_grad():
             # The first half of the fields are times, as logarithms; the second half are levels.
@@ -102,8 +104,8 @@ class LooksEncoder(Encoder):
         }
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the boundaries `at` and the levels `level`, both (1, looks). Raise ValueError if they
-        are out of range, or if boundaries do not increase."""
+        """Set the boundaries `at` and the levels `level`, both (1, looks). Raise ValueError if one
+        is missing, has another shape or is out of range, or if boundaries do not increase."""
         limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}
         at, level = self.checked(codes, limits)
         if not bool((at[0, 1:] > at[0, :-1]).all()):

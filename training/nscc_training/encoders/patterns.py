@@ -75,7 +75,7 @@ class Bits(_Digits):
         and subtracted.
 
         `over` repeats the logits over the pixels of a patch, each of which is decided on its own.
-        """
+        The numbers are drawn from `generator`."""
         fields = over(self.logits)
         with torch.no_grad():
             spread = self.trial_spread(fields)
@@ -223,7 +223,8 @@ class Codebook(_Digits):
         """Set the row of each pixel from `id` (rows, cols), and the digits of the shapes if `book`
         (K, N) is given.
 
-        Raise ValueError for rows or digits that do not exist."""
+        Without a book, the shapes stay. Raise ValueError for rows or digits that do not exist, and
+        other shapes of arrays."""
         self.checked(codes, {"id": (0, self.rows - 1)})
         book = codes.get("book")
         if book is not None:

@@ -84,7 +84,8 @@ def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> N
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
     """Return shutters for a film of several frames, as a tile: (frames, slots of the whole film,
-    rows, cols). Frame k is open only in its own slots.
+    rows, cols). Frame k is open only in its own slots. `protocol` gives the numbers of frames
+    (`film`), of slots of the whole film (`frames`), and of open slots in a frame (`length`).
 
     Each pixel opens in one interval per frame. `staggered` intervals may begin at the end of one
     frame and continue in the next one."""
@@ -239,8 +240,9 @@ def _choices(
 
 
 def named_codes(text: str, protocol: Protocol, name: str, seed: int) -> Encoder:
-    """Return the encoder with codes named `CLASS[:START]`, or with those of a run. A class without
-    a start has random codes, which `seed` determines.
+    """Return the encoder with codes that `text` names: `CLASS[:START]`, such as "c:quad", or a run
+    (a folder, or the name of a shipped one). A class without a start has random codes, which `seed`
+    determines.
 
     Raises Rejected (NS0840) if the baseline `name` accepts no other codes, or the protocol does not
     support them."""

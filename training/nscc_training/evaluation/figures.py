@@ -101,11 +101,11 @@ class _Shot:
 def figures(settings: FigureSettings) -> dict[str, bytes]:
     """Return the bytes of PNG files by their file names, the names in `figures.toml` with ".png".
 
-    `data` contains panoramas and clips, or folders `hdr` and `video` with them. The figures show
-    the first crop with the largest ratio of brightest light to median, and the first window with
-    the most motion. Files that the run was trained on are not used. Without `data`, or without a
-    suitable file, built-in scenes are shown. Raises Rejected: NS0756 for unknown effects, NS0811
-    for a folder without scenes."""
+    `data` of `settings` contains panoramas and clips, or folders `hdr` and `video` with them. The
+    figures show the first crop with the largest ratio of brightest light to median, and the first
+    window with the most motion. Files that the run was trained on are not used. Without `data`, or
+    without a suitable file, built-in scenes are shown. Raises Rejected: NS0756 for unknown effects,
+    NS0811 for a folder without scenes."""
     data = settings.data
     runs = {still: load_run(path) for still, path in RUNS.items()}
     scenes = {

@@ -73,8 +73,8 @@ def row_of(name: str, target: Target) -> LookSchedule:
 def evaluate_looks(
     wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method of UNDECODED on a folder of panoramas, and its arrays by name,
-    both as `result_of` does.
+    """Return the result of `wanted.subject`, a method of UNDECODED, on a folder of panoramas, and
+    its arrays by name, both as `result_of` does.
 
     `wanted.effects` replace the protocol's noise and comparator noise, and then the readout has the
     noise of the chip. Programs are designed for the sensor without `wanted.changes`."""
@@ -161,7 +161,8 @@ def bracket_light(
     """Return the light over the frame in electrons (rows, cols) that an ordinary bracket measures
     of the constant light `light_e`, of this shape.
 
-    The frame has these `effects`; `seeds` are those of noise and of the device."""
+    `container` is the program of a camera with several readouts. The frame has these `effects`;
+    `seeds` are those of noise and of the device."""
     taken = _still_capture(container, light_e, sensor, effects, seeds)
     response = response_of(container, sensor, effects)
     exposure_e = response.electrons(taken.frame) * response.gain
@@ -177,8 +178,8 @@ def _still_capture(
     effects: Selection | str,
     seeds: tuple[int, int],
 ) -> Capture:
-    """Return the frame that `container` exposes of the constant light `light_e`, in electrons over
-    the frame; `seeds` are those of noise and of the device."""
+    """Return the frame that `container` exposes of the constant light `light_e`, (rows, cols) in
+    electrons over the frame, under `effects`; `seeds` are those of noise and of the device."""
     slot_s = container.slot_s
     light = Light.of_still((light_e / float(slot_s.sum())).astype(np.float32), slot_s)
     return capture(
@@ -192,7 +193,7 @@ def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolSc
 
     `name` is that of a row of the table: a key of `ROWS` (fixed looks), `BRACKET`, or a key of
     `DESIGNED`. The program of the first two is the same for all scenes. A designed one is made for
-    the light of each scene."""
+    the light of each scene, with the noise of `sensor`."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

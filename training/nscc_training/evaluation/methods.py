@@ -142,20 +142,23 @@ def _clip(
     """Return the clip, in electrons per slot, that `loop` reconstructs from the first frame of a
     capture.
 
-    `loop` takes a measurement in units of white, a mask and `options`."""
+    `loop` takes a measurement (rows, cols) in units of white, a mask (N, rows, cols) and `options`,
+    and returns a clip (N, rows, cols) in units of white."""
     white_e = captured.white_e
     measurement = (captured.codes[0] * (captured.code_e / white_e)).astype(np.float32)
     return np.asarray(loop(measurement, captured.masks[0], **options), np.float64) * white_e
 
 
 def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene) -> Light:
-    """Return the clip that `loop`, a reference method, computes from the true clip and the mask."""
+    """Return the clip (N, rows, cols), in electrons per slot, that `loop`, a reference method,
+    computes from the true clip and the mask of the first frame."""
     truth = captured.scene.light_e.astype(np.float32)
     return np.asarray(loop(truth, captured.masks[0]), np.float64)
 
 
 def _merged(captured: CapturedScene) -> Light:
-    """Return the light that merging neighbours estimates from the frame `captured` of a still."""
+    """Return the light over the frame in electrons (rows, cols) that merging neighbours estimates
+    from the first frame of `captured`, a still with a sensor model."""
     model = captured.model
     assert model is not None
     noise_e = model.adc_noise_lsb * model.electrons_per_lsb
@@ -165,8 +168,9 @@ def _merged(captured: CapturedScene) -> Light:
 
 
 def _sparse(captured: CapturedScene, **options: Any) -> Light:
-    """Return the light that convolutional sparse coding estimates of a still, beginning from merged
-    neighbours. `options` go to `coded_still`."""
+    """Return the light over the frame in electrons (rows, cols) that convolutional sparse coding
+    estimates of `captured`, a still, beginning from merged neighbours. `options` (`iterations`) go
+    to `coded_still`."""
     from nscc_training.baselines.sparse_coding import coded_still
 
     model = captured.model

@@ -54,8 +54,8 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the scenes that can be used, and entries of the result for the others (`file`, place,
-    `reason`).
+    """Return those of `candidates` that are scenes, not `Unusable`, and entries of the result for
+    the others (`file`, place, `reason`).
 
     A scene's index in the list seeds its noise. Therefore None keeps the place of the others in the
     list, except under hdr-v1, where the list has usable crops only. A file that cannot be read is
@@ -177,8 +177,8 @@ class _SceneTask:
 
 
 def _refuse_non_finite(result_e: Array, name: str) -> None:
-    """Raise Rejected (NS0804) if a reconstruction contains NaN or infinity; `name` names the
-    scene."""
+    """Raise Rejected (NS0804) if the reconstruction `result_e`, of any shape, contains NaN or
+    infinity; `name` names the scene."""
     bad_count = int(np.count_nonzero(~np.isfinite(result_e)))
     if bad_count:
         raise rejected(
@@ -347,8 +347,9 @@ def compare(
     """Return the gain of second results over first results, item by item, as JSON values: the
     entries of `paired`, and what the results are.
 
-    Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Raises Rejected
-    (NS0808) for different protocols, without common items, or without the metric."""
+    Each of `pairs` is a first and a second result for one seed; there is at least one. Scores are
+    of the metric `metric`; the bootstrap draws scenes, with their items of all seeds. Raises
+    Rejected (NS0808) for different protocols, without common items, or without the metric."""
     scores: tuple[dict[str, float], dict[str, float]] = ({}, {})
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):

@@ -129,7 +129,8 @@ def evaluate_validation(
 
 def _by_run(folder: RunFolder, wanted: EvaluationSettings) -> DecodeScene:
     """Return a function that captures and decodes a scene: with the sensor model of the training,
-    or with effects on the emulated chip."""
+    or if `wanted.effects` are named, with them on the emulated chip. `wanted.changes` apply to that
+    chip's sensor, and `wanted.seed` seeds noise and chip."""
     if wanted.effects:
         file = folder.path / SENSOR_FILE
         sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
@@ -213,7 +214,8 @@ def _run_result(
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     """Raise Rejected (NS0821) if the run was trained for another task than the protocol's: stills,
-    clips or classes, number of slots, class of shutters, buckets."""
+    clips or classes, number of slots, class of shutters, buckets. A decoder that knows only its own
+    code is refused for sci8, whose clips have another one."""
     setup = folder.setup
     if protocol.name == "staggered-v1":
         raise rejected(
@@ -261,7 +263,8 @@ def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
 
 
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:
-    """Raise Rejected (NS0820) if the run was trained or validated on one of the files."""
+    """Raise Rejected (NS0820) if the run in `folder` was trained or validated on one of `files`.
+    The message names them."""
     shared = [path.name for path in seen_of(folder, files)]
     if shared:
         other_files = counted(len(files) - len(shared), "other file")

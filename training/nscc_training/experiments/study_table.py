@@ -62,8 +62,8 @@ def csv_of(head: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
 
 
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
-    """Return a line for each reason why settings of a method have no point: names, settings and
-    reason."""
+    """Return a line for each reason why settings of a method have no point: "CASE, METHOD,
+    SETTINGS: REASON (CODE)". Settings with the same names and reason share a line."""
     settings: dict[tuple[str, str], list[str]] = {}
     for refusal in refused:
         name = ", ".join(filter(None, (refusal.case, refusal.method)))
@@ -81,9 +81,9 @@ def table_text(
     """Return the points as a text table.
 
     `names` are the titles of the columns for method, setting and error. `time` is the unit of times
-    and its number per millisecond. Repeated cases and methods are left blank. A column of lower
-    bounds is added if any point has one. A point is marked as dominated if another is both more
-    accurate and faster."""
+    and how many of it a millisecond has, such as ("us", 1e3). Repeated cases and methods are left
+    blank. A column of lower bounds is added if any point has one. A point is marked as dominated if
+    another is both more accurate and faster."""
     head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")
@@ -108,10 +108,12 @@ def table_text(
 
 
 def three_digits(time: float) -> str:
-    """Format a time with three significant digits, or as a whole number from 100 on."""
+    """Return a number, here a time in any unit, as text with three significant digits, or as a
+    whole number from 100 on."""
     return f"{time:.0f}" if time >= 100 else f"{time:.3g}"
 
 
 def _csv_ms(time_ms: float) -> str:
-    """Format a time in milliseconds with three decimals, six for times below 0.1 ms."""
+    """Return a time in milliseconds as text with three decimals; with six if it is below 0.1 ms but
+    not 0."""
     return f"{time_ms:.6f}" if 0 < time_ms < 0.1 else f"{time_ms:.3f}"

@@ -118,7 +118,8 @@ def environment(setup: TrainingSetup) -> dict[str, Any]:
 
 
 def lines_of(values: Any) -> bytes:
-    """Return values as indented JSON, the bytes of a file. Infinity and NaN raise ValueError."""
+    """Return JSON values (dictionaries keep their order) as indented JSON, the bytes of a file.
+    Infinity and NaN raise ValueError."""
     return (json.dumps(values, indent=2, allow_nan=False) + "\n").encode()
 
 
@@ -212,8 +213,8 @@ def _stages(
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Return the scores on the scenes `shown` under changed sensors and exposures: a dictionary
-    with the name of the change and each metric.
+    """Return the scores on the scenes `shown` under changed sensors and exposures: for each change
+    a dictionary with its name (`change`) and each metric; the first is "as trained".
 
     Runs that were trained under the chip's effects skip changes of values that the chip's sensor
     file lacks."""
@@ -274,8 +275,9 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
 
 
 def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
-    """Return a sentence with the scores (`metrics`) of a run. It says under which effects the
-    scores were measured, which are those of the training."""
+    """Return a sentence in Markdown with the scores of a run: `headline` of its `result.json`, of
+    which `metrics` are named. It says under which effects the scores were measured, which are those
+    of the training."""
     score = means_text({metric: headline[metric] for metric in metrics})
     if not headline["effects"]:
         return (
@@ -293,7 +295,7 @@ def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
 
 
 def _purpose(setup: TrainingSetup) -> str:
-    """Return what a run reconstructs, as text."""
+    """Return what a run reconstructs, as text that follows "For": classes, stills or clips."""
     if setup.classes:
         return f"the class of a clip from one exposure ({', '.join(setup.classes)})"
     return "stills of high dynamic range" if setup.still else "clips from one exposure"

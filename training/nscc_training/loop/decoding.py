@@ -85,10 +85,11 @@ def scene_by_chip(
     """Capture a scene with the emulated chip and decode it. Return the light in electrons, over the
     frame or per slot, and the seconds that the decoder took.
 
-    Equals `nscc run` followed by `nscc reconstruct`. `light_e` is as in `scene_by_model`. `effects`
-    are as for the option `--effects`. `seeds` are the seeds of the noise and of the chip. A scene
-    smaller than the array is extended by its edge pixels; of a larger scene the upper left part is
-    exposed."""
+    Equals `nscc run` followed by `nscc reconstruct`. `container` is the run's program, `sensor`
+    that of the chip. `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows,
+    cols). `effects` are as for the option `--effects`. `seeds` are the seeds of the noise and of
+    the chip. A scene smaller than the array is extended by its edge pixels; of a larger scene the
+    upper left part is exposed."""
     light = light_on_array(light_e, setup.slots, container.target)
     request = Request.of(effects=effects, seed=seeds[0], device_seed=seeds[1])
     frame = simulate(container, light, sensor, request).frame
@@ -189,9 +190,9 @@ def _decoded_block(
 ) -> NDArray[np.float32]:
     """Return the decoded light in electrons (or scores of classes) of one block of a frame.
 
-    `frame` ([2,] rows, cols) holds converter codes, `saturated` marks the pixels that count as
-    full. `shutters` (N, rows, cols) are those of this block; for pixels that look, their open
-    fraction (1, rows, cols)."""
+    `frame` ([2,] rows, cols) holds converter codes, `saturated`, of the same shape, marks the
+    pixels that count as full. `shutters` (N, rows, cols) are those of this block; for pixels that
+    look, their open fraction (1, rows, cols)."""
     shutters = shutters.to(setup.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(setup.device)
     relative = setup.model.relative(codes - setup.model.adc_offset_lsb)

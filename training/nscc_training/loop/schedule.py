@@ -56,9 +56,9 @@ def codes_learn(settings: RunSettings, step: int) -> bool:
 
 
 def anneal(setup: TrainingSetup, step: int) -> None:
-    """Set temperature (softness of relaxed codes) and noise of the encoder for a step. Within a
-    cycle, the temperature falls geometrically from its first to its last value, and the noise
-    linearly to 0."""
+    """Set temperature (softness of relaxed codes) and noise of the encoder of `setup` for a step.
+    While the codes settle, both have their last values. Within a cycle, the temperature falls
+    geometrically from its first to its last value, and the noise linearly to 0."""
     settings = setup.settings
     first, last = cycle_of(settings, step)
     settled = step >= settling_step(settings)

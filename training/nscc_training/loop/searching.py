@@ -81,7 +81,7 @@ def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
 
 def within(chosen: ShutterSettings, words: float) -> bool:
     """Return whether a run may keep codes that take `words` words per slot. Only runs that learn
-    codes and set `most_words` have a limit."""
+    codes and set `most_words` (above 0) have a limit."""
     return not (chosen.learn and chosen.most_words) or words <= chosen.most_words
 
 
@@ -127,8 +127,8 @@ def _fits(setup: TrainingSetup, codes: Codes, allowed: float) -> bool:
 
 
 def _words(setup: TrainingSetup, codes: Codes) -> float | None:
-    """Load codes into the encoder, compile them and return their words per slot; None if they do
-    not compile."""
+    """Load codes into the encoder of `setup`, compile them and return their words per slot; None if
+    the compiler refuses them. Raise ValueError for codes that `require` forbids."""
     every_code = setup.settings.shutter.codes == "open"
     setup.encoder.load_codes(codes)
     with suppress(Rejected):

@@ -370,8 +370,9 @@ def _own_loss(name: str) -> Loss:
     call = imported(name, "loss")
 
     def loss(prediction: Tensor, truth: Tensor) -> Tensor:
-        """Return the user's loss as a scalar. Raise Rejected (NS0822) if the function fails, or
-        returns something else or a number without gradient."""
+        """Return the user's loss of `prediction` and `truth`, tensors of one shape, as a scalar.
+        Raise Rejected (NS0822) if the function fails, or returns something else or a number without
+        gradient."""
         with own_code(name, "loss"):
             value = call(prediction, truth)
         if not isinstance(value, Tensor) or value.numel() != 1:

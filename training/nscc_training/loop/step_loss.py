@@ -149,8 +149,8 @@ def lesson_losses(
 
 
 def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> Tensor:
-    """Return the loss of denoising noisy clips: squared and absolute errors in units of the
-    standard deviation of the noise."""
+    """Return the loss of denoising the clips of `lesson`, to which noise from `generator` is added:
+    squared and absolute errors in units of the standard deviation of the noise."""
     clip = lesson.light
     noise, sigma = noisy(clip, generator)
     no_features = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
@@ -162,8 +162,8 @@ def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> T
 def _of_codes(
     decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int, through: int
 ) -> Iterator[Tensor]:
-    """Yield the losses of decoding coded clips in `stages` stages, one loss for each `through`
-    stages.
+    """Yield the losses of decoding the coded clips of `lesson` in `stages` stages, one loss for
+    each `through` stages and for a rest at the end.
 
     No gradient passes from one loss to the stages of an earlier one, so that gradients fit in
     memory."""
@@ -183,8 +183,8 @@ def _of_codes(
 
 
 def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, stages: int) -> Tensor:
-    """Return the loss of decoding coded stills: the mean over the light after each of `stages`
-    stages."""
+    """Return the loss of decoding the coded stills of `lesson`: the mean of the losses
+    (`_still_loss`) of the light after each of `stages` stages. `generator` draws the noise."""
     with torch.no_grad():
         truth, measured, _ = measured_lesson(lesson, generator)
         start = started_still(measured)

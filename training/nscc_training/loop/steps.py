@@ -61,8 +61,9 @@ def decoded(
 
 
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """Return the loss of a prediction for a batch. With `shutter.words_weight`, how often the
-    shutters change, which takes words, is added."""
+    """Return the loss of a prediction (as decoders return it) for a batch, a scalar. `shutters` (N,
+    r, c) are those of the step. With `shutter.words_weight`, how often the shutters change, which
+    takes words, is added."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:

@@ -269,7 +269,7 @@ def start(
 
 def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
     """Raise Rejected (NS0815) for settings that several processes do not support: a batch smaller
-    than their number, searches, restarts and lessons."""
+    than their number, and with more than one process searches, restarts and lessons."""
     if settings.train.batch < ranks.count:
         raise rejected(
             "NS0815",

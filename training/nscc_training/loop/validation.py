@@ -133,8 +133,9 @@ def by_chip(
 ) -> Decode:
     """Return a function that captures a scene on the emulated chip with `effects` and decodes it.
 
-    `sensor` replaces the run's sensor; None keeps it. `seed` is that of the chip. Each scene has
-    its own noise, which `seed` and the scene's index determine."""
+    `sensor` replaces the run's sensor; None keeps it. `effects` are written as for `--effects`.
+    `seed` is that of the chip. Each scene has its own noise, which `seed` and the scene's index
+    determine."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, seeds=(1000 * seed + index, seed)
