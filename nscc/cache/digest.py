@@ -63,7 +63,8 @@ def version_digest() -> str | None:
     """Return the digest of all that determines a compilation's result besides its input.
 
     These are the sources of nscc and of packages that add encodings, and the versions of Python and
-    numpy. Return None if a source cannot be read."""
+    numpy. Return None if a source cannot be read. Raises Rejected (NS0905) if such a package cannot
+    be imported. It is computed once."""
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
@@ -118,6 +119,7 @@ def _token(value: Any, known: dict[int, bytes]) -> bytes:
     members are shared; this call may add to it. Raises TypeError for other types."""
     if isinstance(value, Enum):
         return f"e{type(value).__name__}.{value.name}".encode()
+    # Before integers: True is an int in Python, but must differ from 1.
     if value is None or isinstance(value, bool | float):
         return repr(value).encode()
     if isinstance(value, int):

@@ -60,7 +60,8 @@ def _frame_text(frame: SlotGrid) -> str:
 
 
 def _field_text(field: Field) -> str:
-    """Return a field's name, its range, and its kind if it is not a plain range."""
+    """Return a field's name, its range, and its kind if it is not a plain range: the number of free
+    bits, or the codebook of a row."""
     text = f"{field.name} : {field.low}..{field.high}"
     if field.kind == "bits":
         return f"{text} ({counted(field.bits or 0, 'free bit')})"
@@ -108,7 +109,10 @@ def print_tree(file: File, source: Source) -> str:
 
 
 def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
-    """Append the text of a node and its children to `lines`; the node begins with `indent`."""
+    """Append the text of a node and its children to `lines`, a line each; the node's line begins
+    with `indent`, and those of its children with two spaces more.
+
+    `source` gives the row and column of each node."""
     row, column = source.row_column(node.span.start)
     plain: list[str] = []
     inner: list[Node] = []
@@ -174,7 +178,7 @@ def segment_lines(lines: list[str], title: str, segments: Sequence[Sequence[obje
 
 def schedule_text(lowered: Lowered) -> str:
     """Return the kernels (lists of words) of a lowered program, and the boundaries that start them,
-    as text."""
+    as text. Boundaries without a kernel are left out."""
     schedule = lowered.schedule
     lines = [
         f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "

@@ -68,7 +68,8 @@ def network_of(lowered: Lowered) -> nx.DiGraph:
 class NetworkMaker:
     """A network of gates under construction.
 
-    `network` has the nodes so far, and `holds` the node of the current value of each register."""
+    `network` has the nodes so far, and `holds` the node of the current value of each virtual
+    register and of FLAG. Gates must be added in execution order, after the planes."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
         """Begin with an empty network; its graph attributes name encoding, lowering (way to compute
@@ -102,9 +103,11 @@ class NetworkMaker:
         self.holds[name] = name
 
     def gate(self, gate: Gate, boundary: int) -> None:
-        """Add the node of a gate that runs at a boundary, with edges from the values that it reads.
+        """Add the node of a gate that runs at a boundary, with edges from the values that it reads;
+        all of them must have been written.
 
-        The gate's register then holds its result."""
+        The gate's register then holds its result. Raises ValueError if the boundary does not run
+        the gate's words."""
         written = words((gate,), self.lowered.schedule.allocation)
         node = self.value("gate", gate.name, gate.destination, written, boundary)
         for source in gate.reads:
@@ -176,7 +179,8 @@ def measured(network: nx.DiGraph) -> nx.DiGraph:
 
 
 class KernelFinder:
-    """Finds the kernel (list of words) that contains each gate's words, gate after gate."""
+    """Finds the kernel (list of words) that contains each gate's words, gate after gate in
+    execution order."""
 
     def __init__(self, lowered: Lowered) -> None:
         """List the words that run at each boundary, with their kernels (lists of words).
@@ -237,7 +241,7 @@ def registers_needed(network: nx.DiGraph) -> int:
 
 
 def graphml_bytes(network: nx.DiGraph) -> bytes:
-    """Return the network as GraphML."""
+    """Return the network as GraphML, the bytes of a file."""
     out = io.BytesIO()
     # Named explicitly: `write_graphml` selects another writer if lxml is installed.
     nx.write_graphml_xml(network, out)

@@ -88,8 +88,8 @@ def _bars(
 
 
 def container_chart(container: Container) -> html.Html:
-    """Return the chart of a container's shutters; empty if they depend on the light or are
-    unknown."""
+    """Return the chart of a container's shutters; empty if they depend on the light, or are unknown
+    because it has no decode table."""
     if not (container.has_table and KINDS.of(container).shutters_known):
         return html.Html()
     drawn = shutters_of(container)

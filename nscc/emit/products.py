@@ -26,8 +26,8 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
     `stem`.
 
     A C++ program has its images as further files. Raises Rejected if the program's chip does not
-    have such products (NS0510 for words and gates, NS0512 for planes). Raises ValueError if it is
-    unknown whether the program fits."""
+    have such products (NS0510 for words and gates, NS0512 for planes), or if C++ cannot be written.
+    Raises ValueError if it is unknown whether the program fits."""
     if compiled.container is None:
         raise ValueError("the program has no words to write")
     from nscc.emit.listing import print_tree, program_text

@@ -146,8 +146,8 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
 
 
 def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
-    """Return the number of words that decode codes, and of pairs among them, in a kernel (list of
-    words)."""
+    """Return (words, pairs) of a kernel (list of words): the number of words that decode codes, and
+    of pairs among them. Refreshes count in neither."""
     rows = [word.operation for word in kernel]
     digital = [row for row in rows if row.effect in (WordEffect.DIGITAL, WordEffect.FLAG_DIGITAL)]
     pairs = sum(row.phase is Phase.READ and not row.name.startswith("REFRESH") for row in digital)

@@ -22,7 +22,8 @@ def summary(name: str, compiled: Compiled) -> str:
 
 
 def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
-    """Return the rows (label, text) of a summary: class, codes and costs."""
+    """Return the rows (label, text) of a summary: class, codes and costs. There are no costs if it
+    is unknown whether the words fit."""
     program = compiled.program
     table = program.table
     return [
@@ -106,7 +107,8 @@ def _words(compiled: Compiled) -> tuple[int, int]:
 
 
 def word_frame_text(lowered: Lowered) -> str:
-    """Return the cost of a frame in sentences, with the distribution of words over slots.
+    """Return the cost of a frame in sentences, with the distribution of words over slots. Of
+    several fullest boundaries the first is named.
 
     The last sentence, which begins with "The words", is completed by the caller."""
     schedule, slots = lowered.schedule, lowered.plan.slots

@@ -53,7 +53,8 @@ class Family(Record):
 
 
 def families() -> list[Family]:
-    """Return the families: classes a to e, with three lengths for class c, and codebooks."""
+    """Return the families: classes a to e (class b with and without the shutter that never opens,
+    class c with the lengths BUMP_LENGTHS), and codebooks."""
     return [
         _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
         _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),
@@ -162,6 +163,7 @@ def _by_slots(
     least: int = 1,
 ) -> Family:
     """Return the family of programs with the statements `rule`, whose size is the number of slots.
+    A program includes those of fewer slots.
 
     `shutters` gives the number of shutters for a size, and `counted_as` the same as text. `least`
     is the smallest size. The largest size follows from the limit on codes x slots that nscc proves,
@@ -201,7 +203,7 @@ def _fixed_bump(length: int) -> Family:
 
 def _book_by_slots(rows: int) -> Family:
     """Return the family of codebooks with `rows` pseudo-random rows; its sizes are numbers of
-    slots."""
+    slots, from the fewest that have so many different rows."""
     return Family(
         name=f"codebook, {rows} rows",
         description="pseudo-random rows of N slots",

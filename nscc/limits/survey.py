@@ -198,7 +198,8 @@ def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
 
 
 def _row(limit: Limit) -> tuple[str, ...]:
-    """Return the row of a limit in the table, in the order of `_HEAD`."""
+    """Return the row of a limit in the table, in the order of `_HEAD`. Without a size that fits,
+    the costs are empty texts."""
     unit, built = limit.family.unit, limit.built
     impossible = "-" if limit.impossible is None else f"{limit.impossible} {unit}"
     if built is None:
@@ -245,7 +246,8 @@ def _trials_text(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """Return the survey as JSON values: sizes, reasons and all trials; `level` is that of `-O`."""
+    """Return the survey as JSON values: the target's registers and store, and for each limit sizes,
+    reasons and all trials; `level` is that of `-O`."""
     return {
         "target": target.name,
         "level": level,
@@ -335,7 +337,7 @@ def explore(
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
-        """Compile a size, yield the result, and return whether it fits."""
+        """Compile a size, yield its result, keep it in `trials`, and return whether it fits."""
         trials[size] = attempt(size)
         yield trials[size]
         return trials[size].fits

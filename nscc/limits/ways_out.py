@@ -68,8 +68,8 @@ class Attempt(Protocol):
 
 @dataclass(frozen=True)
 class WayOut:
-    """A similar program that fits: `text` says what to write and what it costs; `data` is for
-    programs."""
+    """A similar program that fits: `text`, for people, says what to write and what it costs;
+    `data`, for programs that read the error, has its numbers, such as `rows`."""
 
     text: str
     data: Mapping[str, Any] = field(default_factory=dict)
@@ -116,8 +116,8 @@ def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -
 
 
 def _source_of_rule(program: Program, rule: str, slots: int) -> Source:
-    """Return a program with the statements `rule` and `slots` slots of the original's mean
-    length."""
+    """Return a program with the statements `rule` and `slots` equal slots, as long as the
+    original's slots on average."""
     slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
     # A shorter time would be written as 0.000us, which the language refuses.
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))

@@ -43,9 +43,9 @@ _STEPS_A_CHOICE = 100
 class _Points:
     """Points: groups of shutters that no demand distinguishes.
 
-    `bits` (predicates, points) are the distinct predicates that planes may hold; the first
-    `demanded` of them are demands. `names` describe them. `shutters` (shutters,) is the point of
-    each shutter."""
+    `bits`, bool (predicates, points), are the distinct predicates that planes may hold; the first
+    `demanded` of them are demands. `names` describe the predicates in words. `shutters` (shutters,)
+    is the number of each shutter's point."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -59,8 +59,11 @@ _Choice = tuple[tuple[int, bool], ...]
 
 @dataclass(frozen=True)
 class _Plan:
-    """Chosen planes (planes, points), the number of scratch registers, and the cascade of every
-    task."""
+    """Chosen predicates to store, and how the others are computed.
+
+    `choice` names the predicates; `planes`, bool (planes, points), are what is stored, which may
+    differ from them in places. `scratch` is the number of scratch registers, and `cascades` has the
+    cascade of every task. `words` are those of all gates of a frame."""
 
     choice: _Choice
     planes: NDArray[np.bool_]
@@ -105,7 +108,8 @@ def cascade(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
 
 
 class _Finder:
-    """A search for plans of one problem."""
+    """A search for plans of one problem: points, tasks and how often each task occurs, found once;
+    then plans, until the budget is used up."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
         """Reduce the problem's demands to tasks on distinct points, and count equal tasks.
@@ -143,6 +147,8 @@ class _Finder:
         cascades = max(1, self._points.demanded - self._machine.registers + 2)
         cubes = min(count * 8, 1 << (self._machine.registers - 2))
         steps = cascades * (1 + count // 2) * (20 + cubes * self._sets.shape[1] * 8 // 640)
+        # One search of width 1 takes about `steps`; none may take more than an eighth of the
+        # budget.
         quick = int(max(1, min(_QUICK_WIDTH, allowed // (8 * steps))))
         best: _Plan | None = None
         # With two scratch registers and FLAG, a link can use a cube besides the inner value; one
@@ -264,7 +270,7 @@ class _Finder:
         registers.
 
         `planes`, bool (planes, points), are the contents of the stored predicates. Spends steps of
-        the budget."""
+        the budget; raises GaveUp if none are left."""
         sets = packed(planes)
         self._budget.spend(_STEPS_A_CHOICE + (sets.shape[1] << len(planes)) // 64)
         table = Planes(sets, planes.shape[1], self._machine)

@@ -43,9 +43,10 @@ _NEXT_CUBES = 2
 class Link:
     """One link of a cascade: an OR, or a NOR if `negated`, of its inputs.
 
-    Its value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in its
-    own scratch register; `planes` are read directly. A link that `reads_flag` also reads FLAG as it
-    was before the cascade. Every link except the innermost reads the next link."""
+    Its value goes to FLAG if `to_flag`, else to a scratch register. `cubes` are bit masks of
+    planes, each computed as a NOR in its own scratch register; `planes` are numbers of planes that
+    are read directly. A link that `reads_flag` also reads FLAG as it was before the cascade. Every
+    link except the innermost also reads the value of the next link in the list."""
 
     to_flag: bool
     negated: bool
@@ -56,7 +57,8 @@ class Link:
 
 @dataclass(frozen=True)
 class Cascade:
-    """The links of a cascade, the last executed link first, and its number of words."""
+    """The links of a cascade, the last executed link first, and its number of words. A cascade
+    without links does not occur: its last word loads FLAG."""
 
     links: tuple[Link, ...]
     words: int
@@ -107,7 +109,8 @@ class _Values:
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
     def undecided_bits(self) -> NDArray[np.float64]:
-        """Return an estimate of the information, in bits, that is undecided in each value."""
+        """Return an estimate (n,) of the information, in bits, that is undecided in each value:
+        which of its points are 1, and a little for each point. It only orders values."""
         ones, zeros = sizes(self.on), sizes(self.off)
         bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
@@ -147,7 +150,8 @@ At the end of a cascade, the last item says whether the old FLAG is read."""
 
 
 class Search:
-    """A search for cascades over one set of planes, with `scratch` registers."""
+    """A search for cascades over one set of planes, with `scratch` registers for cubes and values
+    of links. One search may be used for several predicates, one call of `find` after the other."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
         """Prepare a search with the cubes of `planes`, `scratch` registers for intermediate results

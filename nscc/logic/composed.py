@@ -110,9 +110,12 @@ _Planned = _State | _Covered | tuple[Operator, "_Planned", "_Planned"]
 
 @dataclass
 class _Writer:
-    """The planes, states and gates of one frame, under construction.
+    """The planes, states and gates of one frame, under construction; make a new one for each
+    script.
 
-    With `kept`, an exclusive or is kept in the masked register."""
+    `submask_bits` is the most low bits of a state's number whose cubes are submasks. `code` chooses
+    the planes of parts that cubes cover. With `kept`, an exclusive or is kept in the masked
+    register."""
 
     problem: Problem
     machine: Machine
@@ -250,6 +253,7 @@ class _Writer:
         predicate's shutters from the others, if a predicate needs more than `_MOST_CUBES`, or if
         the search takes too many steps."""
         vectors, everything = [self.planes[p][0] for p in planes], self.problem.everything
+        # A part whose covers take more steps than this is given up.
         budget = Budget(20_000 * len(predicates))
         known: dict[int, tuple[list[Cube], bool]] = {}
         for predicate in dict.fromkeys(predicates):
@@ -324,8 +328,11 @@ class _Writer:
         self._end_segment()
 
     def _write_changed(self, state: _State, index: int, changed: Sequence[str]) -> None:
-        """Append masked gates that write a state in the changed shutters, those in which all
-        planes `changed` are 0."""
+        """Append masked gates that write a state, before demand `index`, in the changed shutters:
+        those in which all planes `changed` (names) are 0.
+
+        If the state also holds the exclusive or with a second part, its new content depends on the
+        cubes of that part."""
         cubes, content = list[Cube](), _after(state)
         if state.second is not None:
             cubes, content = state.second.cubes[index], content ^ state.second.inverted[index]
@@ -363,11 +370,11 @@ class _Writer:
         self.gates.load_flag(sources, spare)
 
     def _joined(self, name: str, sources: Sequence[str], kept: Sequence[str] = ()) -> str:
-        """Add the gate `name` (OR or NOR) of the registers `sources`, and return its register: free
-        scratch, or a scratch source that is not in `kept`.
+        """Add the gate `name` (OR or NOR) of the registers `sources`, and return the register that
+        it writes: free scratch, or a scratch source that is not in `kept`.
 
-        The other scratch registers among the sources become free, except those in `kept`. Raises
-        GaveUp if no register is left."""
+        The other scratch registers among the sources become free, except those in `kept`, which are
+        read later. Raises GaveUp if no register is left."""
         spent = [s for s in dict.fromkeys(sources) if s[0] == "t" and s not in kept]
         target = next(iter([*self.free, *spent]), None)
         if target is None:
@@ -379,7 +386,9 @@ class _Writer:
 
     def _sources(self, planned: _Planned, index: int, inverse: bool) -> list[str]:
         """Add gates for a rule at demand number `index`; return registers whose OR is the value of
-        the rule, or with `inverse` the inverse of the value."""
+        the rule, or with `inverse` the inverse of the value.
+
+        `planned` is the rule as `_planned` returns it. Raises GaveUp if no register is left."""
         if isinstance(planned, _Covered):
             return self._cubes(planned, index, inverse)
         if isinstance(planned, _State):
@@ -393,6 +402,7 @@ class _Writer:
                 for part, direct in zip((first, second), directs, strict=True)
             )
             neither = [self._joined("NOR", [*a, *b], kept=[*a, *b])]
+            # `only_a` needs a register, and no source gives one back: `neither` leaves its own.
             if not self.free and not any(name[0] == "t" for name in b):
                 neither = self._in_flag(neither)
             only_a = self._joined("NOR", [*neither, *b], kept=neither)
@@ -402,6 +412,7 @@ class _Writer:
             # A NOR joins the inverses of the parts of an `and`.
             joined, direct = [], operator == "and"
             for part in (first, second):
+                # The next part needs a register, so FLAG takes over those of the parts before it.
                 if not self.free and self._needs_scratch(part, index, direct):
                     joined = self._in_flag(joined)
                 joined += self._sources(part, index, direct)
@@ -409,7 +420,9 @@ class _Writer:
 
     def _in_flag(self, names: list[str]) -> list[str]:
         """Move the OR of the scratch registers among `names` to FLAG, and return the names with
-        FLAG instead of them. Raises GaveUp if no scratch or FLAG is free."""
+        FLAG instead of them. The scratch registers are then free.
+
+        Raises GaveUp if none of the names is scratch, or if FLAG is in use."""
         scratch = [name for name in names if name[0] == "t"]
         if not scratch or self.flag_busy:
             raise GaveUp("no register is left to compute with")
@@ -429,7 +442,8 @@ class _Writer:
         return isinstance(planned, _Covered) and len(planned.cubes[index]) > 1
 
     def _direct(self, planned: _Planned, index: int) -> bool:
-        """Return whether the inverse of a rule takes fewer gates at a demand than its value."""
+        """Return whether registers with the inverse of a rule, at demand number `index`, take fewer
+        gates than those with its value. An exclusive or takes equally many."""
         if isinstance(planned, _State):
             return not planned.positive
         if isinstance(planned, _Covered):
@@ -463,13 +477,15 @@ class _Writer:
         return names if low == inverse else [self._joined("NOR", names)]
 
     def _literals(self, cube: Cube) -> list[str]:
-        """Return the planes of a cube. Planes of several are first inverted for a NOR."""
+        """Return the names of the planes of a cube, whose NOR is the cube. Planes of several are
+        first inverted where needed; a single plane stays as it is."""
         if len(cube) > 1:
             self._turn(cube)
         return [f"p{plane}" for plane, _ in cube]
 
     def _turn(self, cube: Cube) -> None:
-        """Invert planes so that a cube is their NOR."""
+        """Append the gates, if any, that invert planes so that a cube is their NOR. They end the
+        segment before them and are segments of their own."""
         if any(self.standing.inverted[plane] != value for plane, value in cube):
             self._end_segment()
             self.segments += self.standing.turn(cube)

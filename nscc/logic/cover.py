@@ -37,7 +37,8 @@ class Nor(NamedTuple):
 
 
 class Cover(NamedTuple):
-    """The indices `positive` of values, and `cubes`, whose OR is the predicate.
+    """A cover of a predicate: it is the OR of the values with the indices `positive` and of
+    `cubes`.
 
     `cost` is in words; the words of reused cubes are divided by the number of demands that they
     serve."""
@@ -55,10 +56,10 @@ _MOST_SEEDS = 40
 
 
 class Covers(NamedTuple):
-    """A search for covers within `budget`.
+    """A search for covers within `budget`, the steps for all calls together.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
-    accepts."""
+    accepts (None: any number)."""
 
     everything: int
     fan_in: int | None
@@ -175,7 +176,8 @@ class Covers(NamedTuple):
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:
-    """Return the number of consecutive predicates, from ahead[0] on, that contain `vector`."""
+    """Return the number of consecutive predicates, from ahead[0] on, that contain the truth vector
+    `vector`: 0 if ahead[0] does not, all for an empty vector."""
     for count, predicate in enumerate(ahead):
         if vector & ~predicate:
             return count
@@ -206,12 +208,13 @@ def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> 
 
     def descend(remaining: int, chosen: list[Nor], cost: float) -> None:
         """Extend `chosen` by cubes until no shutter is left in `remaining`; keep the cheapest
-        choice found.
+        choice found in `best`.
 
-        This is a branch-and-bound search: a branch that costs at least the best choice so far is
-        cut."""
+        `cost` is that of `chosen`, which is as before when the call returns. A branch that costs at
+        least the best choice so far is cut."""
         nonlocal best, best_cost, visits
         if not remaining:
+            # Costs are sums of fractions: smaller differences are rounding errors.
             if cost < best_cost - 1e-9:
                 best, best_cost = list(chosen), cost
             return

@@ -20,7 +20,8 @@ Cube = tuple[tuple[int, int], ...]
 class Encoding(Record):
     """The content of the planes, and each demand's predicate as an OR of cubes.
 
-    `cubes[i]` cover demand i, or its complement if `inverted[i]`."""
+    `name` describes the encoding in words. `cubes[i]` cover demand i, or its complement if
+    `inverted[i]`; an empty `inverted` means that none is."""
 
     name: str
     planes: Planes
@@ -33,14 +34,15 @@ _MOST_SORTED = 128
 
 
 class Budget:
-    """A number of search steps; the same input always takes the same number."""
+    """A number of search steps, of which `left` remain; the same input always takes the same
+    number, so results do not depend on the speed of the machine."""
 
     def __init__(self, steps: int) -> None:
         """Begin with this number of steps."""
         self.left = steps
 
     def spend(self, steps: int) -> None:
-        """Subtract `steps`; raise GaveUp if none are left."""
+        """Subtract `steps`; raise GaveUp if more are spent than there were."""
         self.left -= steps
         if self.left < 0:
             raise GaveUp("the search used up its steps")
@@ -144,7 +146,8 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """The polarity (`inverted` = 1) of each plane while gates are emitted."""
+    """The polarity of each plane while gates are emitted: `inverted[plane]` is 1 if the register
+    now holds the inverse of what it held at the start, else 0."""
 
     def __init__(self, gates: Gates, planes: int) -> None:
         """Begin with all planes not inverted."""
@@ -171,7 +174,8 @@ class Standing:
 
 
 class _Emitter:
-    """A list of gates under construction, with the contents of registers."""
+    """A list of gates under construction, with the polarities of planes; `used` counts the scratch
+    registers used so far, up to the highest number."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
         """Begin with all planes as stored, not inverted, and `scratch` free registers."""
@@ -223,8 +227,8 @@ class _Emitter:
             segments.append(pending)
 
     def _free(self, terms: Sequence[str]) -> str:
-        """Return a scratch register that none of the `terms` occupies; raise GaveUp if there is
-        none."""
+        """Return the first scratch register that none of the `terms` (names of registers) occupies,
+        and count it as used; raise GaveUp if there is none."""
         for i, name in enumerate(self._scratch):
             if name not in terms:
                 self.used = max(self.used, i + 1)

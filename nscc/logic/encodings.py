@@ -21,7 +21,7 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
     one word.
 
     Free bits and thermometer codes of a stop are examples. Raises GaveUp for more predicates than
-    registers."""
+    registers. The budget is not used."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
@@ -42,9 +42,9 @@ def describe_demand(demand: Demand) -> str:
 
 def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding with one plane for each shutter: a predicate is the OR of its shutters'
-    planes.
+    planes. Shutters in no predicate get no plane.
 
-    Raises GaveUp for more shutters than registers."""
+    Raises GaveUp for more shutters than registers. The budget is not used."""
     if problem.shutters > machine.registers:
         raise GaveUp(f"{problem.shutters} shutters, {machine.registers} registers")
     used = union(demand.predicate for demand in problem.demands)
@@ -128,8 +128,8 @@ def event_fields(problem: Problem, most: int) -> Events:
 
 
 def _index_planes(problem: Problem, machine: Machine) -> Planes:
-    """Return planes with the Gray code of every shutter's number, as few as possible. Raises
-    GaveUp if no register is left for intermediate results."""
+    """Return planes with the Gray code of every shutter's number, as few as possible but at least
+    one. Raises GaveUp if no register is left for intermediate results."""
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:

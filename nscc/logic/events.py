@@ -39,7 +39,8 @@ class _Field:
 
 @dataclass(frozen=True)
 class _Form:
-    """A layout of a field: groups in `bits` binary digits, the places of a group in `width` planes.
+    """A layout of a field: groups in `bits` binary digits, the places of a group in `width` planes,
+    `width` // 2 of which are 1 at a place.
 
     `turns` is the number of inversions in a frame."""
 

@@ -140,7 +140,10 @@ def added_generators() -> dict[str, Generator]:
 
 
 class GeneratorFault(Record):
-    """An unexpected exception of a generator."""
+    """An unexpected exception of a generator, or of the improvement of its solutions ("improve").
+
+    `generator` is its name, `level` the optimisation level, `error` the exception's class and
+    message in one line, and `traceback` the whole traceback as text."""
 
     generator: str
     level: int
@@ -148,8 +151,8 @@ class GeneratorFault(Record):
     traceback: str
 
     def diagnostic(self) -> Diagnostic:
-        """Return the warning (NS0504) that an added generator raised an exception, with the
-        traceback in its data."""
+        """Return the warning (NS0504) that an added generator raised an exception and was left out.
+        The name is cut to 60 characters; the whole name and the traceback are in its data."""
         return Diagnostic(
             "NS0504",
             f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
@@ -208,7 +211,8 @@ def solutions(
     fewest = inf
 
     def counted(candidates: Iterable[Solution]) -> Iterator[Solution]:
-        """Yield the solutions `candidates`, and record in `fewest` the words of the best one."""
+        """Yield the solutions `candidates` unchanged, and record in `fewest` the words of the one
+        with the fewest so far."""
         nonlocal fewest
         for solution in candidates:
             fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))

@@ -16,8 +16,9 @@ Indices = NDArray[np.int64]
 class Planes:
     """Code planes and all cubes that one NOR of them can compute, by cost.
 
-    `planes` (P, W) are sets of points, `everything` (W,) is the set of all points. `groups` are
-    tuples of words, cubes (M, W) and masks of planes (M,)."""
+    `planes` (P, W) are sets of points in W words of 64 points, `everything` (W,) is the set of all
+    points. `groups` are tuples (cost in words, cubes (M, W), bit masks (M,) of the planes that each
+    cube reads), the cheapest group first."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         """Compute all different cubes of these planes, in groups of equal cost in words, cheapest

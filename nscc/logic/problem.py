@@ -32,9 +32,9 @@ MASK = "t0"
 class Gate:
     """A digital operation on virtual registers.
 
-    `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
-    among its sources is an in-place pair of words. A `masked` gate writes a state only where t0,
-    the mask, is 1."""
+    `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR: SET writes 1 and CLR 0,
+    without sources; MOV and NOT have one source. A gate whose destination is among its sources is
+    an in-place pair of words. A `masked` gate writes a state only where t0, the mask, is 1."""
 
     name: str
     destination: str
@@ -77,11 +77,12 @@ Segment = tuple[Gate, ...]
 
 
 class Demand(Record):
-    """A requirement that FLAG equals `predicate` at `boundary`.
+    """A requirement that FLAG equals the truth vector `predicate` at `boundary`.
 
-    The predicate is neither empty nor all shutters. `edge` is "rise", "fall" or "open", of bucket
-    number `bucket`. `flag_kept` means that FLAG still holds the predicate of the previous demand.
-    `scratch_kept` means that no refresh happened since then, which only code and states survive."""
+    The predicate is neither empty nor all shutters. `edge` is "rise" (shutters that open), "fall"
+    (that close) or "open" (all that are open), of bucket number `bucket`. `flag_kept` means that
+    FLAG still holds the predicate of the previous demand. `scratch_kept` means that no refresh
+    happened since then, which only code and states survive."""
 
     boundary: int
     edge: str
@@ -226,7 +227,8 @@ def words_of(sources: int, fan_in: int | None) -> int:
 
 
 class Gates:
-    """A list of gates; gates with more sources than one word accepts are split."""
+    """A list of gates under construction; gates with more sources than one word accepts are
+    split."""
 
     def __init__(self, machine: Machine) -> None:
         """Begin without gates."""
@@ -234,7 +236,8 @@ class Gates:
         self._gates: list[Gate] = []
 
     def take(self) -> tuple[Gate, ...]:
-        """Return and remove the collected gates."""
+        """Return the gates collected since the last call, in order, and remove them; an empty tuple
+        if there are none."""
         gates = tuple(self._gates)
         self._gates.clear()
         return gates

@@ -71,6 +71,7 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
     is_where = gate.name == "WHERE"
     least, most = _SOURCES[gate.name]
     if most is None:
+        # Without a limit a gate may read all registers and FLAG.
         most = (machine.where_sources if is_where else machine.or_sources) or len(registers) + 1
     destinations = {"FLAG"} if is_where else registers
     readable = registers if is_where and not machine.where_reads_flag else registers | {"FLAG"}
@@ -82,7 +83,8 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
 
 
 class _Frame:
-    """One frame of a solution; `contents` are truth vectors by register, None if unknown."""
+    """One frame of a solution; `contents` are truth vectors by register, None if unknown. `masked`
+    is the virtual register in the masked register, None if there is none."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
         """Set the registers as they are before a frame: planes known, states and scratch
@@ -99,8 +101,8 @@ class _Frame:
         self.contents["FLAG"] = None
 
     def replay(self) -> None:
-        """Run the frame; raise _Wrong at the first unmet demand. At the end, every plane must
-        hold its code again."""
+        """Run the frame; raise _Wrong at the first unmet demand, or unknown content that a gate
+        reads. At the end, every plane must hold its code again."""
         solution, demands = self.solution, self.problem.demands
         self._run(solution.opening)
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):

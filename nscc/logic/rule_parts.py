@@ -28,7 +28,8 @@ _MOST_FIELDS = 5
 
 @dataclass(frozen=True)
 class RulePart:
-    """A part of a rule: what it opens, and the fields that it reads."""
+    """A part of a rule: what it opens, bool (shutters, demands), and the fields that it reads, each
+    with its value in every shutter (shutters,)."""
 
     open: Open
     fields: Fields
@@ -36,7 +37,8 @@ class RulePart:
 
 @dataclass(frozen=True)
 class Composition:
-    """Two parts that an operator joins."""
+    """Two parts, which read different fields, and the operator that joins what they open. A part
+    may be composed, too."""
 
     operator: Operator
     first: Rule

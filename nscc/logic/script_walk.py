@@ -33,9 +33,12 @@ from nscc.truth import union
 
 
 class _Choice(Record):
-    """A cover of a demand, or of its complement if `inverted`, over the values of `names`.
+    """A cover of a demand, or of its complement if `inverted`, over the values of the registers
+    `names`.
 
-    With `turned`, the last name is the inverse of that value, which must be computed first."""
+    If `turned` is not None, the last name stands for the inverse of the register `turned`, which
+    must be computed first. `price` is the number of words, with shares of cubes that later demands
+    reuse."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -69,14 +72,16 @@ def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iter
 
 
 def _within_fan_in(script: Script, machine: Machine) -> Script:
-    """Return the script with every gate of too many sources divided into several."""
+    """Return the script with every gate of too many sources divided into several; the same script
+    if there is no limit or no such gate. WHERE stays as it is."""
     limit = machine.or_sources
     if limit is None or all(len(g.sources) <= limit for g in _all_gates(script)):
         return script
     gates = Gates(machine)
 
     def narrow(segment: Segment) -> Segment:
-        """Return the segment with gates of too many sources divided into several gates."""
+        """Return the segment with every OR and NOR of too many sources divided into several
+        gates."""
         for gate in segment:
             if len(gate.sources) <= limit or gate.name == "WHERE":
                 gates.add(gate)
@@ -238,6 +243,8 @@ class _Walker:
             usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
             cover = self.covers.find(values, usable, predicates, scratch)
             if cover is not None:
+                # The price has a word for WHERE, one for the NOR of a complement, one more if that
+                # NOR must overwrite a cube in place, and one for the inverse of a value.
                 full = inverted and len(cover.cubes) >= scratch
                 yield _Choice(
                     cover, tuple(names), turned, inverted, cover.cost + 1 + inverted + full + extra
@@ -326,10 +333,11 @@ class _Walker:
         return self.problem.everything & ~value if inverted else value
 
     def _load_flag(self, sources: Sequence[str]) -> None:
-        """Append the gates that load FLAG with the OR of `sources`, and compute its content.
+        """Append the gates that load FLAG with the OR of the registers `sources`, and compute its
+        content.
 
-        If WHERE takes fewer sources, a scratch register gathers some first, which overwrites it.
-        Raises GaveUp if no register is free."""
+        If WHERE takes fewer sources, a scratch register gathers some first, which overwrites it;
+        its content is then unknown. Raises GaveUp if no register is free."""
         limit = self.machine.where_sources
         spare = None
         if limit is not None and len(sources) > limit:

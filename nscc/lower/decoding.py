@@ -26,7 +26,8 @@ Before = Literal["nothing", "all", "keep", "load"]
 class Decoding(Record):
     """A plan with the gates that compute its predicates.
 
-    `problem` is the plan's problem; `actions` say how each step obtains FLAG."""
+    `problem` has a demand for each step of the plan that has a predicate, `solution` the gates;
+    `actions` say how each step obtains FLAG, one for each step."""
 
     plan: ExposurePlan
     problem: Problem

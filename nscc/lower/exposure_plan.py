@@ -78,6 +78,8 @@ def _refresh_boundaries(
     last_us = -between_us  # the end of the previous frame, before its readout
     for n in range(1, len(boundary_us)):
         if boundary_us[n] - last_us > keep_us:
+            # A refresh at boundary n - 1 does not help if this slot alone is too long, or if there
+            # was one already.
             if boundary_us[n] - boundary_us[n - 1] > keep_us or boundary_us[n - 1] <= last_us:
                 return None
             refresh_at.append(n - 1)
@@ -107,10 +109,10 @@ Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
 class PlanStep(NamedTuple):
-    """Analog words at one boundary, executed in the pixels of `predicate`.
+    """Analog words at one boundary, executed in the pixels of the truth vector `predicate`.
 
-    A predicate of None means every pixel, independent of FLAG. `bucket` is the bucket's index, -1
-    for steps of the whole frame."""
+    A predicate of None means every pixel, independent of FLAG. `role` says what the words are for.
+    `bucket` is the bucket's index, -1 for steps of the whole frame."""
 
     boundary: int
     role: Role
@@ -120,10 +122,12 @@ class PlanStep(NamedTuple):
 
 
 class ExposurePlan(Record):
-    """The analog part of a program.
+    """The analog part of a program, for one lowering.
 
-    `registers` describes the content of every used analog register. `analog_writes` are the fewest
-    and most analog words (`bus`) that a pixel with an opening shutter executes after the setup."""
+    `registers` describes the content of every used analog register; `bucket_registers` are those
+    that hold the exposures, in the order of the buckets. `shutters` and `slots` are numbers.
+    `analog_writes` are the fewest and most analog words (`bus`) that a pixel with an opening
+    shutter executes after the setup."""
 
     lowering: Lowering
     steps: tuple[PlanStep, ...]
@@ -142,7 +146,8 @@ class ExposurePlan(Record):
 class Misfit(Record):
     """The reason why a lowering cannot be used: an unmet condition, or too few registers.
 
-    `searched` means that no gates were found, which proves nothing."""
+    `resource` names the kind of registers, of which `required` are needed and `available` exist;
+    None for other reasons. `searched` means that no gates were found, which proves nothing."""
 
     reason: str
     resource: str | None = None
@@ -152,9 +157,10 @@ class Misfit(Record):
 
 
 class AnalogRegisters(NamedTuple):
-    """The use of analog registers: one per bucket, one for the reset level if needed, and scratch.
+    """The use of analog registers: one per bucket, in their order, one for the reset level
+    (`reference`, None if it is not needed), and scratch.
 
-    `holders` describes the content of every register."""
+    `holders` describes the content of every register in words."""
 
     buckets: tuple[str, ...]
     reference: str | None
@@ -169,7 +175,8 @@ Opens = tuple[tuple[int, ...], ...]
 class Planned(Record):
     """A program with its exposure plans, fewest analog writes first.
 
-    `misfits` says why other lowerings have no plan."""
+    `misfits` says why other lowerings that were tried have no plan; a lowering that was not asked
+    for is in neither."""
 
     program: Program
     time: Timeline
@@ -288,7 +295,8 @@ class _Builder:
         self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
-        """Return the plan: clear the registers, reset PIX, then the steps of the lowering."""
+        """Return the plan: clear the registers, reset PIX, then the steps of the lowering. Call it
+        once; it adds to the steps."""
         scratch = self.scratch
         # A bus word writes minus the sum of its sources, so one without sources writes 0.
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
@@ -364,7 +372,10 @@ class _Builder:
                     self._step(boundary, "open", bucket, before, copies[bucket])
 
     def _edges(self) -> None:
-        """Add falls before rises, because a rise may reset PIX before another bucket's fall reads
+        """Append the steps of the lowering `edges`: PIX is added where a shutter closes, and
+        subtracted, or reset, where it opens.
+
+        Falls come before rises, because a rise may reset PIX before another bucket's fall reads
         it."""
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
@@ -391,8 +402,9 @@ class _Builder:
                 yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
-        """Return whether pixels may reset PIX when a shutter opens: in no pixel is another bucket
-        open then, which would lose light."""
+        """Return whether pixels may reset PIX when a shutter opens: the target resets only pixels
+        whose FLAG is 1, the reset level is stored, and in no pixel is another bucket open then,
+        which would lose light."""
         if self.program.target.reset_honours_flag != "yes" or self.reference is None:
             return False
         for boundary in range(1, self.slots):

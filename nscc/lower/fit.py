@@ -171,7 +171,8 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
 
 
 def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
-    """Return why each lowering in `misfits` does not fit, with the lowering's name in front."""
+    """Return why each lowering in `misfits` does not fit, with the lowering's name in front unless
+    the reason begins with it."""
     return [
         misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
         for name, misfit in misfits.items()

@@ -33,7 +33,9 @@ _PRICE = attrgetter("price")
 class GateSearch:
     """The search for gates that answer the demands of a plan.
 
-    `most_words` is as in `Lowered`, `faults` as in `nscc.logic.generate.solutions`."""
+    `problem` and `actions` are those of the plan. `most_words` is the largest allowed number of
+    words at a boundary (None: any). `faults` collects unexpected exceptions of generators; with
+    None they propagate."""
 
     program: Program
     plan: ExposurePlan

@@ -22,10 +22,11 @@ _MANY_WRITES = 1.5
 
 
 class Gated(Record):
-    """The plans with gates, best first, and why others have none.
+    """The plans with gates, best first, and why others have none; `decodings` is empty if no plan
+    has gates.
 
     `fits` says whether the words of the best plan fit. `faults` are exceptions of generators, which
-    were ignored."""
+    were left out."""
 
     program: Program
     time: Timeline

@@ -135,7 +135,7 @@ class Lowered(Record):
 
     @property
     def price(self) -> tuple[bool, float, int, int, int]:
-        """Sort key among solutions of one lowering.
+        """Sort key among solutions of one lowering; the smallest is the best.
 
         Its items are: does not fit, overload, words per frame without refresh, words of the largest
         boundary, refresh words."""
@@ -179,7 +179,7 @@ class Lowered(Record):
 
 
 class Choice(Record):
-    """All lowerings, best first, and why others failed.
+    """All lowerings with gates, best first, and why others failed.
 
     `failed_generators` names the generators that raised an exception."""
 

@@ -25,8 +25,11 @@ from nscc.words.cost import refresh_count, words_us
 
 
 class Allocation(Record):
-    """The chip register of every virtual register, and the registers that contain code and
-    states."""
+    """The chip register of every virtual register (`places`), and what each chip register holds in
+    words (`holders`).
+
+    `code_registers` contain code, in the order in which they are loaded, and `state_registers`
+    states. `masked` is the target's masked register and `mask` its mask; None if it has none."""
 
     places: dict[str, str]
     holders: dict[str, str]
@@ -246,6 +249,7 @@ def _scheduled(
         if to_refresh:
             boundaries[n].insert(0, refresh_words(to_refresh, allocation))
             apart.add(boundaries[n][0])
+    # The registers must also last over the readout, until the next frame.
     if refreshed:
         boundaries[decoding.plan.slots].append(refresh_words(refreshed, allocation))
     # Refreshes inside the frame differ at each boundary. As separate kernels they are stored once,
@@ -263,7 +267,7 @@ def _scheduled(
 
 
 def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> list[list[Words]]:
-    """Return the segments of every boundary; the first segment of boundary 0 ends with the setup.
+    """Return the segments of every boundary 0..N; the first segment of boundary 0 is the setup.
 
     They are as small as kernels of this size: gates alone are often equal in all slots, and a
     single gate occurs in many slots of a random codebook."""
@@ -273,7 +277,8 @@ def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> l
     known: dict[Segment, Words] = {}
 
     def placed(*segments: Segment) -> Iterator[Words]:
-        """Yield the words of segments, by gate or by segment; equal ones are the same object."""
+        """Yield the words of segments, by gate (size "gate") or by segment; equal ones are the same
+        object."""
         for segment in segments:
             for part in [(gate,) for gate in segment] if size == "gate" else [segment]:
                 if part not in known:

@@ -153,7 +153,8 @@ def _nothing_untried(choice: Choice) -> bool:
 
 
 def _too_short(lowered: Lowered) -> list[int]:
-    """Return the slots that are too short for their analog words alone, worst first."""
+    """Return the slots that are too short for their analog words alone, with one launch and the
+    loop, the one that lacks most first; empty if none is."""
     slots_us = lowered.program.frame.slot_us
     lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
     return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))

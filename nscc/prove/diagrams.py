@@ -100,8 +100,8 @@ class Diagrams:
         return Fraction(0)
 
     def support(self, node: int) -> frozenset[int]:
-        """Return the numbers of the variables (answers of comparisons) on which a diagram
-        depends."""
+        """Return the numbers of the variables (answers of comparisons) on which a diagram depends;
+        empty for a constant."""
         variables = self._support.get(node)
         if variables is None:
             variable, low, high = self._nodes[node]
@@ -230,7 +230,7 @@ class Forms:
     """The values of pixels in one proof, on an array of `rows` x `cols` pixels.
 
     A form is an exact weighted sum of unknowns, such as exposures: {unknown: diagram of its
-    factor}."""
+    factor}. The empty form is 0. A pixel is (x, y): column and row."""
 
     rows: int
     cols: int
@@ -313,7 +313,8 @@ class Forms:
         return {unknown: number for unknown, number in total.items() if number != zero}
 
     def chosen(self, bit: int, then: Form, otherwise: Form) -> Form:
-        """Return the form `then` where the bit is 1 and `otherwise` where it is 0.
+        """Return the form `then` where the bit, given as a diagram, is 1 and `otherwise` where it
+        is 0.
 
         If they differ by a number of steps of IN (the level sent to all pixels), the result is
         linear in an unknown of the bit. Otherwise the factors of all unknowns branch on the bit."""

@@ -156,8 +156,8 @@ class ReplayPixels:
         return [(ones, self.everything & ~ones) for ones in columns(bits)]
 
     def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
-        """Return the contents of the code registers by name, from `encoding` bool (lanes, digital
-        registers)."""
+        """Return the contents of the code registers by name, each as a pair of truth vectors (known
+        1, known 0), from `encoding` bool (lanes, digital registers)."""
         registers, names = self.target.digital_registers, self.container.code_registers
         places = [registers.index(name) for name in names]
         return dict(zip(names, self.known(encoding[:, places]), strict=True))
@@ -276,8 +276,9 @@ class ReplayPixels:
         return sum(further_sources, first)
 
     def compare(self, word: Op) -> Bits:
-        """Return FLAG (the bit that lets a pixel act) after a comparison of analog values: unknown,
-        because it depends on the light.
+        """Return the bits of FLAG (the bit that lets a pixel act) after a comparison of analog
+        values: unknown, because it depends on the light, except 0 where the comparison does not
+        act.
 
         Programs with senses override this."""
         self._doubt(f"`{word}` makes FLAG depend on the light")
@@ -303,7 +304,8 @@ class ReplayPixels:
     def _digital(self, word: Op) -> None:
         """Run a digital word on the bits of all lanes (simulated pixels).
 
-        In a pair, the first word writes the inner bus and the second reads it."""
+        In a pair, the first word writes the inner bus and the second reads it. The masked register
+        changes only where its mask is 1."""
         row = word.operation
         if row.phase is Phase.WRITE:
             value = self.read("bus")

@@ -90,6 +90,7 @@ class Replay(ReplayPixels):
             rows = max(1, (1 << 20) // max(1, opens.shape[1]))  # blocks, to limit the memory
             blocks = [opens[i : i + rows] @ light for i in range(0, len(opens), rows)]
             expected = np.concatenate(blocks)
+            # Not `>`: an unknown exposure may be NaN, which must count as different.
             differs = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
             if differs.any():
                 raise ReplayError(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
@@ -162,6 +163,7 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
         wrong_e = float(replay.analog[register][0, 0]) - _converter_input_e(
             container, before[register]
         )
+        # Not `>`: NaN must count as wrong.
         if not abs(wrong_e) <= _TOLERANCE * container.target.full_well_e:
             return bucket, "the converted value does not match the meaning of its codes"
     return None
@@ -208,7 +210,8 @@ class Proof(Record):
     holds.
 
     `transitions` is the number of answers that were followed in all frames of a program with
-    senses. `pixels` is the number of pixels whose light was followed through bit planes."""
+    senses, 0 for others. `pixels` is the number of pixels whose light was followed through bit
+    planes, 0 on chips with words."""
 
     codes: int
     slots: int

@@ -26,7 +26,8 @@ class Route(Record, eq=False):
     """The two destinations of each slot, and the bits that choose between them.
 
     `ones` and `zeros` int8 (N,) are the destinations for bit 1 and 0: the index of a tap, or DRAIN.
-    `bits` bool (shutters, N) are the chosen bits."""
+    `bits` bool (shutters, N) are the chosen bits, one for each shutter of the decode table and
+    slot."""
 
     ones: NDArray[np.int8]
     zeros: NDArray[np.int8]
@@ -282,7 +283,8 @@ def check_times(sending: Sending, job: Job) -> tuple[Sending, Found]:
 
 
 def container_of(sending: Sending) -> Container:
-    """Return the compiled program: no words, and bit planes if the pixels have codes."""
+    """Return the compiled program: no words, and bit planes if the pixels have codes. Bucket b is
+    read from tap b."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
     used = len(names)

@@ -67,7 +67,8 @@ class BitPlanes(ProgramKind):
         without its ending.
 
         The products are "planes" (bit planes with their times, .npz) and "schedule" (a text).
-        Raises Rejected for products of words, which a chip without logic does not have."""
+        Raises Rejected for products of words, which a chip without logic does not have, and for
+        planes (NS0511) if the pixels have no codes."""
         container, name = compiled.container, stem + SUFFIXES[product]
         assert container is not None
         if product == "planes":

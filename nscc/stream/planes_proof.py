@@ -43,7 +43,7 @@ def _times(container: Container) -> Failure | None:
     """Return the first failure of the schedule, else None.
 
     A plane must be loaded when it takes effect, within its slot, and after the previous plane is
-    loaded."""
+    loaded; a millionth of the load time is allowed for rounding."""
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

@@ -23,7 +23,7 @@ PLANES_FORMAT = "nscc-planes-1"
 
 def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
     """Return the rows (label, text) that `nscc check` prints after class and codes, for a chip
-    without logic."""
+    without logic: light, planes, time and proof."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]

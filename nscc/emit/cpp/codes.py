@@ -53,8 +53,8 @@ class Match:
 
 @dataclass(frozen=True, slots=True)
 class Patterns:
-    """A bit plane as the union of address patterns, or the complement of this union if
-    `inverted`."""
+    """A bit plane as the union of address patterns, or the complement of this union if `inverted`.
+    `matches` are sorted; without matches the plane is 0, or 1 if `inverted`."""
 
     matches: tuple[Match, ...]
     inverted: bool
@@ -241,7 +241,7 @@ class CodeLoading:
     @property
     def words(self) -> int:
         """The number of stored words of the kernels (lists of words) that load and refresh code
-        registers."""
+        registers; 0 if there is no code."""
         kernels = [self.refresh_calls()] if self.loads else []
         for load in self.loads:
             kernels += self.kernels_of(load)
@@ -269,8 +269,9 @@ class CodeLoading:
         return out + [("REFRESH", (register,)) for register in registers]
 
     def clear_calls(self, load: PlaneLoad) -> list[Call]:
-        """Return the library calls that clear registers before a load; the mask of a masked
-        register is set first."""
+        """Return the library calls that clear the registers of a load, its own and scratch, before
+        it; the mask of a masked register is set first, because it is written only where the mask is
+        1."""
         mask = self.target.mask_register
         mask_call = [("SET", (mask,))] if load.masked and mask is not None else []
         return [*mask_call, ("CLR", load.cleared)]

@@ -16,7 +16,8 @@ Call = tuple[str, tuple[str, ...]]
 
 @cache
 def _templates() -> dict[str, str]:
-    """Return the sections of `parts.cpp` by name."""
+    """Return the sections of `parts.cpp` by name. A section begins after a line `//: NAME` and ends
+    before the next."""
     _, *sections = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
     split = (section.partition("\n") for section in sections)
     return {name: text.rstrip("\n") for name, _, text in split}
@@ -75,7 +76,8 @@ def call_text(call: Call) -> str:
 
 
 def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
-    """Return the lines that record a kernel of these library calls at its first run, and launch it.
+    """Return the lines that record a kernel of these library calls at its first run, and launch it,
+    each beginning with `indent`.
 
     A kernel is a list of words that the chip stores."""
     return [

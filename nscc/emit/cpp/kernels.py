@@ -199,8 +199,8 @@ def _lengths() -> tuple[int, ...]:
 
 @cache
 def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
-    """Return the macros with their numbers of operands, by the names of the words that they expand
-    to."""
+    """Return the macros with their numbers of operands, as (name, count), by the names of the words
+    that they expand to. Macros of one word are left out."""
     shapes: dict[tuple[str, ...], list[tuple[str, int]]] = {}
     for name in _MACROS:
         least, most = MNEMONICS[name].least, MNEMONICS[name].most or 2
@@ -235,7 +235,9 @@ def _macro(window: tuple[Op, ...]) -> Call | None:
 
 
 def _single(operation: Op) -> Call | None:
-    """Return the library call for one word, or None if the library has none for its operands."""
+    """Return the library call (name, operands) for one word. None if the library has none: for the
+    words of a pair, for more sources than MOST_SOURCES, and for more than MOST_DESTINATIONS
+    registers of a digital word."""
     if operation.operation.phase is not Phase.WHOLE:
         return None
     if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):

@@ -168,7 +168,7 @@ def _check_store(
     program: Program, container: Container, loading: CodeLoading, devkit: Devkit
 ) -> None:
     """Check that the words of the frame, of loading the codes and of the readout fit the store
-    together.
+    together; return nothing if they do.
 
     Raises Rejected (NS0520) if they do not."""
     target = container.target
@@ -275,7 +275,8 @@ def _time_text(container: Container, schedule: LaunchSchedule) -> str:
 
 
 def _readout_text(container: Container) -> str:
-    """Return the header's sentence on how converter codes map to electrons."""
+    """Return the header's sentence on how converter codes map to electrons; "images and planes" if
+    no bucket is read."""
     target = container.target
     if not container.buckets_read:
         return "images and planes"
@@ -296,7 +297,8 @@ _MOST_VALUES = 64
 
 
 def _state_texts(container: Container) -> Iterator[str]:
-    """Yield for each state that is read out a text: its registers, and the bits of its values."""
+    """Yield for each state that is read out a text: its registers, and the bits of its values, in
+    the order of the registers. At most _MOST_VALUES values are listed."""
     machine = container.machine
     for state in machine.states:
         if state.read:
@@ -373,8 +375,8 @@ def _kernels(
 
 
 def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
-    """Yield the function `main`: displays, loading of codes, frames, readout and reports of
-    planes."""
+    """Yield the lines of the function `main`: displays, loading of codes, frames, readout and
+    reports of planes. What the program does not have is left out."""
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     pictures = container.pictures
     names = {register: name for name, register in pictures.registers.items()}

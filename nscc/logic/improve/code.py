@@ -29,11 +29,11 @@ class Illegal(Exception):
 
 @dataclass(frozen=True, slots=True)
 class GateOp:
-    """An operation destination := OR(sources), or NOR if `inverted`; sources are ascending and
-    distinct.
+    """An operation destination := OR(sources), or NOR if `inverted`; sources are numbers of
+    registers, ascending and distinct. Without sources it writes 0, or 1 if `inverted`.
 
-    `place` is the answer that the operation belongs to, or OPENING or CLOSING; `segment` is its
-    segment there. `reads` is the bit mask of its sources."""
+    `place` is the number of the answer that the operation belongs to, or OPENING or CLOSING;
+    `segment` is the index of its segment there. `reads` is the bit mask of its sources."""
 
     inverted: bool
     destination: int
@@ -45,7 +45,8 @@ class GateOp:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point of `place` at which FLAG must equal `need` (if not None).
+    """A point of `place` (the number of an answer, OPENING or CLOSING) at which FLAG must equal the
+    truth vector `need` (None: anything).
 
     `forgets` is the bit mask of registers whose contents are unknown afterwards."""
 
@@ -61,8 +62,10 @@ Item = GateOp | Check
 class FrameContext:
     """The constants of an improvement: problem, registers, limits, initial state.
 
-    An operation that writes `masked` (if not None) takes one word more, which sets the first
-    scratch register as its mask."""
+    `solution` is the one that is improved. `planes`, `states` and `scratch` count registers,
+    `everything` is the truth vector of all shutters, and `start` the content of every register
+    before the frame. An operation that writes register `masked` (if not None) takes one word more,
+    which sets the first scratch register as its mask."""
 
     solution: Solution
     problem: Problem
@@ -123,7 +126,8 @@ class FrameContext:
         return disjunction ^ self.everything if item.inverted else disjunction
 
     def legal(self, item: GateOp) -> bool:
-        """Return whether the machine has a word, or a pair of words, for the operation `item`."""
+        """Return whether the machine has a word, or a pair of words, for the operation `item`: few
+        enough sources, a WHERE that is no NOR, and a mask for the masked register."""
         count = len(item.sources)
         if item.destination == self.flag:
             limit = self.machine.where_sources
@@ -286,10 +290,12 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
 
 
 def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:
-    """Return the contents of all registers before each of `items`, and after the last.
+    """Return the contents of all registers, by number, before each of `items`, and after the last:
+    one tuple more than items.
 
     Raises Illegal for an operation that the machine lacks or that reads unknown contents, for a
-    demand that FLAG does not meet, and for code planes that changed."""
+    demand that FLAG does not meet, and for code planes that are not as at the start when the frame
+    ends."""
     state = list(frame.start)
     states = []
     for item in items:

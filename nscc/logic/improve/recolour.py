@@ -21,8 +21,10 @@ from nscc.truth import set_bits
 class _Value:
     """The result of an operation, or the initial content of a register.
 
-    `last` is the last item that reads it; `home` the register required at the end, -1 if none.
-    `banned` is the bit mask of registers in which it would be overwritten."""
+    `first` is the index of the item that computes it (-1: the initial content), `last` that of the
+    last item that reads it. `home` is the register required at the end, -1 if none. `banned` is the
+    bit mask of registers in which it would be overwritten, `sources` the indices of the values that
+    the operation reads."""
 
     first: int
     last: int
@@ -82,13 +84,16 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
 
 
 class _Painter:
-    """An assignment of registers to values, made in execution order."""
+    """An assignment of registers to values, made in execution order; make a new one for each run of
+    `paint`."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
         """Begin with each initial value in its own register; the `values` that items write have no
-        register yet."""
+        register yet (-1).
+
+        `written` is the index of the value that each item writes, -1 for checks."""
         self.frame, self.items = frame, items
         self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)

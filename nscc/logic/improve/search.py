@@ -175,9 +175,10 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
 
 
 def _exhausted(run: TrackedRun) -> list[Item]:
-    """Return the items after alternating sweeps and walks.
+    """Return the items after alternating sweeps and walks, the best that were found.
 
-    The search ends with the budget or after PATIENCE walks without gain."""
+    The search ends when the budget is used up, or after PATIENCE walks in a row without gain. It
+    raises no GaveUp."""
     try:
         _sweep(run)
         idle = 0
@@ -194,8 +195,8 @@ def _exhausted(run: TrackedRun) -> list[Item]:
 
 
 def _sweep(run: TrackedRun) -> None:
-    """Remove operations of `run` and allocate its registers again, in rounds, until a round saves
-    no word."""
+    """Remove operations of `run`, in place, and allocate its registers again, in rounds, until a
+    round saves no word. Raises GaveUp if the budget is used up."""
     words = run.words() + 1
     while run.words() < words:
         words = run.words()
@@ -255,13 +256,13 @@ def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int)
 
 
 class _Loads:
-    """The number of words at each boundary."""
+    """The number of words at each boundary 0..N (`words`), as of the last count."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], other_words: Sequence[int]
     ) -> None:
-        """Count the words at each boundary: of these operations, and other words
-        (`other_words`)."""
+        """Count the words at each boundary: those of `items`, and `other_words`, which are not
+        gates and stay."""
         self._frame = frame
         self._boundaries = [demand.boundary for demand in frame.problem.demands]
         self._other_words = other_words
@@ -275,7 +276,8 @@ class _Loads:
         return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
 
     def counted(self, items: Sequence[Item]) -> list[int]:
-        """Return the number of words at each boundary if the code consists of these items."""
+        """Return the number of words at each boundary 0..N if the gates are `items`, with the other
+        words; `words` does not change."""
         words = list(self._other_words)
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
@@ -324,8 +326,10 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
 
 
 def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
-    """Apply a rewriting to the run, in place, if `boundary` then has fewer than `most` words,
-    and no boundary grows to `most` or more; return whether it was applied."""
+    """Apply a rewriting to the run, in place, if `boundary` then has fewer than `most` words, and
+    no boundary grows to `most` or more; return whether it was applied.
+
+    `loads` is then counted again; without a change it stays as it is."""
     words = loads.counted(
         [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
     )

@@ -21,14 +21,15 @@ STEP_SHUTTERS = 16384
 
 
 class TrackedRun:
-    """Items with their states.
+    """Items with their states, under changes of the items.
 
-    `before[k]` is the state before item k. `live[k]` is the bit mask of registers whose content at
-    that point is read later or required at the end."""
+    `before[k]` is the content of every register before item k, and `before[-1]` that after the
+    last. `live[k]` is the bit mask of registers whose content at that point is read later or
+    required at the end. `step` is the number of budget steps of one look at all registers."""
 
     def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
         """Compute the state at every operation of `items`; raise Illegal if they are not a
-        solution."""
+        solution. Operations whose result is not read are dropped. The budget is not used yet."""
         self.frame = frame
         self.budget = budget
         self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS
@@ -92,6 +93,7 @@ class TrackedRun:
         self.live[start:end] = [0] * len(new)
         self._cares[start:end] = [None] * len(new)
         tail = start + len(new)
+        # No influence is followed further than HORIZON.
         for k in range(max(0, start - HORIZON), tail):
             known = self._cares[k]
             if known is not None and k + known[1] >= start:
