@@ -258,4 +258,5 @@ def set_moving_edges(cell: PixelCell) -> None:
             # ago.
             side = torch.where(torch.arange(1 + cell.states).reshape(-1, 1, 1) == 0, 0.5, -0.5)
             cell.weight[cell.states + output] = size * torch.sign(side - ahead)
+            # A count above half of the places means that three quarters of the bits agree.
             cell.threshold[cell.states + output] = size.numel() / 2

@@ -204,6 +204,7 @@ def emulated_sensor(
     full_e = float(sensor.full_well_e)
     first, last = _BENT[0] * full_e / opened.max(), _BENT[1] * full_e / opened.min()
     weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
+    # At least both ends; rounding down makes the ratio of neighbours `_DENSE` or a little more.
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
     # The converter's noise is exposed, because the mean of codes that are rounded without noise is

@@ -78,6 +78,7 @@ def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float
     """Return noise (size, size) with mean 0 and the standard deviation `spread` / 2. Its amplitude
     falls with spatial frequency as in natural scenes. It is periodic."""
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
+    # The mean has the frequency 0, by which nothing can be divided; it is subtracted below.
     frequency[0, 0] = 1.0
     white = np.fft.rfft2(generator.standard_normal((size, size)))
     noise = np.fft.irfft2(white / frequency**1.4, s=(size, size))

@@ -134,12 +134,13 @@ def measure_files(
     truth_key: str | None = None,
     result_key: str | None = None,
 ) -> dict[str, Any]:
-    """Return every metric of two files as JSON values (`measures`), with names and digests of the
-    files.
+    """Return every metric of the files `truth` and `result` as JSON values (`measures`), with names
+    and digests of the files, and the `shape`, `data_range` and `nits`, the luminance of the data
+    range in cd/m2.
 
-    The files contain pictures (rows, cols) or clips (T, rows, cols); the keys select one of several
-    arrays, None the usual one. Raises Rejected for files and values without metrics, NS0803 for an
-    invalid data range."""
+    The files contain pictures (rows, cols) or clips (T, rows, cols); `truth_key` and `result_key`
+    select one of several arrays, None the usual one. Raises Rejected for files and values without
+    metrics, NS0803 for an invalid data range."""
     if not 1 / LARGEST <= data_range <= LARGEST:
         raise rejected(
             "NS0803",

@@ -121,11 +121,12 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
 
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
-    """Return the program of codes, with `remark` as a comment at the top.
+    """Return the program of codes of the class in `spec` for `chip`, with `remark` as a comment at
+    the top. It is not compiled.
 
     `codes` are int64 (rows, cols) of the tile by field, with `book` for a codebook. A tile of more
-    than `MOST_LISTED` pixels is not written into the text: it covers the array, and the text names
-    the code file."""
+    than `MOST_LISTED` pixels is not written into the text: it must cover the array, and the text
+    names the code file. Empty `codes` give a program without pixels."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to the current folder, not to the program, so it is an option
@@ -149,7 +150,8 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove a program for `chip`. Raise Rejected with the compiler's errors.
+    """Compile and prove the program `files`, text and codes, for `chip`. Raise Rejected with the
+    compiler's errors.
 
     `level` is the optimisation level. With `every_code` the program must work for all codes that
     its class allows, not only for those of its pixels."""
@@ -217,7 +219,8 @@ def begun_with(
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
     """Return the codebook (K, N) of a compiled program, 1 where a slot is open, with the rows that
-    no pixel uses. `path` is the program's file, for the files that it names."""
+    no pixel uses. `path` is the program's file, for the files that it names, and `target` its chip.
+    """
     source = compiled_program.program.source
     table = analyse(
         source, compiled_program.tree, base=path.parent, codes="open", target=target
@@ -227,15 +230,15 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 def words_per_slot(compiled_program: Compiled) -> float:
     """Return the number of instruction words of a frame divided by its slots; 0 for a chip without
-    words."""
+    words. The program must have a container: it compiled."""
     container = compiled_program.container
     assert container is not None
     return container.words_per_frame / container.slots
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """Return all codes, int64 (codes, fields), that the class and the `require` of `chip` allow.
-    Raise Rejected if `require` is invalid."""
+    """Return all codes, int64 (codes, fields), that the class in `spec` and the `require` of `chip`
+    allow; there may be none. Raise Rejected if `require` is invalid."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):
@@ -262,7 +265,7 @@ _RULES = {
 
 def _rules(spec: ShutterSpec) -> list[str]:
     """Return the statements of a program that declare the code's fields, and when its one or two
-    buckets open."""
+    buckets open, one statement a line. The rule is that of the class in `spec`."""
     *fields, opened = _RULES[spec.kind]
     if spec.buckets == 1:
         return [*fields, opened]
@@ -276,8 +279,9 @@ def _rules(spec: ShutterSpec) -> list[str]:
 
 
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
-    """Return the lines that declare the codebook `book` (K, N). A large one is read from the file
-    of codes, whose content is `packed`; its digest is then named, too."""
+    """Return the lines that declare the codebook `book` (K, N). One of more than `_MOST_DIGITS`
+    digits is read from the file of codes, whose content is `packed`; its digest is then named, too.
+    """
     if book.size > _MOST_DIGITS:
         return [f'shutters book from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     rows = ("".join(map(str, row)) for row in book.tolist())
@@ -288,8 +292,8 @@ def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
 def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -> list[str]:
     """Return the lines that give the codes of the tile, for each of `fields`.
 
-    Those of a large tile are read from the file of codes, whose content is `packed`; its digest is
-    then named, too."""
+    Those of a tile of more than `MOST_LISTED` places (`spec`) are read from the file of codes,
+    whose content is `packed`; its digest is then named, too."""
     if spec.places > MOST_LISTED:
         return [f'pixels from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     lines = []

@@ -115,8 +115,8 @@ def method_for(still: bool, method: Method | None = None) -> Method:
 def gap_tv_clip(
     measured: Measured[NDArray[Any]], iterations: int = _ITERATIONS
 ) -> NDArray[np.float32]:
-    """Return the clip (N, rows, cols) that GAP-TV reconstructs from a batch of one, in the unit of
-    the measurement.
+    """Return the clip (N, rows, cols) that `iterations` of GAP-TV reconstruct from a batch of one,
+    in the unit of the measurement, at least 0.
 
     Of several weights of total variation, the one is used that best predicts pixels that are left
     out."""
@@ -136,8 +136,9 @@ def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]],
 
 
 def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
-    """Return the method for a clip: GAP-TV if it predicts pixels that are left out of the
-    measurement better than the network, by more than chance, else the network.
+    """Return the method for a clip from `measured`, a batch of one in any unit: GAP-TV if it
+    predicts pixels that are left out of the measurement better than the network, by more than
+    chance, else the network.
 
     The second result is a sentence that says why it is not the network, and is empty if it is."""
     from nscc_training.any_code.decode import decoded_clip
@@ -305,7 +306,8 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Return whether a file is a measurement of another camera instead of a frame file of nscc.
+    """Return whether the file `path` is a measurement of another camera instead of a frame file of
+    nscc.
 
     It is one if a file of the `mask` is given, if it is .mat or .npy, or if it is an .npz with
     `meas` or `mask` but without `meta`. A file that cannot be read is none."""
@@ -384,8 +386,8 @@ def reconstruct_measurement(
     """Reconstruct the clips of all K measurements, one after the other: (K * slots, rows, cols), in
     the unit of the measurement per slot.
 
-    `method` None takes the network if torch is installed, unless GAP-TV predicts left-out pixels of
-    the first measurement better."""
+    `noise` is in the unit of the measurement. `method` None takes the network if torch is
+    installed, unless GAP-TV predicts left-out pixels of the first measurement better."""
     begin, reason = working_s(), ""
     given, method = method, method_for(still=False, method=method)
     # The decoders are made for masks up to 1.

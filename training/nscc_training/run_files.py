@@ -56,8 +56,8 @@ class RunCapture:
         return None if scene.startswith(_DARK) or scene.endswith(_ELECTRONS) else self.exposure
 
     def check(self, container: Container, program: Path) -> None:
-        """Raise Rejected (NS0821) if `container`, the compiled `program`, has another number or
-        length of slots than the run."""
+        """Raise Rejected (NS0821) if `container`, the compiled `program`, has another number of
+        slots than the run, or a slot whose length differs by more than `_SLOT_ERROR_US`."""
         away_us = (abs(length_us - self.slot_us) for length_us in container.slot_us)
         if container.slots == self.slots and max(away_us) <= _SLOT_ERROR_US:
             return
@@ -92,8 +92,8 @@ def searched_codes() -> Path:
 
 
 def run_path(folder: Path) -> Path:
-    """Return `folder` if it is a run folder, else the folder of the shipped run with that name. A
-    name of neither is returned as it is."""
+    """Return `folder` if it is a run folder, else the folder of the shipped run with that name. Any
+    other path is returned as it is, so the caller checks it."""
     if (folder / CONFIG).is_file():
         return folder
     return shipped_runs().get(str(folder), folder)

@@ -108,7 +108,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
 
 def run_codes(path: Path) -> Encoder:
     """Return the encoder with the codes of the run in a folder, without loading its decoder. Raise
-    Rejected as `started_encoder`."""
+    Rejected for a configuration that cannot be read, NS0805 for a missing or damaged file of codes,
+    and NS0815 if they do not fit the configuration."""
     settings = load_config(path / CONFIG)
     chosen = replace(settings.shutter, init=str(path / CODES_FILE))
     file = path / TARGET_FILE
@@ -119,8 +120,8 @@ def run_codes(path: Path) -> Encoder:
 
 
 def _refuse_code(path: Path, settings: RunSettings) -> None:
-    """Raise Rejected (NS0823) if loading the run would execute Python code that its decoder or loss
-    names (`module:name`)."""
+    """Raise Rejected (NS0823) if loading the run at `path` with these `settings` would execute
+    Python code that its decoder or loss names (`module:name`)."""
     named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
     code = [
         f"its {role} is `{name.strip()[:100]}`"
@@ -160,7 +161,8 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
 
 
 def _no_run(path: Path, reason: str) -> Exception:
-    """Return the error (NS0818) that a folder is not a finished run, with the `reason`."""
+    """Return the error (NS0818), for the caller to raise, that `path` is not a finished run, with
+    the `reason`."""
     return rejected(
         "NS0818",
         f"'{path}' is not a finished run of nscc train",

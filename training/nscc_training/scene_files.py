@@ -27,8 +27,8 @@ CLIPS = (*picture_files.CLIPS, ".mat")
 
 
 def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
-    """Return the files with one of `endings` (in lower case), sorted by name; empty if the folder
-    does not exist.
+    """Return the files with one of `endings` (in lower case), sorted by name within a folder; empty
+    if the folder does not exist.
 
     `folder` may join several folders by +, contain * for any name, and end in #K,L/N, which selects
     the files at positions K and L (from 0) of every N files."""
@@ -52,7 +52,8 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
 
 def folders_of(text: str) -> list[Path]:
     """Return the folders that `text` names: one folder, or patterns joined by `+`, as in
-    `files_in`. A folder without * is returned even if it does not exist."""
+    `files_in`. A folder without * is returned even if it does not exist; a pattern with * may match
+    none. The ending #K,L/N is dropped."""
     if Path(text).is_dir():
         return [Path(text)]
     names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))
@@ -102,7 +103,8 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
     """Return the frames of a clip file as stored, one after the other; in frames of floating-point
     numbers white is 1.
 
-    In a .mat file of the benchmark, time is the last axis."""
+    Videos are read frame by frame. In a .mat file of the benchmark, time is the last axis. Raises
+    Rejected for a file that cannot be read."""
     if path.suffix.lower() != ".mat":
         return read_frames(path)
     key, stored = read_mat(path, lambda _shape: None)
@@ -113,7 +115,7 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
 
 
 def frame_size(path: Path) -> tuple[int, int]:
-    """Return rows and columns of a picture, or of the frames of a clip.
+    """Return rows and columns of the picture in file `path`, or of the frames of a clip.
 
     Pictures, videos and .mat files are not decoded. Raises Rejected as their readers do."""
     if path.suffix.lower() in PICTURES + picture_files.CLIPS:
@@ -128,7 +130,8 @@ def frame_size(path: Path) -> tuple[int, int]:
 
 def labels(files: Iterable[Path]) -> dict[str, str]:
     """Return a label for each file name: the name without its ending, if no other file has the
-    same. Otherwise the ending follows after an underscore."""
+    same. Otherwise the ending follows after an underscore (`a_png`). Of files with one name in
+    different folders, one label remains."""
     paths = list(files)
     alike = Counter(path.stem for path in paths)
     return {p.name: p.stem if alike[p.stem] == 1 else p.name.replace(".", "_") for p in paths}

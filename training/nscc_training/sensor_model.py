@@ -358,8 +358,8 @@ def read_out(
 ) -> Tensor:
     """Return the codes of a frame, float32, from the electrons `exposure` (float64, of any shape).
 
-    The steps are noise, saturation, rounding half to even, and clipping to the range of codes.
-    Without a generator there is no noise. Gradients pass."""
+    The steps are noise, saturation, rounding half to even, and clipping to the range of codes. They
+    are those of `sensor`. Without a generator there is no noise. Gradients pass."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)

@@ -137,6 +137,7 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
     share = (most / (rows * cols)) ** 0.5
     if share >= 1:
         return picture
+    # OpenCV resizes these two integer types, but not all others.
     picture_values = (
         picture if picture.dtype in (np.uint8, np.uint16) else picture.astype(np.float32)
     )

@@ -210,6 +210,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
         ends = np.sort(generator.integers(0, frames + 1, (2, *places)), axis=0)
         opened = (slot >= ends[0]) & (slot < ends[1])
     elif kind == "book":
+        # A codebook of 2 to 16 shutters.
         rows = generator.random((frames, int(generator.integers(2, 17)))) < 0.5
         opened = rows[:, generator.integers(0, rows.shape[1], places)]
     else:

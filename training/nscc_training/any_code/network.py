@@ -61,6 +61,7 @@ class ClipDenoiser(nn.Module):
         batch, frames, rows, cols = clip.shape
         x = torch.cat([clip.unsqueeze(1), measured_planes], dim=1)
         multiple = _FOLD * 2 ** len(self.down)
+        # Torch takes the margins of the last axis first.
         margins = (0, -cols % multiple, 0, -rows % multiple)
         x = x.transpose(1, 2).reshape(batch * frames, 1 + SEEN, rows, cols)
         if any(margins):

@@ -66,6 +66,7 @@ def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArra
     chosen: list[int] = []
     residual = right
     solution = np.zeros(0)
+    # The norm of a residual whose root mean square is `_ENOUGH`.
     enough = _ENOUGH * len(right) ** 0.5
     while len(chosen) < sparsity and np.linalg.norm(residual) > enough and usable.any():
         gain = np.where(usable, np.abs(matrix.T @ residual) / np.where(usable, norms, 1.0), -1.0)

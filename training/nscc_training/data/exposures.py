@@ -307,6 +307,7 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
         below = int(quantile * last)
         # Only the largest values down to the two around the quantile are sorted.
         most = values.topk(last - below + 1, dim=1).values.double()  # in descending order
+        # The largest value alone is left for the quantile 1.
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
         return low + (high - low) * (quantile * last - below)
     rank = quantile.double() * last

@@ -291,6 +291,7 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
     """Return a generator of random numbers for each clip that is made of a file, as many as the
     setting `paths`. The file's `digest` and the seed determine it."""
     return [
+        # A seed takes numbers: the first 32 bits of the digest.
         np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
     ]

@@ -62,6 +62,7 @@ def demo(
     `clip_sheet.png`, `clip.mp4`, `clip.gif` and its program `clip.nsl`. Both have frame files
     `.._frame.npz` and `.._dark.npz`. Raises Rejected for scenes that cannot be read or are dark."""
     settings, listener = settings or DemoSettings(), listener or Listener()
+    # A clip is cut to the slots and the frame time of its run; stills do not use them.
     clips = run_capture(settings.run or Path("clip"))
     scene_subject = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
     if scene_subject.chosen and listener.say is not None:
@@ -148,6 +149,7 @@ def _commands(
     expose the scene, expose dark frames, reconstruct. `files` are the files that the demo wrote, in
     its order."""
     scene = exposed_scene.scene
+    # The program, which is written without a run only, follows the sheet and two products.
     program = (
         quote(files[3].as_posix()) if exposed_scene.run is None else f"--like {exposed_scene.run}"
     )

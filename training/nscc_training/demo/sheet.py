@@ -382,6 +382,7 @@ def _shutters(shown: Shown) -> Image:
     exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
     size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed
+    # In proportion to the array; at least 4, so that a tile of a narrow array is seen.
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
     # The last readout: the first of several is always open.

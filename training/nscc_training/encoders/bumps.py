@@ -236,7 +236,6 @@ class Bump(Encoder):
         """Set the parameters to these codes, (rows, cols) by field. Raise ValueError if they are
         out of range, or not legal."""
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
-        # Round to the nearest legal codes.
         # Reading the codes rounds them to legal ones, which shows codes that are not legal.
         if any((values != codes[name]).any() for name, values in self.codes().items()):
             raise ValueError("some of its codes are not allowed by `require`")

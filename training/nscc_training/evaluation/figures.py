@@ -90,6 +90,7 @@ class _Shot:
         frames in display encoding for a clip."""
         truth = self.light["truth"]
         if truth.ndim == 2:
+            # A picture without light has no peak; any is right.
             peak = float(np.percentile(truth, 99.9)) or 1.0
             return f"PSNR-mu {mu_psnr(truth, light, peak):.1f} dB"
         tone = fitted("srgb", truth)

@@ -69,6 +69,7 @@ def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     for codes in islice(fitting, chosen.judged):
         candidate_losses = _losses(setup, codes, batches, step)
         gains = first - candidate_losses
+        # The standard error of the mean; a single patch has none.
         error = gains.std(ddof=1) / len(gains) ** 0.5 if len(gains) > 1 else 0.0
         if (over or gains.mean() > error) and (
             best is None or candidate_losses.mean() < best[1].mean()

@@ -278,6 +278,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     spec = ShutterSpec(
         chosen.kind,
         chosen.slots,
+        # Class a has no codes, so its tile is a single pixel.
         (1, 1) if chosen.kind == "a" else tile,
         length=chosen.length if chosen.kind == "c" else None,
         rows=chosen.rows if chosen.kind == "codebook" else None,

@@ -33,8 +33,8 @@ class ClassWindow(ClipWindow):
         return np.array([float(name == self.label) for name in self.classes])
 
     def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
-        """Return whether the class with the highest score is right (`correct`, 1 or 0), the
-        `cross_entropy` in nats, and the names of both classes.
+        """Return whether the class with the highest score (of equal ones the first) is right
+        (`correct`, 1 or 0), the `cross_entropy` in nats, and the names of both classes.
 
         `result_e` (classes,) are logarithms of likelihoods, up to a common constant."""
         decoded = self.classes[int(np.argmax(result_e))]
@@ -57,7 +57,8 @@ def class_windows(
     files: Sequence[Path], classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ProtocolScene | Unusable]:
     """Return the windows of the clips in `files`, in order, with the classes that their folders
-    name. Without files, return procedural scenes, which `seed` determines."""
+    name. Without files, return procedural scenes, which `seed` determines. Raises Rejected (NS0811)
+    if the folder of a file is not named after one of `classes`."""
     if not files:
         return _moving_textures(classes, protocol, seed)
     labels = [class_of(path, classes) for path in files]
@@ -104,7 +105,8 @@ def moving_texture(
     protocol: Protocol,
 ) -> tuple[str, NDArray[np.float32]]:
     """Return the class of procedural scene number `index`, and its light (frames, size, size) on
-    0..1. The classes alternate, and the protocol limits the speed."""
+    0..1. The classes, names of `made_scenes.DIRECTIONS`, alternate, and the protocol limits the
+    speed, which is drawn from `generator`."""
     label = classes[index % len(classes)]
     speed = float(np.exp(generator.uniform(*np.log(protocol["speed"]))))
     clip = made_scenes.moving_texture(generator, frames, size, label, speed)
@@ -114,8 +116,8 @@ def moving_texture(
 def _moving_textures(
     classes: Sequence[str], protocol: Protocol, seed: int
 ) -> Iterator[ClassWindow | Unusable]:
-    """Yield windows of synthetic textures that move in the direction of their class. `seed`
-    determines them, and the protocol their number."""
+    """Yield windows of synthetic textures that move in the direction of their class, one of
+    `classes` in turn. `seed` determines them, and the protocol their number."""
     for index in range(int(protocol["procedural"])):
         generator = np.random.default_rng([seed, DrawStream.EVALUATION_SCENES, index])
         sides = int(protocol["frames"]), int(protocol["size"])

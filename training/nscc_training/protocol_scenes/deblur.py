@@ -53,7 +53,8 @@ def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment
     """Yield the views of a turning camera in the panorama `path`, in order; `Unusable` for those
     that cannot be exposed.
 
-    `index` is the number of the panorama. With the number of the view it determines the motion."""
+    A panorama of another size than the protocol's gives only `Unusable`. `index` is the number of
+    the panorama. With the number of the view it determines the motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     light = light_of(path, protocol)
     for number in range(int(protocol["views"])):
@@ -72,7 +73,8 @@ def exposed_moment(
     """Return view number `number` of the panorama `path` as a scene: its light is scaled so that
     the median over the frame is the protocol's mid grey.
 
-    `clip` (slots, rows, cols) is its light in any unit. Returns Unusable if half of it is dark."""
+    `clip` (slots, rows, cols) is its light in any unit. Returns Unusable if half of it is dark, or
+    light is not finite."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")

@@ -80,8 +80,8 @@ def scenes_in(
 def readable(
     candidates: Iterable[ProtocolScene | Unusable],
 ) -> Iterator[ProtocolScene]:
-    """Yield the scenes that the protocol can expose, and skip the others. Raise Rejected for a file
-    that cannot be read."""
+    """Yield those of `candidates` that the protocol can expose, and skip the others. Raise Rejected
+    (status 2) for a file that cannot be read."""
     for scene in candidates:
         if isinstance(scene, ProtocolScene):
             yield scene
@@ -102,8 +102,8 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 
 
 def kinds_in(data: Path) -> list[Kind]:
-    """Return which kinds of scenes a folder contains, by the endings of its files. Raise Rejected
-    (NS0811) if there are none."""
+    """Return which kinds of scenes, "clips" and "stills" in this order, the folder `data` contains,
+    by the endings of its files. Raise Rejected (NS0811) if there are none."""
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
     all_endings = [ending for kind in KINDS for ending in endings[kind]]
     expected = "such files, or leave --data out to use synthetic scenes"
@@ -114,8 +114,8 @@ def kinds_in(data: Path) -> list[Kind]:
 def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes, as evenly as possible from the first files in `data`; None
-    makes procedural ones, which `seed` determines.
+    """Return at most `count` scenes (at least 1 is asked for), as evenly as possible from the first
+    files in `data`; None makes procedural ones, which `seed` determines.
 
     Raises Rejected (NS0811) if the protocol cannot expose any."""
     if data is None:
@@ -166,8 +166,8 @@ def exposed_arrays(
     """Return at most `count` scenes of `lights`, pairs of name and light: the first scene of each
     array, then the second of each, and so on.
 
-    `srgb` measures errors of clips in display encoding. Arrays that cannot be exposed are left out.
-    """
+    Light is (rows, cols) or (T, rows, cols). `srgb` measures errors of clips in display encoding.
+    Arrays that cannot be exposed are left out."""
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
     return list(islice((scene for scene in turns if isinstance(scene, ProtocolScene)), count))
@@ -179,8 +179,8 @@ def _of_array(
     """Yield the scenes of one array of light: crops of a still (rows, cols), or windows of a clip
     (T, rows, cols).
 
-    They are squares of the protocol's size, or of the array's smaller side. `srgb` measures errors
-    of clips in display encoding."""
+    They are squares of the protocol's size, or of the array's smaller side. `name` is put in place
+    of the file. `srgb` measures errors of clips in display encoding."""
     if light.ndim == 2:
         yield from crops_of(name, light.astype(np.float64), protocol)
         return

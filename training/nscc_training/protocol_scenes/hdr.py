@@ -34,8 +34,8 @@ class Crop(ProtocolScene):
         """Return PSNR, SSIM, mu-law and PU21 PSNR as JSON values, and the PSNR and the share of
         saturated and of dark pixels.
 
-        A pixel counts as saturated if it would be when always open. The PSNR of a region is None if
-        the crop has no such pixels."""
+        `result_e` (rows, cols) is in electrons over the frame. A pixel counts as saturated if it
+        would be when always open. The PSNR of a region is None if the crop has no such pixels."""
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])
@@ -85,8 +85,9 @@ def crops(
 def crops_of(
     path: Path, light: Picture, protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
-    """Yield the square crops of a picture from left to right, in its middle rows. `fraction` is as
-    in `crops`; `path` names the picture."""
+    """Yield the square crops of a picture from left to right, in its middle rows. `light` is (rows,
+    cols). `fraction` replaces the fraction of a crop that saturates, None keeps the protocol's;
+    `path` names the picture. A rest at the right that is narrower than a crop is left out."""
     size = min(int(protocol["crop_size"]), *light.shape)
     first_row = (light.shape[0] - size) // 2
     for first_col in range(0, light.shape[1] - size + 1, size):
@@ -110,6 +111,7 @@ def exposed_crop(
     well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}
     if not np.isfinite(light).all():
         return Unusable(path.name, place, "its light is not finite")
+    # "higher" takes the light of a pixel, which is then exactly at the full well.
     level = float(np.quantile(light, 1 - share, method="higher"))
     if level <= 0:
         return Unusable(path.name, place, "it is dark at the percentile that should saturate")

@@ -47,7 +47,8 @@ class ProtocolScene(ABC):
 
     @abstractmethod
     def scores(self, result_e: Array) -> dict[str, Any]:
-        """Return the protocol's metrics of a reconstruction, as JSON values."""
+        """Return the protocol's metrics of a reconstruction, by name, as JSON values. `result_e` is
+        in electrons, in the shape of the truth."""
 
     def result(self, result_e: Array) -> Array:
         """Return a reconstruction in the form that is scored, by default unchanged."""
@@ -79,7 +80,8 @@ def in_files(
 ) -> Iterator[ProtocolScene | Unusable]:
     """Yield the scenes that `scenes_of` returns for each file and its index.
 
-    A file that cannot be read is `Unusable`, with its error, and the next file follows."""
+    A file for which it raises Rejected is `Unusable`, with the first error, and the next file
+    follows."""
     for index, path in enumerate(files):
         try:
             yield from scenes_of(path, index)
@@ -89,6 +91,6 @@ def in_files(
 
 
 def on_unit_range(light_e: Array, result_e: Array, peak_e: float) -> tuple[Array, Array]:
-    """Return true light and reconstruction, both in electrons, divided by the peak and clipped to
-    0..1."""
+    """Return true light and reconstruction, both in electrons, divided by the peak (above 0) and
+    clipped to 0..1. Both have one shape."""
     return np.clip(light_e / peak_e, 0.0, 1.0), np.clip(result_e / peak_e, 0.0, 1.0)

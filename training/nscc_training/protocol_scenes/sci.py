@@ -49,8 +49,8 @@ class SciClip(ProtocolScene):
         raise NotImplementedError("frames of this protocol are scored one by one")
 
     def items(self, result_e: NDArray[Any]) -> list[Item]:
-        """Return the scores of each frame of the reconstruction as JSON values, with file and
-        number of the frame."""
+        """Return the scores of each frame of the reconstruction `result_e` (8, rows, cols), on
+        0..1, as JSON values, with file and number of the frame."""
         top = float(self.protocol["data_range"])
         pairs = enumerate(zip(self.truth_e, self.result(result_e), strict=True))
         return [
@@ -60,8 +60,8 @@ class SciClip(ProtocolScene):
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
-    """Read the clip in a `.mat` file of the sci8 benchmark, its first frames with mask and
-    measurement.
+    """Read the clip in the `.mat` file `path` of the sci8 benchmark: its first frames, as many as
+    the protocol has, with mask and first measurement.
 
     Raises Rejected (NS0809) if arrays are missing or have other shapes or values, or if the
     measurement is not that of the clip."""

@@ -53,8 +53,8 @@ class ClipWindow(ProtocolScene):
 
 
 def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of the clip in a file, in order and cut to its centre, at most as many as
-    the protocol says; `Unusable` for windows that cannot be exposed."""
+    """Yield the windows of the clip in the file `path`, in order and cut to its centre, at most as
+    many as the protocol says; `Unusable` for windows that cannot be exposed."""
     known = protocol["transfer"]
     srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
     size = int(protocol["size"])
@@ -73,7 +73,7 @@ def windows_of(
     begins where the one before ends.
 
     `path` names the clip. With `srgb`, errors are measured in display encoding. A clip that is too
-    small or too short is `Unusable`."""
+    small or too short gives one `Unusable`; frames after the last whole window are left out."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"frame": 0}
     window: list[NDArray[Any]] = []
     number = -1

@@ -156,6 +156,7 @@ def _judged(
     ranked: list[ClipCode] = []
     for code in (codes[number] for number in progress(range(len(codes)))):
         try:
+            # A low level opens the same shutters and compiles faster.
             container = code.container(replace(frame, level=min(frame.level, 1)))
         except Rejected:
             if code.name == _USUAL:

@@ -68,13 +68,14 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
     a fraction of its variance before.
 
     `opened` (N, pixels) are the shutters in the window. `alike` (N, N, pixels, pixels) is the
-    correlation of light, from `_alike`."""
+    correlation of light between pairs of slots and of pixels. `motion` gives noise and contrast."""
     # Covariance of light and measurements (slot, place, measurement), and of measurements.
     covariance = np.einsum("tspq,sq->tpq", alike, opened)
     frame = np.einsum("tp,tpq->pq", opened, covariance)
     slots = len(opened)
     # All are relative to the square of a slot's mean light times the contrast.
     noise = motion.noise + motion.counts * opened.sum(axis=0) / slots
+    # 1e-9 keeps the matrix regular where pixels never open.
     inverse = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
     middle = covariance[:, _MIDDLE].reshape(-1, len(inverse))
     return float(1 - np.einsum("aq,aq->a", middle @ inverse, middle).mean())

@@ -54,7 +54,8 @@ def moved(
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
     """Return a random mask (rows, cols) of the pixels of a tile that change together: one pixel, a
-    rectangle that may cross the edge, a grid, or every other block."""
+    rectangle that may cross the edge, a grid, or every other block. On a small tile, a grid or
+    blocks may have no pixel."""
     y, x = np.mgrid[: tile[0], : tile[1]]
     kind = generator.integers(4)
     if kind == 0:
@@ -161,7 +162,8 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     """Return codes of a codebook after one random change. The pixels `places` take one row, a row
-    itself changes, or all rows become shifted copies of one."""
+    itself changes, or all rows become copies of one that are shifted in time, evenly over the
+    frame."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     # Of ten changes, one makes all rows shifted copies; the others change pixels or a row, equally
@@ -213,6 +215,7 @@ def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
     """Return codes of class d whose bumps are shifted by `lag` (rows, cols) slots, around the
     frame. A bump that crosses the end of the frame is cut there."""
+    # Starts wrap from the last slot to -`before`, so that a bump is cut at either end of the frame.
     before = codes["stop"] - codes["start"] - 1
     start = (codes["start"] + before + lag) % (spec.slots + before) - before
     stop = start + before + 1

@@ -155,7 +155,7 @@ class BenchScenes:
         """Return the PSNR in dB of scene number `index`, exposed with the program of the codes in
         `encoder` and decoded.
 
-        Equal frames are decoded once."""
+        `container` is the compiled program. Equal frames are decoded once."""
         light = _light(scene, encoder.spec.slots, self.target)
         shot = simulate(container, light, self.sensor, self.request(index)).frame
         codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)

@@ -118,8 +118,9 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def _finished(future: Future, task: PointTask) -> Done:
-    """Return the result of a task, or a failed row if its worker ended. Raise ModuleNotFoundError
-    if a package is missing, because all tasks would fail for this reason."""
+    """Return the result of a task from its finished `future`, or a failed row if its worker ended.
+    Raise ModuleNotFoundError if a package is missing, because all tasks would fail for this reason.
+    """
     if future.status == "finished":
         result: Done = future.result()
         return result

@@ -63,7 +63,8 @@ def _reads(values: Values) -> Sequence[Path]:
 
 def _design(values: Values, task: PointTask) -> Figures:
     """Design a program for the scene of a point, and write it to `task.files`. Return its expected
-    PSNR and costs."""
+    PSNR in dB for each curve, stops or boundaries, words and shortest slot. Only the part of the
+    array that the scene covers counts."""
     from nscc_runtime.scenes import laid_lights
     from nscc_training.design import Design, Frame, design_looks, design_tile
     from nscc_training.metrics import psnr_of_mse

@@ -61,7 +61,7 @@ def _reads(values: Values) -> Sequence[Path]:
 
 def _evaluate(values: Values, task: PointTask) -> Figures:
     """Evaluate a run or a method, write the complete result to `task.files`, and return its mean
-    scores.
+    scores and their 95 % interval (None for a single scene).
 
     Raises Rejected if files are damaged, because a mean of fewer files could not be compared."""
     import torch

@@ -259,6 +259,7 @@ def _points(
         raise Rejected(_problem(message, "", "", source, "split it into several files"), status=2)
     problems: dict[tuple[str, str, str], Diagnostic] = {}
     points_by_part: dict[str, list[GridPoint]] = {}
+    # Parts that evaluate runs come last, because they need the points of those runs.
     for grid_part in sorted(axes_by_part, key=lambda grid_part: RUN in axes_by_part[grid_part]):
         axes, name = axes_by_part[grid_part], called[grid_part]
         points_by_part[grid_part] = []

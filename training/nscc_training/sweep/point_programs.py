@@ -190,7 +190,7 @@ def compiled_of(values: Values) -> Compiled:
 
 def _source(values: Values) -> tuple[Source, Path]:
     """Return the text of a point's program, which is a file, a rule, or codes of a class, and the
-    folder in which it names files."""
+    folder to which names of files in it are relative."""
     if "program" in values:
         path = Path(values["program"])
         return read_source(path), path.parent

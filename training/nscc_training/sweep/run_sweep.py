@@ -124,8 +124,8 @@ def sweep(
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """Return the outcome of a sweep as lines: numbers of points, the most frequent reasons for
-    missing results, and the files that were written."""
+    """Return the outcome of a sweep as lines: numbers of points, the `_MOST_REASONS` most frequent
+    reasons for missing results, and the files that were written."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -276,8 +276,8 @@ def _without_run(
 
 
 def _executor(how: SweepSettings, count: int) -> AbstractContextManager[Executor[PointTask]]:
-    """Return the context in which points are computed: by workers of a scheduler, by processes on
-    this machine (at most `count`), or in this process."""
+    """Return the context in which points are computed, as the settings `how` say: by workers of a
+    scheduler, by processes on this machine (at most `count`), or in this process."""
     if how.scheduler is not None:
         from nscc_training.sweep.cluster import scheduler_workers
 

@@ -27,7 +27,7 @@ _WIDTH = 900
 
 def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
     """Return the report as an HTML page: the diagram (PNG, or None), points without figures, all
-    points, and the grid's text."""
+    points (the first `_MOST_ROWS`), and the grid's text. It names no other files."""
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
     shown += [name for name in table.figures if any(v is not None for v in table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
@@ -72,6 +72,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
         n for n in ("part", *grid.axes) if len(set(table.columns[n])) > 1 and n not in used_names
     ]
     x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
+    # Results of several seeds are averaged, not drawn as lines.
     lines = [name for name in free if not name.endswith("seed")]
     panel = plot.panel
     if not panel and len({*zip(*(table.columns[n] for n in lines), strict=True)}) > _MOST_LINES:

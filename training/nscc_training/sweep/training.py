@@ -49,8 +49,8 @@ def _settings(values: Values) -> RunSettings:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    """Return the files and folders on which a training depends: its configuration and everything
-    that it names, including the user's Python modules."""
+    """Return the files and folders, which may not exist, on which a training depends: its
+    configuration and everything that it names, including the user's Python modules."""
     settings = _settings(values)
     named = [
         settings.shutter.target,

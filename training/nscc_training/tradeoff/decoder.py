@@ -57,8 +57,9 @@ Decoder = tuple[str, str, Callable[[CapturedScene], Light], str]
 
 
 def decoder_study(runs: Sequence[RunFolder], settings: DecoderStudySettings) -> Study:
-    """Return the study of the decoders of `runs` and of those without training; raises Rejected as
-    `decoder_points` does."""
+    """Return the study of the decoders of `runs` and of those without training; with the scenes of
+    `settings`. Raises Rejected for a folder without scenes (NS0811), and for runs that have seen a
+    scene (NS0820) or have two buckets (NS0821)."""
 
     def text(measured: StudyResult) -> str:
         """Return a table for each unit of error, and a line on networks without a run."""
@@ -166,6 +167,7 @@ def networks(folder: RunFolder, name: str) -> list[Decoder]:
             decoders.append((method, dtype, _network(folder, setup.decoder, dtype), device))
             continue
         for blocks, overlapping in _OVERLAPS.items():
+            # A shallow copy, which shares the weights: only its overlap differs.
             net = copy(setup.decoder)
             net.overlapping = overlapping
             setting = f"x{blocks} {dtype}"
@@ -176,8 +178,8 @@ def networks(folder: RunFolder, name: str) -> list[Decoder]:
 def _network(
     folder: RunFolder, net: torch.nn.Module, dtype: str
 ) -> Callable[[CapturedScene], Light]:
-    """Return a function that decodes a capture with the network `net` of a run, in bfloat16
-    ("bf16") or float32 ("f32")."""
+    """Return a function that decodes a capture with the network `net` of a run. `dtype` is "bf16"
+    (bfloat16) or "f32" (float32)."""
     setup = folder.setup
 
     @torch.no_grad()

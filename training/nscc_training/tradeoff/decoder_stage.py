@@ -44,8 +44,8 @@ def decoding(bench: Bench) -> Iterator[StudyPoint]:
 def _point(
     method: str, setting: str, run: Callable[[], Values], truth: Values, loads: str = ""
 ) -> StudyPoint:
-    """Return the point of a decoder. `run` returns an estimate of `truth` (T, rows, cols); its
-    error is a percentage of the mean light.
+    """Return the point of a decoder, called `method` with `setting`. `run` returns an estimate of
+    `truth` (T, rows, cols); its error is a percentage of the mean light.
 
     `loads` differs with what the first run loads, which is not timed."""
 
@@ -120,8 +120,9 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
 
 
 def _merged(bench: Bench, capture: Simulated) -> Values:
-    """Return the light over the frame in electrons (1, rows, cols): the mean of the readouts of a
-    frame, in each of which neighbours are merged."""
+    """Return the light over the frame in electrons (1, rows, cols): the mean of the readouts of the
+    frame in `capture`, in each of which neighbours are merged. It is NaN where no readout has an
+    estimate."""
     container = bench.container
     response = response_of(container, bench.sensor, capture.effects)
     estimates = [

@@ -61,8 +61,8 @@ class Naive:
         return self._read(total)
 
     def drawn(self, seed: int) -> Frame:
-        """Return a frame that sums Poisson counts, which numpy draws for every slot, over the open
-        slots, without other effects.
+        """Return a frame that sums Poisson counts, which numpy draws with `seed` for every slot,
+        over the open slots, without other effects.
 
         Raises NotMeasured for light beyond the range of numpy, about 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
@@ -310,6 +310,7 @@ class EmulatorBench:
         name = self.scene.name
         points = [point for point in measured.points if point.case == name]
         points.sort(key=lambda p: (p.error_unit != ELECTRONS, _ORDER.index(p.method)))
+        # Backwards, so that errors in electrons, which come first, replace those in LSB.
         errors_e = {p.setting: p.error for p in points[::-1] if p.method == PLANNED}
         plans = (MeasuredPlan(n, plan, errors_e[n]) for n, plan in self.plans.items())
         return EmulatorStudy(

@@ -37,8 +37,8 @@ class EmulatorBenches:
         """Prepare the study of a program on scenes, whose names must differ, and measure the speed
         of memory.
 
-        The time of analysing the program is not included in times. Raises ValueError for less than
-        2 frames."""
+        The time of analysing the program is not included in times. There is at least one scene.
+        Raises ValueError for less than 2 frames or less than 1 repeat."""
         if settings.frames < 2 or settings.repeats < 1:
             raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
         benches = tuple(EmulatorBench(program, scene, settings) for scene in scenes)

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 
 def images_study(path: Path, level: int) -> Study:
-    """Return the study of the words for the kernels of a program's images: several programs of
-    words for each kernel, as this `level` of optimisation finds them.
+    """Return the study of the words for the kernels of the images of the program in file `path`:
+    several programs of words for each kernel, as this `level` of optimisation finds them.
 
     The error is the standard deviation of the result's error, as a multiple of the error of one
     word. Raises Rejected if the file does not compile."""

@@ -199,7 +199,8 @@ class Bench:
         return self.known_errors[digest]
 
     def _error(self, container: Container, original: Container | None) -> float:
-        """Compute the result of `error_percent`, which keeps it."""
+        """Return the error of a frame of `container` in percent of the mean signal, from the ideal
+        frame of `original` (None: its own). `error_percent` describes it and keeps the results."""
         light = self._light_in(container)
         ideal_e = self._ideal_e(container, light)
         if original is not None:

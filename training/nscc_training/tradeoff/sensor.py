@@ -111,6 +111,7 @@ def sensor_points(settings: SensorStudySettings) -> list[StudyPoint]:
             "exposures": count,
             "designed": name == "designed",
         }
+        # Pixels that look have the 256 slots of hdr-v1, whatever the settings.
         points.append(_point("stills", f"{name}-{count}", 256, partial(looks_figures, values)))
     return [point for point in points if point.case in kinds]
 
