@@ -106,10 +106,11 @@ class RegisterContents:
         return gates
 
     def distinguishes(self, vectors: Iterable[int]) -> bool:
-        """Return whether gates can compute each of these vectors from the contents of registers.
+        """Return whether gates can compute each of the truth vectors `vectors` from the contents of
+        registers.
 
         They can if no two lanes (nodes of the state machine, each with one outcome) have equal
-        contents, but different bits in the vector."""
+        contents, but different bits in a vector. Without vectors, return True."""
         return all(map(self._distinguishes, vectors))
 
     def _distinguishes(self, vector: int) -> bool:
@@ -193,7 +194,7 @@ class RegisterContents:
         for sequence in self._covers(names, values, target, destination, most_cubes):
             fewest = sequence.words if fewest is None else min(fewest, sequence.words)
             yield sequence
-            if sequence.price == (1, 0):
+            if sequence.price == (1, 0):  # nothing is shorter
                 return
         # A complement takes one word, and its reader another.
         if most >= 2 and (fewest is None or fewest > 2):
@@ -250,7 +251,7 @@ class RegisterContents:
         names_left = self.unused_scratch(destination)
 
         def scratch(vector: int) -> str:
-            """Return the next scratch register, and note that it holds `vector`."""
+            """Return the next scratch register, and note that it holds the truth vector."""
             name = next(names_left)
             scratch_values[name] = vector
             return name
@@ -337,7 +338,7 @@ def _ordered(
         if after is None:
             continue
         if greedy:
-            cheapest, most = (name, after), after.words - 1
+            cheapest, most = (name, after), after.words - 1  # the next must be shorter
             continue
         best = _ordered(after, _without(name, new_values), best)
         most = inf if best is None else best.words - len(new_values)

@@ -44,14 +44,16 @@ class ValueBits(Record, eq=False):
 class LooksEncoding(Record, eq=False):
     """The register contents for codes and for every state of a program with senses.
 
-    `code` has a row for each behaviour: a set of codes whose pixels act alike for all answers."""
+    `code` has a row for each behaviour: a set of codes whose pixels act alike for all answers.
+    `states` are in the order of the state machine's."""
 
     code: ValueBits
     states: tuple[ValueBits, ...]
 
     @property
     def name(self) -> str:
-        """The description for reports, such as "code binary, closed_at one-hot"."""
+        """The description for reports, such as "code binary, closed_at one-hot"; "nothing to hold"
+        without registers."""
         holders = [self.code] if self.code.registers else []
         holders += [holder for holder in self.states if holder.registers]
         return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"

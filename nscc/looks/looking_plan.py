@@ -84,7 +84,9 @@ class LookingPlan(Record, eq=False):
     @cached_property
     def latches(self) -> bool:
         """Whether every closing shutter copies PIX (the photodiode) into an empty bucket, and no
-        shutter opens after slot 0."""
+        shutter opens after slot 0.
+
+        The register `reference` then holds minus the reset level."""
         falls = (
             pair
             for moment in self.moments
@@ -108,7 +110,7 @@ class LookingPlan(Record, eq=False):
 
     @property
     def scratched(self) -> tuple[str, ...]:
-        """The registers whose sum is minus the signal, after the word `sampled` or
+        """The registers whose sum is minus the signal, after the word of `sampled` or
         `register_to_scratch`."""
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
@@ -188,6 +190,7 @@ def _moments(machine: StateMachine) -> Iterator[Moment]:
                 after=after,
                 outcomes=outcome,
             )
+        # A look at the end of the frame leaves no slot for the last stage, and closes the shutters.
         elif machine.starts(stage) < end:
             yield _moment(machine, fresh, boundary=end, comparisons=(), before=nodes, after=nodes)
 

@@ -131,15 +131,16 @@ class LookingReplay(ReplayPixels):
         self._next_frame()
 
     def _readouts(self) -> dict[str, int]:
-        """Return the index of the bucket that each analog register is read out as, by register."""
+        """Return the index of the bucket that each analog register is read out as, by register;
+        other registers are left out."""
         buckets = self.container.buckets
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
     def _add_light(self, slot: int, light_e: float) -> None:
-        """Add the light of a slot, `light_e` electrons in each pixel, to PIX (the photodiode) and
-        to what the program requires.
+        """Add the light of the slot with the index `slot`, `light_e` electrons in each pixel, to
+        PIX (the photodiode) and to what the program requires.
 
-        The program's resets at the start of the slot come first."""
+        The program's resets at the start of the slot come first; words have reset PIX itself."""
         self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
         # The content of a register stays constant, so its rest shrinks as exposures grow.
         self.due += self.machine.opens[self.node, :, slot] * light_e
@@ -169,8 +170,8 @@ class LookingReplay(ReplayPixels):
                 raise ReplayError(WRONG_CODE)
 
     def _next_frame(self) -> None:
-        """Begin the next frame: each lane (simulated pixel) continues at the initial node (state of
-        the machine) with its kept states."""
+        """Begin the next frame: each lane (simulated pixel) continues at the initial node of the
+        state machine with its behaviour and its kept states."""
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
@@ -267,6 +268,7 @@ class LookingReplay(ReplayPixels):
         numbers = np.column_stack((self.node, lights, terms)).astype(np.int64)
         bits = rows([vector for bits in self.bits.values() for vector in bits], self.lanes)
         keys = np.hstack((numbers.view(np.uint8), np.packbits(bits, axis=1)))
+        # Each row as one value of bytes: lanes with equal bytes are merged.
         keys = np.ascontiguousarray(keys).view(f"V{keys.shape[1]}")[:, 0]
         _, first, group = np.unique(keys, return_index=True, return_inverse=True)
         same = (np.abs(self.due - self.due[first[group]]) <= self.full_e / _DIGITS).all(axis=1)

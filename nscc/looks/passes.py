@@ -149,6 +149,7 @@ def _schedule(
     )
     for n in time.refresh_at or ():
         to_refresh = (*refreshed, *states)
+        # Boundary 0 needs no refresh: codes are refreshed at the frame's end, and states set here.
         if to_refresh and n:
             boundaries[n].insert(0, (None, refresh_words(to_refresh, allocation)))
     if refreshed:
@@ -353,6 +354,7 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
         key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.places))
     )
     if not lowerings:
+        # Four reasons suffice: further encodings fail for similar ones.
         return [], [fit.looking_fault(program, list(reasons)[:4], level=level)]
     return lowerings, []
 

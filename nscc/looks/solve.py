@@ -26,7 +26,7 @@ class SetIn(Record):
     level: int
 
     def __str__(self) -> str:
-        """Return the step as text."""
+        """Return the item as text, such as "IN at 12"."""
         return f"IN at {self.level}"
 
 
@@ -61,8 +61,9 @@ class Solver:
     def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
         """Assign virtual registers to the bits of the code and of each state.
 
-        Kept states get registers that the host loads (p0, p1, ..); other states get registers that
-        start at 0 (s0, s1, ..)."""
+        Codes and kept states get registers that the host loads (p0, p1, ..); other states get
+        registers that start at 0 (s0, s1, ..). `target` is the chip, which limits gates and
+        registers."""
         self.plan, self.encoding, self.target = plan, encoding, target
         self.machine = plan.machine
         self.gates = Machine.of(target)

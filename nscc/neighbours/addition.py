@@ -98,6 +98,7 @@ def _orders(
             for reached, word in _predecessors(node, weights, forms):
                 cost, left, _, used, _ = reached
                 if not left:
+                    # Without an entry, any cost is lower.
                     if cost < finished.get(used, (cost + 1, []))[0]:
                         finished[used] = cost, [word, *words]
                 elif cost < following.get(reached[1:], ((cost + 1,), []))[0][0]:
@@ -223,8 +224,9 @@ class _Multiples:
     """The registers of integer multiples of the halved input, which are computed when first
     requested.
 
-    `used_news` tells whether a computation overwrote NEWS (the register that neighbours can read).
-    """
+    `held` has the registers by multiple, and `places` those of other pixels' multiples by
+    (multiple, offset). `used_news` tells whether a computation overwrote NEWS (the register that
+    neighbours can read); the caller resets it."""
 
     def __init__(self, halvings: int, words: list[BusWord]) -> None:
         """Begin with the input and its halvings, each with the sign of the one before inverted.
@@ -261,6 +263,7 @@ class _Multiples:
                     return
         # The largest power of two below the factor. A word inverts, so it reads the negatives.
         half = (1 if factor > 0 else -1) << (abs(factor).bit_length() - 1)
+        # A power of two is divided into two equal parts.
         half = half // 2 if half == factor else half
         first, remainder = self.of(-half), factor - half
         if remainder == half:  # a word cannot read one register twice: NEWS has the copy

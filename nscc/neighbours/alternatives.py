@@ -47,13 +47,15 @@ def with_shared_halvings(pictures: p.Pictures) -> p.Pictures | None:
         for name, divisor in _divisors(expression, pictures.weights_by_name):
             divisors_by_name.setdefault(name, []).append(divisor)
     # Values that at least two kernels read, and nothing else (which has the divisor 1).
+    # All divisors are powers of two, so the smallest one divides the others.
     least = {name: min(of_name) for name, of_name in divisors_by_name.items() if len(of_name) > 1}
     divisors = {name: divisor for name, divisor in least.items() if divisor > 1}
     if not divisors:
         return None
 
     def divided_source(node: p.Node) -> p.Node:
-        """Return an expression in which sources with a common divisor read the divided value."""
+        """Return an expression in which each source with a common divisor is replaced by the
+        divided value times the divisor."""
         if isinstance(node, p.Source) and node.name in divisors:
             divisor = divisors[node.name]
             return p.Sum(((Fraction(divisor), p.Source(f"{node.name} / {divisor}")),))

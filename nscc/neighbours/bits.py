@@ -107,6 +107,7 @@ class BitWords:
             self.begin(state.name)
             if state.next == p.Bit(state.name):
                 self.refresh(state.name)
+                # That was the read by its own next value.
                 self.uses[state.name] -= 1
             else:
                 bit = self.bit(state.next)
@@ -186,6 +187,7 @@ class BitWords:
         if (
             owner is None
             and digital
+            # The second word of a pair must write a register that the first one reads.
             and last.operation.phase is Phase.WHOLE
             and last.destinations == (source,)
             and register not in last.sources
@@ -224,7 +226,9 @@ class BitWords:
 
     def to_flag(self, node: p.Condition) -> None:
         """Emit words that set FLAG (the bit that lets a pixel act) to 1 in the pixels where a
-        condition holds, and to 0 elsewhere."""
+        condition holds, and to 0 elsewhere.
+
+        Raises PictureRefused if registers run out."""
         bit = self.bit(node)
         self.lowering.word(op("WHERE", [], [bit[0]]))
         self.give(bit)
@@ -301,8 +305,9 @@ class BitWords:
     def _chosen(self, node: p.ChosenPlane) -> str:
         """Emit the words of a choice between two bits, and return the register of the result.
 
-        The result is the NOR of the two ways in which it is 0. The longer expression comes first,
-        so that chains of choices need few registers."""
+        The result is the NOR of the two ways in which it is 0. The longer one of both expressions
+        comes first, so that chains of choices need few registers. Raises PictureRefused if
+        registers run out."""
         then_size, otherwise_size = (
             len([*p.subexpressions(branch)]) for branch in (node.then, node.otherwise)
         )
@@ -382,8 +387,8 @@ class BitWords:
     def _joined(self, node: p.Joined) -> str:
         """Emit `and`, `or` or `xor` of two conditions, and return the register of the result.
 
-        `or` takes one OR word; `and` is the NOR of both inverses, and `xor` the NOR of `and` and of
-        neither."""
+        `or` takes one OR word. `and` is the NOR of both inverses; `xor` is the NOR of two bits:
+        `and`, and the NOR of both. Raises PictureRefused if registers run out."""
         planes = self._operands(node.first, node.second) if node.op == "or" else []
         if planes:
             registers = [register for register, _ in planes]

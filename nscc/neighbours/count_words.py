@@ -96,7 +96,7 @@ class CountEmitter(Emitter):
     count_e: float
 
     def __init__(self, pictures: p.Pictures) -> None:
-        """Begin without words and without counted images."""
+        """Begin without words of `pictures` and without counted images."""
         super().__init__(pictures)
         self.ready: dict[str, list[tuple[Fraction, Held]]] = {}
         self.walks, self.spare, self.most_together = 0, "", MOST_IMAGES
@@ -175,6 +175,7 @@ class CountEmitter(Emitter):
         PictureRefused if the words do not fit the chip."""
         terms = self.ready.pop(self.now, None)
         if terms is None:
+            # "" stands for this image, which need not have a name of its own.
             self._count([("", agreements)], _separate)
             terms = self.ready.pop("")
         factor, first = terms[0]

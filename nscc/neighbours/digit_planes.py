@@ -98,6 +98,7 @@ def _path(places: list[Offset]) -> list[Offset]:
     while improved and tried < _MOST_EXCHANGES:
         improved = False
         for first in range(len(path) - 2):
+            # Reversing a single place would change nothing.
             for last in range(first + 2, len(path)):
                 tried += 1
                 # Reversing the part from b to c replaces the moves before and after it.

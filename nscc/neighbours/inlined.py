@@ -36,7 +36,8 @@ def with_moves_where_read(pictures: p.Pictures) -> p.Pictures:
     every step."""
 
     def moves(node: p.Node) -> bool:
-        """Return whether an expression is an image shifted by some pixels, with the weight 1."""
+        """Return whether an expression is an image or bucket, shifted or not, times 1; False for
+        planes."""
         if isinstance(node, p.Condition):
             return False
         taps, inner = merged(node, pictures.weights_by_name)

@@ -124,6 +124,7 @@ def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p
     heads = {name: lowering.held[name] for name in images}
     # The words of a step depend on the range of the values before it. So an attempt whose results
     # leave the range is undone, and the range widened.
+    # After as many attempts as steps, the range holds for every step that is executed.
     for _ in range(max(1, times.most)):
         state = lowering.state()
         results = _emit_step(lowering, steps)
@@ -213,7 +214,7 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
                 lowering.bits.uses[name] -= 1
             elif is_read_later:
                 bit = lowering.bits.bit(node)
-                if bit[1] is not None:
+                if bit[1] is not None:  # its register may be overwritten before it is stored
                     bit = lowering.bits.copy(*bit), None
                 waiting.append((name, bit))
             else:
@@ -225,7 +226,7 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
             results[name] = head
         elif is_read_later:
             value = lowering.value(node)
-            if value.name is not None:
+            if value.name is not None:  # its register may be overwritten before it is moved
                 value = lowering.negated(value)
             waiting.append((name, value))
         else:

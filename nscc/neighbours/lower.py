@@ -54,7 +54,7 @@ class Lowering(RegisterEmitter):
         """Emit the words of all images and planes in order, then those that give the states their
         next values.
 
-        Raises PictureRefused if they do not fit the chip."""
+        Call it once. Raises PictureRefused if they do not fit the chip."""
         for position, item in enumerate(self.pictures.items):
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Repeated):
@@ -327,6 +327,7 @@ class Lowering(RegisterEmitter):
         if param:
             of_param = next(each for each in self.pictures.params if each.name == param)
             ends = [factor * of_param.low, factor * of_param.high]
+        # A sum may need the level or its negative, so both must be possible.
         most = min(self.target.in_high, -self.target.in_low)
         if max(map(abs, ends)) > most:
             raise PictureRefused("range", self.now, max(map(abs, ends)) / most, available=1.0)
@@ -347,11 +348,12 @@ class Lowering(RegisterEmitter):
         """Emit the sum of at most four values, each with its sign 1 or -1, and return the register
         of the result.
 
-        One or two words suffice. `levels` are up to two terms (factor, parameter): multiples of
-        that parameter of the host or, if its name is "", of a step of IN (the level sent to all
-        pixels). The second is added by the first word. The values have then been read. Raises
-        PictureRefused if the sum exceeds the range of registers, or needs more than four sources.
-        """
+        `levels` are up to two terms (factor, parameter): multiples of that parameter of the host
+        or, if its name is "", of a step of IN (the level sent to all pixels). One word suffices, or
+        two if some registers hold their term and others its negative, or if there are two levels.
+        The values have then been read. Without terms, the result is 0. Raises PictureRefused if the
+        sum exceeds the range of registers or of IN, needs more than four sources, or no register is
+        free."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         for level in levels:

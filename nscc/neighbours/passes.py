@@ -147,6 +147,7 @@ def _shortest(
     if inner:  # a register may hold the negative of a kept image
         ways.append(replace(pictures, negated=inner))
     best, refused = _first_or_best(container, product(searches, ways), first=False)
+    # Another order does not change the range of values.
     if best is None and refused is not None and refused.kind != "range":
         orders = product(searches, _with_fewer_registers(pictures))
         best, _ = _first_or_best(container, orders, first=True)
@@ -262,6 +263,7 @@ def _lowered_with(
         try:
             lowering.run()
         except PictureRefused as refused:
+            # Fewer images at once need fewer analog registers, and nothing else less.
             if refused.kind != "registers" or not pictures.count_steps or most_together == 1:
                 raise
         else:
@@ -282,6 +284,7 @@ def grouped(
     levels that follow from parameters."""
     runs: list[tuple[list[Op], Level]] = []
     ends = {end for loop in loops for end in (loop.begin, loop.end)}
+    # The launch at which each loop begins and ends; that of the end of all words is set below.
     launch_at: dict[int, int] = {len(words): 0}
     for index, (word, level) in enumerate(words):
         begins = index in ends
@@ -359,7 +362,8 @@ def _fading(pictures: Pictures, program: Program) -> Diagnostic | None:
     """Return the error (NS0602) if a frame lasts longer than digital registers keep the bits of
     states, else None.
 
-    Readouts of images and buckets count as part of the frame."""
+    Readouts of images and buckets count as part of the frame. Only `RETENTION_SHARE` of the chip's
+    retention time is used. Without states, nothing fades."""
     target = program.target
     keep_us = RETENTION_SHARE * target.digital_retention_us
     values_read = sum(name not in pictures.planes for name in pictures.reads)
@@ -451,11 +455,14 @@ def _beyond_range(
         try:
             _shortest(container, smaller, level, searches)
         except PictureRefused as refused_smaller:
+            # A search without steps left tells nothing about the program.
             other = other if refused_smaller.kind == "steps" else refused_smaller
             continue
         helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
         break
     limit_percent = 100 * max(pictures.limits_e.values()) / target.full_well_e
+    # The largest whole limit with which this value fits, up to rounding. If another value does not
+    # fit, the limit is halved.
     percent = int(limit_percent / over + 1e-9)
     while percent >= 1:
         limits = dict.fromkeys(pictures.limits_e, percent / 100 * target.full_well_e)

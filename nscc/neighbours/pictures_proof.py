@@ -40,7 +40,8 @@ Launched = Sequence[Sequence[Op]]
 
 
 class PictureReplayError(Exception):
-    """Raised for a word that the proof does not support."""
+    """Raised for a word that the proof does not support, or for a register with another value than
+    the program requires; the text is the reason."""
 
 
 def pictures_failure(container: Container) -> Failure | None:
@@ -201,6 +202,7 @@ def _difference(
     kept = [pictures.registers.get(name, "") for name in pictures.kept]
     exposing = {r for words in decoded(container) for op in words for r in op.destinations}
     registers = [*kept, *(readout.register for readout in container.readouts)]
+    # What is kept must be neither an exposure nor written by its words.
     if len(set(registers)) < len(registers) or exposing & {*kept}:
         return "the register of a state is also used for other bits"
     for name in dict.fromkeys((*pictures.outputs, *pictures.kept)):
@@ -309,8 +311,8 @@ class PictureReplay:
             self.set_unknown(value)
 
     def contents(self, register: str, is_plane: bool) -> Fields | Bits | None:
-        """Return the content of a digital (`is_plane`) or analog register at each pixel; None if
-        there is no such register."""
+        """Return the content of a digital (`is_plane`) or analog register at each pixel (column,
+        row); None if there is no such register."""
         if is_plane:
             return self.digital.get(register)
         return self.fields(register) if register in self.analog else None
@@ -410,11 +412,11 @@ class PictureReplay:
         }
 
     def _bus(self, op: Op, level: int | LevelOf | None) -> None:
-        """Replay an analog word; `level` is the value of IN (the level sent to all pixels) in
-        steps, or how it follows from a parameter.
+        """Replay an analog word, which writes minus the sum of its sources, perhaps divided.
 
-        Raises PictureReplayError if the word reaches neighbours while FLAG (the bit that lets a
-        pixel act) is not 1 in all pixels."""
+        `level` is the value of IN (the level sent to all pixels) in steps, how it follows from a
+        parameter, or None. Raises PictureReplayError if the word reaches neighbours while FLAG (the
+        bit that lets a pixel act) is not 1 in all pixels, or reads IN while that is not set."""
         forms, flag = self.forms, self.digital["FLAG"]
         masked = any(bit != forms.diagrams.one for bit in flag.values())
         if masked and NEIGHBOURS.keys() & {*op.sources, *op.destinations}:
@@ -488,8 +490,8 @@ class PictureReplay:
             self._write(name, value)
 
     def _write(self, name: str, value: Bits) -> None:
-        """Write bits to a digital register; the masked register changes only where its mask is
-        1."""
+        """Write bits, one for each pixel, to a digital register; the masked register changes only
+        where its mask is 1."""
         target, diagrams = self.container.target, self.forms.diagrams
         if name == target.masked_register and target.mask_register is not None:
             mask, previous = self.digital[target.mask_register], self.digital[name]

@@ -181,8 +181,8 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
     NEWS (the register that neighbours can read) and its directed forms keep their names."""
 
     def of(operand: str) -> str:
-        """Return an operand with its new name, or with the prefix; NEWS (the register that
-        neighbours can read) and neighbours keep theirs."""
+        """Return an operand's new name of `names`, or the operand with the prefix; NEWS (the
+        register that neighbours can read) and its directed forms without one."""
         if operand in names or operand == "NEWS" or operand in NEIGHBOURS:
             return names.get(operand, operand)
         return prefix + operand
@@ -193,7 +193,10 @@ def renamed(program: Program, names: Mapping[str, str], prefix: str) -> Program:
 
 
 def chained(first: Program, second: Program) -> Program:
-    """Return the program that applies `second` to the result of `first`; either may be empty."""
+    """Return the program that applies `second` to the result of `first`.
+
+    Either may be empty, which means the identity; the result is then the other. Registers get the
+    prefixes a and b."""
     if not first or not second:
         return first or second
     result = first[-1].destinations[0]

@@ -57,6 +57,7 @@ def reuse(
         written.append({name: (base, frozenset(at.items())) for name, at in places.items()})
     where = {value: name for name, value in contents.items() if name != "NEWS"}
     where_free = {value: name for value, name in where.items() if name in free}
+    # From the last word back: registers that later words read, and whether they read NEWS.
     needed, news = {program[-1].destinations[0]}, False
     numbers: list[int] = []
     held: dict[str, str] = {}
@@ -126,6 +127,7 @@ class RegisterEmitter(CountEmitter):
         self.loop_registers: dict[str, str] = {}
         target = self.target = container.target
         buckets = {
+            # A register with a negative gain holds minus the exposure.
             readout.bucket: (readout.register, 1 if readout.gain > 0 else -1)
             for readout in container.readouts
         }
@@ -190,7 +192,8 @@ class RegisterEmitter(CountEmitter):
         """Return a free analog register, which is then occupied; raise PictureRefused if there is
         none.
 
-        A register whose content may be read again is taken last."""
+        Registers whose contents may be reused are taken last, of these the one with the most
+        weights first."""
         if not self.free:
             count = len(self.target.analog_available)
             raise PictureRefused("registers", self.now, count + 1, count)
@@ -274,6 +277,7 @@ class RegisterEmitter(CountEmitter):
         emitted, and the caller restores the state."""
         self.everywhere()
         left = self.reuse_of(program, value)
+        # The last word that uses each of the program's registers.
         last: dict[str, int] = {}
         for number in left.words:
             for name in (*program[number].sources, *program[number].destinations):
@@ -299,8 +303,10 @@ class RegisterEmitter(CountEmitter):
                 if at == number and name in places and name != result:
                     if name == "x":
                         self.give(value)
+                    # A reused register that was not free still belongs to another value.
                     elif name not in left.held or places[name] in reserved:
                         self.give(replace(value, register=places[name], name=None))
+        # Reserved registers that no word reads are free as before.
         unread = [places[name] for name in left.held if name not in last and name != result]
         self.free += [name for name in unread if name in reserved]
         return places[result]

@@ -77,7 +77,7 @@ class Ranged(Record):
 
 
 def _names(values: list[object]) -> tuple[str, ...]:
-    """Return values as text."""
+    """Return values as text, because names of registers in a damaged cache may be of any type."""
     return tuple(map(str, values))
 
 
@@ -248,6 +248,8 @@ class Synthesis:
         centre_weights: set[int] = set()
         if middle:
             least = min(map(abs, inverse.values()))
+            # Multiples that may leave a simpler kernel: small ones and, below, those after which
+            # the pixel's own weight is 0 or equals another weight.
             centre_weights = {UNIT, least, 2 * least, -least, -2 * least}
             centre_weights |= {middle - weight for weight in (0, *inverse.values())}
         for centre_weight in sorted(centre_weights - {0}):
@@ -323,6 +325,7 @@ def _with_last_halved(program: Program) -> Iterator[Program]:
     `_MOST_HALVED` sources."""
     if program and not program[-1].halves and len(program[-1].sources) <= _MOST_HALVED:
         last = program[-1]
+        # A second destination, which nothing reads, makes the word halve.
         yield (*program[:-1], BusWord((*last.destinations, "h_"), last.sources))
 
 
@@ -432,6 +435,7 @@ def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
         if best and best[-1].peak == least_peak:
             break
         if not best or candidate.peak < best[-1].peak:
+            # An equally long program with a smaller peak replaces the other.
             if best and len(candidate.program) == len(best[-1].program):
                 best.pop()
             best.append(candidate)
@@ -439,8 +443,10 @@ def _best(candidates: list[Ranged], least_peak: int) -> list[Ranged]:
 
 
 def reads_news_once(program: Program) -> bool:
-    """Return whether a program writes NEWS (the register that neighbours can read) again after each
-    word that reads a neighbour's, before any word reads it."""
+    """Return whether NEWS (the register that neighbours can read) is written between each word that
+    reads a neighbour and the next word that reads NEWS, its own or a neighbour's.
+
+    Chips whose NEWS loses its value when a neighbour reads it need this."""
     is_read = False
     for word in program:
         reads = NEIGHBOURS.keys() & word.sources

@@ -35,7 +35,8 @@ class WordForms(Record):
         return [forms] if forms == public else [forms, public]
 
     def allow(self, word: BusWord) -> bool:
-        """Return whether the chip has a word of this form."""
+        """Return whether the chip has a word of this form; it has every word that reaches no
+        neighbour."""
         if NEIGHBOURS.keys().isdisjoint((*word.sources, *word.destinations)):
             return True
         return len(word.sources) <= self.sources and (self.halving or not word.halves)

@@ -82,6 +82,7 @@ def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
 
     Target files are relative to `base`. Return () if the target has errors, which are reported
     later."""
+    # The lines of the target are read before all others, because it may define instructions.
     target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):

@@ -25,7 +25,8 @@ _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 
 def name_text(name: str) -> str:
-    """Return a name as one token of assembly text: as it is if possible, else as a JSON string."""
+    """Return a name as one token of assembly text: a JSON string, unless it begins with a letter or
+    `_` and has only letters, digits and `_.+-`."""
     return name if _PLAIN.fullmatch(name) else json.dumps(name)
 
 
@@ -123,6 +124,7 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
     # A range takes at least two characters, which bounds the length without formatting.
     if len(turns) < 4 * hexadecimal:
         ranges = ranges_text(np.flatnonzero(slots).tolist())
+        # Ranges are easier to read, so short ones are used even if they are longer.
         if len(ranges) <= max(hexadecimal, 20):
             return ranges
     return "x" + np.packbits(slots, bitorder="little").tobytes().hex()

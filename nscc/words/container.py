@@ -54,9 +54,10 @@ class Readout(Record):
 class DecodeTable(Record, eq=False):
     """The shutters of all codes of a program.
 
-    `codes` int64 (codes, fields) are the field values of every code. `shutter_of_code` int32
-    (codes,) is the index of each code's shutter. `shutters` bool (shutters, buckets, slots) are the
-    distinct shutters in each bucket. A program without fields has one code without fields."""
+    `fields` are the names of the code's fields. `codes` int64 (codes, fields) are the field values
+    of every code. `shutter_of_code` int32 (codes,) is the index of each code's shutter. `shutters`
+    bool (shutters, buckets, slots) are the distinct shutters: whether a bucket is open in a slot. A
+    program without fields has one code without fields."""
 
     fields: tuple[str, ...]
     codes: Annotated[NDArray[np.int64], "codes fields"]
@@ -134,12 +135,13 @@ class Container:
 
     @property
     def buckets_read(self) -> tuple[str, ...]:
-        """The buckets that are read out with a frame, in order."""
+        """The names of the buckets that are read out with a frame, in order; perhaps none, if
+        images or planes are read."""
         return tuple(name for name in self.reads if name in self.buckets)
 
     @property
     def keeps_states(self) -> bool:
-        """Whether states go on from frame to frame."""
+        """Whether states go on from frame to frame; a frame then depends on the ones before."""
         return self.machine.keeps or bool(self.pictures.states or self.pictures.kept_images)
 
     @property

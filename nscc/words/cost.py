@@ -16,7 +16,7 @@ _CLOCK_CLASS = 7 << 19
 
 
 class WordsCost(Record):
-    """A number of words and their time in microseconds."""
+    """A number of words, and their time `us` in microseconds."""
 
     words: int
     us: float

@@ -65,7 +65,8 @@ def counts_of(
             inner = counts_of(node.value, known, weights)
             if inner is None:
                 return None
-            # Values and their negatives differ by multiples of both.
+            # Values differ by multiples of the stride, a value and a negated one by these plus
+            # or minus 2 `low`.
             stride = _common(inner.stride, 2 * inner.low)
             least = min(abs(inner.low), abs(inner.high))
             if inner.low <= 0 <= inner.high:  # the least value that is a whole number of steps away
@@ -78,6 +79,7 @@ def counts_of(
             if first is None or second is None:
                 return None
             low, high = min(first.low, second.low), max(first.high, second.high)
+            # All values of both counts must be whole steps apart.
             return CountRange(
                 low, high, _common(first.stride, second.stride, first.low - second.low)
             )

@@ -25,7 +25,8 @@ def differences(first: Container, second: Container) -> list[str]:
     """Return the changes from one compiled program to another as lines of text, by part of their
     assembly texts.
 
-    The result is empty if the files are equal. At most `_MOST_LINES` lines of a part are shown."""
+    A part has a line with its title, then indented lines; its first lines are the costs. The result
+    is empty if the files are equal. At most `_MOST_LINES` lines of a part are shown."""
     if to_bytes(first) == to_bytes(second):
         return []
     changes = {"costs": _costs(frame_cost(first), frame_cost(second))}
@@ -73,6 +74,7 @@ def _text_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
         yield f"{len({*old} ^ {*new})} lines differ, too many to compare one by one"
         return
     (old_text, old_data), (new_text, new_data) = _split(old), _split(new)
+    # The first two lines would name the files.
     changed = list(unified_diff(old_text, new_text, lineterm="", n=0))[2:]
     yield from (line if line.isprintable() else ascii(line)[1:-1] for line in changed)
     if old_data != new_data:

@@ -27,8 +27,9 @@ class Token(Record):
 
 
 class Instruction(Record):
-    """The words of one line and the operations `ops` that they encode; `ops` is empty for a
-    `.word`."""
+    """The words of one line and the operations `ops` that they encode.
+
+    `ops` is empty for a `.word`, which need not be a valid word."""
 
     words: tuple[Word, ...]
     ops: tuple[Op, ...]
@@ -113,7 +114,8 @@ class Faults:
 
 
 def shown(text: str) -> str:
-    """Return a text for a message: in quotes, on one line and at most 60 characters."""
+    """Return a text for a message: cut to 60 characters, in quotes, on one line, with escapes for
+    all but ASCII."""
     return ascii(text if len(text) <= 60 else text[:57] + "...")
 
 
@@ -282,12 +284,13 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
 
 
 def _names(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Append the operands to the list `attribute` of the draft."""
+    """Append the operands to the list `attribute` of the draft, such as "buckets"; several lines
+    may do so."""
     getattr(draft, attribute).extend(tokens)
 
 
 def _row(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Append the operands, as one row, to the list `attribute` of the draft."""
+    """Append the operands, as one row, to the list `attribute` of the draft, such as "codes"."""
     getattr(draft, attribute).append(tuple(tokens))
 
 

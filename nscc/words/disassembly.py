@@ -36,7 +36,9 @@ _TIMES_A_LINE = 8
 
 
 def disassemble(container: Container) -> str:
-    """Return the complete container as text; raise Rejected (NS0510) if it has no words."""
+    """Return the complete container as assembly text.
+
+    Raises Rejected (NS0510) if it has no words, because its chip has no logic."""
     refuse_planes(
         container.target,
         "this container has no words to disassemble",
@@ -185,7 +187,7 @@ def _kernel(container: Container, number: int) -> Iterator[str]:
 
 def _schedule(container: Container) -> Iterator[str]:
     """Yield a `.slot` line for each different list of kernels (lists of words), with all boundaries
-    at which it runs."""
+    at which it runs; nothing without launches."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)

@@ -111,7 +111,9 @@ def _joined(word: Word) -> int:
 
 def _encoded(operation: Op) -> int:
     """Return the 160-bit word of an operation: its fixed bits and the control lines of its
-    registers."""
+    registers.
+
+    Raises KeyError for a register that has no control line."""
     word = _fixed(operation.operation)
     for register in operation.destinations:
         word |= _WRITE[register]

@@ -58,7 +58,9 @@ _NO_LEVEL = -(2**31)
 
 @dataclass(frozen=True)
 class _Counts:
-    """The lengths of a file's arrays; `pixels` tells whether there are pixel codes."""
+    """The lengths of a file's arrays.
+
+    `pixels` tells whether there are pixel codes, whose number is that of the target's pixels."""
 
     slots: Length
     codes: Length

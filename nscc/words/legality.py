@@ -78,9 +78,11 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
 
 
 def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
-    """Return the operations of every kernel (list of words) of images and planes.
+    """Return the operations of every kernel (list of words) of images and planes, in order; ()
+    without images and planes.
 
-    Raises Rejected as `decoded` does."""
+    Raises Rejected with the errors of the first ten invalid words, as `decoded` does; these words
+    may reach neighbours."""
     kernels = container.pictures.kernels
     named = ((f"{number} of the images", words) for number, words in enumerate(kernels))
     return _decoded(named, container.target, picture_fault)
@@ -147,7 +149,8 @@ def target_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support this word during the exposure, as a clause; None if it
     does.
 
-    Words that reach neighbours only run after the exposure: see `picture_fault`."""
+    Words that reach neighbours only run after the exposure. `picture_fault` checks everything else.
+    """
     if _reaches_by_bits(operation) or NEIGHBOURS.keys() & {
         *operation.destinations,
         *operation.sources,
@@ -202,7 +205,8 @@ def _reaches_by_bits(operation: Op) -> bool:
 def _neighbour_fault(operation: Op, target: Target) -> str | None:
     """Return why `target` does not support a word that reaches neighbours, as a clause.
 
-    Return None if it does, and for any other word."""
+    Return None if it does, and for any other word. The reasons are missing registers or
+    connections, too many sources, and a division."""
     row = operation.operation
     digital = _reaches_by_bits(operation)
     written = NEIGHBOURS.keys() & operation.destinations

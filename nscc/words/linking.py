@@ -143,6 +143,7 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
             ]
             faults.found.extend(diagnostics)
             return None
+        # A file that cannot be read keeps its own exit status, unless the text has errors too.
         if rejected.status != 1 and not faults.found:
             raise
         faults.found.extend(rejected.diagnostics)
@@ -303,8 +304,9 @@ def _table(
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
     """Return the decode table, and the register bits of each shutter, bool (shutters, registers).
 
-    They come from the `.shutter` and `.code` lines of the draft, whose errors are reported. Raises
-    Rejected for a table that is too large."""
+    They come from the `.shutter` and `.code` lines of the draft. Errors (NS0714, NS0715, NS0719)
+    are reported; the result must then not be used. Raises Rejected for a table that is too large.
+    """
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):

@@ -43,8 +43,8 @@ class State(Record):
     """A state of the program, with values `low`..`high` and initial value `start`.
 
     `is_kept` states survive the frame; `read` states are read out with the frame. `boolean` means
-    that it was declared as bit. `sense` marks the latest answer of a sense, which was not declared
-    as a state but is needed later."""
+    that it was declared as bit. `sense` marks the latest answer of a sense (1 for yes), which was
+    not declared as a state but is needed later."""
 
     name: str
     low: StateValue
@@ -111,7 +111,7 @@ class StateMachine(Record, eq=False):
 
     @property
     def keeps(self) -> bool:
-        """Whether a frame depends on the previous one."""
+        """Whether a frame depends on the previous one, because a state is kept."""
         return any(state.is_kept for state in self.states)
 
     @property
@@ -151,8 +151,10 @@ class StateMachine(Record, eq=False):
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
     def start_nodes(self) -> NDArray[np.int64]:
-        """Return for each behaviour (set of codes that act alike) its node (state of the machine)
-        of stage 0 in which all states have their start values, int64 (behaviours,)."""
+        """Return for each behaviour (set of codes that act alike) the node of stage 0 in which all
+        states have their start values.
+
+        The result is int64 (behaviours,), in the order of behaviours."""
         nodes = np.arange(self.first[1])
         starts = np.array([state.start for state in self.states], np.int64)
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]

@@ -42,6 +42,7 @@ def faults(container: Container) -> Iterator[str]:
     if wrong := list(array_faults(machine, sizes)):
         yield f"its machine's {wrong[0]}"
         return
+    # Sums of lengths may be rounded up.
     shortest_us, frame_us = min(container.slot_us), sum(container.slot_us) * (1 + 1e-9)
     # An open time is -1 (not known), 0, or a sum of slots.
     is_sum = (machine.open_us >= shortest_us) & (machine.open_us <= frame_us)

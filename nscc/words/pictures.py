@@ -39,7 +39,7 @@ class Weights(Record):
 
     @cached_property
     def taps(self) -> dict[Offset, Fraction]:
-        """The nonzero weights by the offsets of their pixels."""
+        """The nonzero weights by the offsets (columns right, rows down) of their pixels."""
         down, right = len(self.rows) // 2, len(self.rows[0]) // 2
         return {
             (j - right, i - down): Fraction(weight, self.divisor)
@@ -53,7 +53,7 @@ class Weights(Record):
 
 
 class Source(Record):
-    """The exposure of a bucket, or an image that was computed before."""
+    """The exposure of a bucket, or an image that was computed before, by its name."""
 
     name: str
 
@@ -162,7 +162,7 @@ class Agreement(Record):
 
 
 class Bit(Record):
-    """A plane that was computed before."""
+    """A plane that was computed before, a state or an input plane, by its name."""
 
     name: str
 
@@ -174,14 +174,16 @@ class Constant(Record):
 
 
 class Above(Record):
-    """A condition: an image is above a level (steps of IN)."""
+    """A condition: the image `value` is above the level `steps`, in steps of IN (the level sent to
+    all pixels)."""
 
     value: Value
     steps: int
 
 
 class AboveParam(Record):
-    """A condition: an image is above `factor` times the parameter `param` (steps of IN)."""
+    """A condition: the image `value` is above `factor` times the parameter `param`, in steps of IN
+    (the level sent to all pixels)."""
 
     value: Value
     param: str
@@ -189,7 +191,8 @@ class AboveParam(Record):
 
 
 class Exceeds(Record):
-    """A condition: a count is above `level`, half-way between two attainable counts."""
+    """A condition: the count `value` is above `level`, half-way between two attainable counts, so
+    that it never equals the level."""
 
     value: Value
     level: Fraction
@@ -322,8 +325,8 @@ class Picture(Record):
 class KeptPlane(Record):
     """A state: a plane that is kept from frame to frame.
 
-    `start`: its bit in all pixels before the first frame. Images and planes read the bit that the
-    previous frame left. `next` is evaluated after all images and planes."""
+    `start` is its bit in all pixels before the first frame. Images and planes read the bit that the
+    previous frame left. `next` is its new value, evaluated after all images and planes."""
 
     name: str
     start: OneBit
@@ -345,8 +348,9 @@ class InputPlane(Record):
 class KeptImage(Record):
     """A state that is an image: an analog register that is kept from frame to frame.
 
-    `start_e`: its value in all pixels before the first frame. `next` is evaluated after all images
-    and planes, which read the value that the previous frame left."""
+    `start_e` is its value in all pixels before the first frame, in electrons. `next` is its new
+    value, evaluated after all images and planes, which read the value that the previous frame left.
+    """
 
     name: str
     start_e: float
@@ -368,7 +372,7 @@ class HostParam(Record):
 
     @property
     def ends(self) -> tuple[int, int]:
-        """The lowest and the highest value."""
+        """The lowest and the highest value, as (low, high)."""
         return self.low, self.high
 
 
@@ -423,13 +427,15 @@ class PlaneReport(Record):
 
     @property
     def subject(self) -> str:
-        """The name of the reported plane or image."""
+        """The name of the reported plane or image in the program; "exposure" for the bucket
+        `frame`."""
         name = "exposure" if self.plane == "frame" else self.plane
         return name.removesuffix(GROWS) if self.kind == "flood" else name
 
     @property
     def key(self) -> str:
-        """The name of the report's array in a frame file."""
+        """The name of the report's array in a frame file, such as `report_count_NAME` or
+        `flood_complete_NAME`."""
         kind = "flood_complete" if self.kind == "flood" else f"report_{self.kind}"
         return f"{kind}_{self.subject}"
 
@@ -477,7 +483,7 @@ class PictureCost(Record):
 
     `words` include shared words only for the first image that uses them. `peak_gain` is its largest
     value relative to the largest exposure. `noise_gain` is the standard deviation of its error if
-    each word has an error with standard deviation 1."""
+    each word has an error with standard deviation 1. Both gains are 0 for planes."""
 
     name: str
     words: Length
@@ -552,7 +558,8 @@ class Pictures:
         level_of, at = {level.launch: level for level in self.levels_of}, 0
 
         def run(end: int, times: Times | None, step: int) -> Iterator[SteeredLaunch]:
-            """Yield the launches from number `at` on to `end` as a step of a loop."""
+            """Yield the launches from number `at` on up to `end`, without it, as step number `step`
+            of a loop of `times` steps (None for no loop)."""
             for number, launch in enumerate(self.launches[at:end], at):
                 level = level_of.get(number)
                 yield SteeredLaunch(launch.kernel, launch.level, level, times, step)
@@ -575,14 +582,14 @@ class Pictures:
 
     @property
     def planes(self) -> frozenset[str]:
-        """The names of planes, input planes and states that are bits."""
+        """The names of all planes of bits: items, states and input planes."""
         items = self.expressions.items()
         planes = frozenset(name for name, node in items if isinstance(node, Condition))
         return planes | {plane.name for plane in self.inputs}
 
     @property
     def stepping(self) -> tuple[str, ...]:
-        """The names of states, planes and images, which take new values once a frame."""
+        """The names of states, planes first, then images, which take new values once a frame."""
         planes, images = (state.name for state in self.states), (s.name for s in self.kept_images)
         return (*planes, *images)
 
@@ -632,12 +639,13 @@ class Pictures:
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """The names of all images, planes and buckets that are read or reported."""
+        """The names of all images, planes and buckets that are read or reported, each once, those
+        that are read first."""
         return tuple(dict.fromkeys((*self.reads, *(r.plane for r in self.reports))))
 
     @property
     def images_read(self) -> tuple[str, ...]:
-        """The names of the images that are read out, in order."""
+        """The names of the images that are read out, in order; buckets and planes are left out."""
         images = {item.name for item in self.items if not item.is_plane}
         images |= {state.name for state in self.kept_images}
         return tuple(name for name in self.reads if name in images)

@@ -74,11 +74,11 @@ def codes_of_planes(
 def _plane(
     path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None
 ) -> NDArray[np.bool_]:
-    """Return a bit plane from an .npy or .npz file, bool of this `shape`.
+    """Return a bit plane from an .npy or .npz file, bool of this `shape` (rows, cols).
 
-    An .npz file has one array, or one with the name of `register`. Raises _BadPlaneError if the
-    file cannot be read, is too large, has another digest than `stated_sha256` (None: any) or
-    another shape, or has values other than 0 and 1."""
+    An .npz file has one array of any name, or several, one of which has the name of `register`.
+    Raises _BadPlaneError if the file cannot be read, is too large, has another digest than
+    `stated_sha256` (None: any) or another shape, or has values other than 0 and 1."""
     try:
         if not path.is_file():
             raise _BadPlaneError("it is not a file" if path.exists() else "it does not exist")

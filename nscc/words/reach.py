@@ -46,7 +46,10 @@ class Reach(NamedTuple):
 
     def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
         """Return the pixels whose value depends on pixels outside the array, bool (rows, cols) of
-        `shape`."""
+        `shape`.
+
+        These are the first rows and columns up to the reach upwards and to the left, and the last
+        ones up to that downwards and to the right."""
         rows, cols = shape
         margin = np.ones(shape, np.bool_)
         margin[self.up : max(0, rows - self.down), self.left : max(0, cols - self.right)] = False
@@ -74,7 +77,9 @@ class RegisterReaches:
         described with the class."""
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
+        # Registers that a word without sources wrote: 1 in all pixels (SET) or 0 (CLR).
         self._constant: dict[str, bool] = {}
+        # Whether FLAG is known to be 1 in all pixels.
         self._everywhere = False
         for word in words:
             self._run(word)
@@ -132,8 +137,8 @@ class RegisterReaches:
     def _of_neighbours(self, source: str) -> Reach:
         """Return the reach of a bit that a pixel reads from those neighbours that R1 to R4 choose.
 
-        `source` is the register that is read there. R1 to R4 that are not known to be 0 may choose.
-        """
+        `source` is the register that is read there. A neighbour counts unless its register of R1 to
+        R4 is known to be 0 in all pixels."""
         own, reach = self.of(source), Reach().joined(*map(self.of, STEERING))
         for name, step in STEERING.items():
             if self._constant.get(name, True):

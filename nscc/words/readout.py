@@ -34,8 +34,9 @@ class Preparation(Record):
 def preparation_of(container: Container) -> Preparation:
     """Return the words that run before the readout.
 
-    They set FLAG (the bit that lets a pixel act) in all pixels and, if an analog register is free,
-    spread the exposures over all converter codes."""
+    They set FLAG (the bit that lets a pixel act) in all pixels. If the chip spreads exposures, an
+    analog register is free, and buckets are read out, they also spread the exposures over all
+    converter codes."""
     target = container.target
     copy = free_register(target, _read(container))
     # Readout would skip pixels without FLAG.
@@ -73,16 +74,18 @@ def spreading(target: Target, register: str, copy: str) -> tuple[Op, Op, Op]:
 
 
 def converter_of(container: Container) -> Target:
-    """Return the container's target with the conversion that is used.
+    """Return the container's target with the conversion that is used for its readout.
 
-    It is the converter's own if no register is free for spreading."""
+    It is the target itself or, if it would spread exposures but no register is free for that, one
+    with `readout` "full"."""
     return converter_of_registers(container.target, _read(container))
 
 
 def converter_of_registers(target: Target, read: Iterable[str]) -> Target:
-    """Return the target with the conversion that is used if these registers are read out.
+    """Return the target with the conversion that is used if the registers `read` are read out.
 
-    It is the converter's own if no register is free for spreading."""
+    It is the target itself or, if it would spread exposures but no register is free for that, one
+    with `readout` "full"."""
     if target.spread_level is None or free_register(target, read) is not None:
         return target
     return replace(target, readout="full")

@@ -122,7 +122,8 @@ def _kernel_faults(container: Container) -> Iterator[str]:
 
 
 def _register_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of code registers and readouts: unknown or repeated registers, gains."""
+    """Yield the errors of code registers and readouts: unknown or repeated registers, buckets that
+    are not read out exactly once, and gains that are not finite."""
     target = container.target
     for register in container.code_registers:
         if register not in target.digital_registers:
@@ -152,9 +153,9 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of bit planes.
+    """Yield the errors of bit planes; nothing for a sound container with words.
 
-    Only chips without logic have them, and these have no words."""
+    Only chips without logic have bit planes, and these have no words and no senses."""
     target, sent = container.target, container.stream
     if target.has_logic:
         if sent is not None:
@@ -233,6 +234,7 @@ def _loop_faults(container: Container) -> Iterator[str]:
         ends = {} if used is None else {used.low, used.high}
         if loop.times.param and used is None:
             yield "a loop of its pictures names a parameter that does not exist"
+        # Without a parameter, the number of steps is constant.
         if any(loop.times.at({loop.times.param: n}) > loop.times.most for n in ends or (0,)):
             yield "a loop of its pictures has more steps than it says"
     for level in pictures.levels_of:
@@ -251,5 +253,5 @@ def _text_faults(container: Container) -> Iterator[str]:
 
 
 def _within(indices: np.ndarray[tuple[int, ...], np.dtype[np.int32]], count: int) -> bool:
-    """Return whether all indices are from 0 to `count` - 1."""
+    """Return whether all indices are from 0 to `count` - 1; True if there are none."""
     return bool(indices.size == 0 or (indices.min() >= 0 and indices.max() < count))

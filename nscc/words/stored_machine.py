@@ -93,8 +93,8 @@ class StoredMachine:
 
 
 def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> StoredMachine:
-    """Return the parts of a state machine that are not arrays; `planes` are the registers of its
-    states by name."""
+    """Return the parts of a state machine that are not arrays, without levels of IN; `planes` are
+    the registers of its states by name."""
     return StoredMachine(
         machine.states,
         machine.comparisons,
