@@ -149,7 +149,7 @@ def to_json(record: Any, schema: str = "") -> str:
 
 
 def from_json(kind: type[Kind], text: str | bytes, schema: str = "") -> Kind:
-    """Return the record of class `kind` in a text of `to_json`.
+    """Return the record of class `kind` in a text that `to_json` wrote.
 
     `schema` is what the key `schema` must hold; "" expects no such key. Raises InvalidRecord for
     any other text."""
@@ -243,7 +243,8 @@ def _codec(hint: Any) -> _Codec:
 
 
 def _shown(value: Any) -> str:
-    """Return a value for a message: at most 40 characters, and printable whatever it is."""
+    """Return a value, or its kind if it is no text or number, for a message: at most 40 characters,
+    and printable whatever it is."""
     # Python refuses to write integers of thousands of digits.
     if type(value) is int and abs(value) >= 1 << 64:
         return "a number of more than 64 bits"
@@ -327,7 +328,8 @@ def _annotated(kind: Any, remarks: tuple[Any, ...]) -> _Codec:
     """Return the codec of a hint `kind` with the remarks that Annotated adds.
 
     HEX stores an integer as hexadecimal text. Each `Within` limits a number or the length of a
-    value, in writing and reading. Other remarks are ignored."""
+    value, in writing and reading. Other remarks (KeyName, LATER) concern fields, and are ignored
+    here."""
     if HEX in remarks:
         return _Codec(lambda value: f"{value:x}", _read_hex)
     codec = _codec(kind)
@@ -443,7 +445,8 @@ def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
 
 
 def _split(row: Sequence[_Field], items: list[Any]) -> Iterator[Any]:
-    """Yield the values of the fields `row` from a list that `_joined` made.
+    """Yield the values of the fields `row` from `items`, the list of a record, whose form `_joined`
+    describes.
 
     Raises InvalidRecord for an invalid item, or another number of items."""
     if len(row) == 1 and row[0].codec.width == 0:

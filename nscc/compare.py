@@ -108,7 +108,8 @@ def compared_text(chips: Sequence[OnChip]) -> str:
 
 
 def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
-    """Return the comparison of `chips` as JSON values; unknown values are null."""
+    """Return the comparison of `chips` as JSON values: an object for each chip, in their order.
+    Unknown values are null."""
     return [
         {
             "target": chip.target.name,

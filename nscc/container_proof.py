@@ -34,8 +34,8 @@ def require_known_shutters(container: Container, name: str = "this program") -> 
 
 
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
-    """Return the distinct shutters that the words open, bool (shutters, buckets, N), as the decode
-    table orders them.
+    """Return the distinct shutters that the words open, bool (shutters, buckets, N), in the order
+    of the decode table: sorted as rows of bits.
 
     Raises Rejected (status 1): NS0442 if the words do not implement shutters, NS0444 if the
     shutters depend on the light. `name` is the program in the message."""

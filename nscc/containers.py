@@ -96,8 +96,9 @@ def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple
     """Return the text of a program, given as text or as the path of its file, and the folder of its
     data files.
 
-    `folder` is that folder for a text, by default the current one. Raises WrongArgument for
-    anything else, a compiled program, and a `folder` beside a file."""
+    A str of one line that ends in .nsl is a path. `folder` is the folder of data files for a text,
+    by default the current one. Raises WrongArgument for anything else, a compiled program, and a
+    `folder` beside a file; Rejected if the file cannot be read or is no text."""
     if not isinstance(source, str | os.PathLike):
         raise wrong_argument(
             f"nscc.compile takes a program's path or its text, not {shown(source)}",

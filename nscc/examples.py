@@ -100,7 +100,8 @@ def examples() -> Mapping[str, Path]:
 
 
 def _folder(installed: str, of_sources: str) -> Path:
-    """Return the folder `installed` beside this file or, in a checkout, the folder `of_sources`."""
+    """Return the folder `installed` beside this file or, in a checkout of the sources, the folder
+    `of_sources` relative to its top."""
     folder = Path(__file__).with_name(installed)
     return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / of_sources
 
@@ -119,7 +120,7 @@ class ExampleScene(Record):
 
 def tasks() -> dict[str, dict[str, ExampleScene]]:
     """Return the scenes with which example programs are shown: {task: {name of the program:
-    scene}}."""
+    scene}}, both in the order in which they are shown."""
     path = _folder("example_files", "examples") / "tasks.json"
     return {
         task: {name: ExampleScene(**shown) for name, shown in programs.items()}

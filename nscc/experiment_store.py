@@ -109,6 +109,7 @@ class ExperimentStore:
             try:
                 return self._database.execute(statement, values).fetchall()
             except sqlite3.DatabaseError as error:
+                # A fault of nscc, not of the file.
                 if isinstance(error, sqlite3.ProgrammingError):
                     raise
                 if not _is_locked(error) or monotonic() - begin > _BUSY_S:
@@ -152,7 +153,8 @@ class ExperimentStore:
         return disk_usage(self._path.parent).free < _LEAST_BYTES
 
     def values(self) -> dict[str, Any]:
-        """Return all measurements as JSON values by name, in the order in which they ended."""
+        """Return all measurements as JSON values by name, in the order in which they were
+        stored."""
         rows = self._execute(
             "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", self._of
         )
@@ -160,7 +162,8 @@ class ExperimentStore:
         return {name: json.loads(value) for name, value in rows}
 
     def timings(self) -> list[Timing]:
-        """Return when and how long all measurements took, in the order in which they ended."""
+        """Return when and how long all measurements took, in the order in which they were
+        stored."""
         rows = self._execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
             "ORDER BY rowid",
@@ -264,7 +267,7 @@ class ExperimentStore:
         _trace: TracebackType | None,
     ) -> None:
         """Close the store. After Ctrl-C, raise KeyboardInterrupt with the path of the stored
-        measurements."""
+        measurements, if there are any in a file."""
         self.close()
         if isinstance(value, KeyboardInterrupt) and self._known and self._path is not None:
             raise KeyboardInterrupt(
@@ -279,7 +282,7 @@ def _is_locked(error: Exception) -> bool:
 
 
 def _place(experiment: str, name: str) -> int:
-    """Return the offset in the claims file of the byte that stands for a measurement of an
-    experiment."""
+    """Return the offset, below 2^56, in the claims file of the byte that stands for a measurement
+    of an experiment."""
     # 7 bytes keep the offset below `_IN_USE`, and make equal places of two names unlikely.
     return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])

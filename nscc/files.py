@@ -42,7 +42,8 @@ def inputs_kept() -> Iterator[None]:
 def reads(*paths: Path) -> None:
     """Record files that the command reads, so that it cannot overwrite them within `inputs_kept`.
 
-    They are identified by device and inode. Paths that are not regular files are ignored."""
+    They are identified by device and inode. Paths that are missing or not regular files are
+    ignored; outside of `inputs_kept`, all are."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
@@ -192,6 +193,7 @@ def _refuse_input(path: Path, data: Product) -> None:
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     """Write data to a temporary file beside `path`, with the permissions of an existing file.
+    Missing folders are created.
 
     Return [(temporary, final path)]. Pipes and devices are written directly, which returns [].
     Raises OSError."""

@@ -37,7 +37,7 @@ SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
 class OperandError(Exception):
     """Raised for operands that a mnemonic does not accept.
 
-    `index` is the invalid operand, None if no single operand is invalid."""
+    `index` is the number of the invalid operand, from 0, None if no single operand is invalid."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
         """Store what is wrong with operand number `index`; None if no single operand is invalid."""
@@ -128,7 +128,8 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
 
 
 def _listed(names: Sequence[str] | dict[str, int]) -> str:
-    """Return the names of registers as text; all digital ones are "R0, R1, .."."""
+    """Return the names of registers as text; all digital ones together are "R0, R1, ..", which
+    comes first."""
     listed = [name for name in names if not (name[:1] == "R" and name[1:].isdecimal())]
     digital = len(listed) < len(tuple(names))
     return ", ".join((["R0, R1, .."] if digital else []) + listed)
@@ -177,8 +178,8 @@ def _in_place(kind: str, operands: Sequence[str]) -> Ops:
 
 
 def _not(x: Sequence[str]) -> Ops:
-    """Return the words that write the inverse of the second operand to the first, or invert a
-    single one in place."""
+    """Return the words that write the inverse of the second of the operands `x` to the first, or
+    invert a single one in place. Raises OperandError for invalid operands."""
     return _in_place("NOR", x) if len(x) == 1 else (_word(BY_NAME["NOT"], x[:1], x[1:]),)
 
 
@@ -302,5 +303,6 @@ MNEMONICS: dict[str, Mnemonic] = {
 
 @cache
 def mnemonics(own_words: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
-    """Return all mnemonics by name, including those of a target's own words."""
+    """Return all mnemonics by name, including those of a target's own words, which replace others
+    of the same name."""
     return MNEMONICS | {row.name: _native(row) for row in own_words}

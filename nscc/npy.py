@@ -112,7 +112,7 @@ def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[A
 
 
 def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0) -> NDArray[Any]:
-    """Return the array `name` of an .npy stream.
+    """Return the array of an .npy stream; `name` is for messages.
 
     It may take `most_bytes` together with `before_bytes`, the arrays read before from the same
     file. Raises UnsuitableArray for Python objects or too large an array, and InvalidArrays for

@@ -263,7 +263,8 @@ _ORDER = {name: i for i, name in enumerate((*READ_LINES, *NEIGHBOURS))}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """Return a word of the operation `name` of the table; see `make_op`.
+    """Return a word of the operation `name` of the table, with names of registers as operands.
+    Their order does not matter.
 
     Raises ValueError for an unknown name or invalid operands."""
     return _op(name, tuple(destinations), tuple(sources))

@@ -233,7 +233,7 @@ class ProgramKind:
     """Whether programs with simpler rules are suggested for one that does not fit."""
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of the layout that the pass `schedule` made, and diagnostics.
+        """Return the container of `layout`, the value of the pass `schedule`, and diagnostics.
 
         `job` has the options. With images and planes there may be errors: NS0535, NS0540 and NS0541
         if they exceed the chip's resources."""
@@ -252,7 +252,8 @@ class ProgramKind:
         return prove(container, kernels, self.replay, self.after_frame)
 
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
-        """Return the distinct shutters that the words open, bool (shutters, buckets, N).
+        """Return the distinct shutters that the words open, bool (shutters, buckets, N), in the
+        order of the decode table.
 
         Raises Rejected (NS0442, status 1) if the words do not implement shutters. `name` is the
         container in the message."""
@@ -273,8 +274,8 @@ class ProgramKind:
         return container
 
     def product(self, product: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
-        """Return a product of `nscc build --emit` as {file name: content}; file names begin with
-        `stem`.
+        """Return the product `product` of `nscc build --emit`, such as "asm", as {file name:
+        content}; file names begin with `stem`.
 
         The products that every kind has are made elsewhere (`nscc.emit.products`)."""
         return dict(LazyFunctions("nscc.emit.products").word_product(product, compiled, stem, self))

@@ -28,7 +28,8 @@ Group = Literal[
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
-    """Return the objects that other packages add to the entry-point group, by name, sorted.
+    """Return the objects that other packages add to the entry-point group, by name and sorted by
+    it.
 
     Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
     used twice."""

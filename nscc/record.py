@@ -46,7 +46,7 @@ class Record:
     def __init__(self, *values: Any, **named: Any) -> None:
         """Set the fields, by position or by name; those with a default may be missing.
 
-        Raises TypeError for missing or unknown ones."""
+        Types are not checked. Raises TypeError for missing, unknown or too many ones."""
         names, cls = self.field_names, type(self)
         if named or len(values) != len(names):
             later = names[len(values) :]

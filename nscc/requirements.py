@@ -38,6 +38,7 @@ def extras() -> dict[str, str]:
         if match is not None:
             names.setdefault(match["extra"] or "", []).append(_normal(match["name"]))
     by_size = sorted(names, key=lambda extra: (extra != "", len(names[extra])))
+    # Later entries replace earlier ones, so the smallest extra counts, and "" before all.
     return {name: extra for extra in reversed(by_size) for name in names[extra]}
 
 
@@ -49,7 +50,8 @@ def distribution_of(module: str) -> str:
 
 
 def module_of(distribution: str) -> str:
-    """Return the name of the module that a distribution (package) installs."""
+    """Return the name of the module that a distribution (package) installs: a known exception, or
+    its own name with _ for -."""
     names = {name: module for module, name in _MODULES.items()}
     return names.get(distribution, distribution.replace("-", "_"))
 

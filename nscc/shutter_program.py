@@ -149,7 +149,8 @@ class ShutterProgram:
 
     @property
     def words(self) -> NDArray[np.uint32]:
-        """The stored instruction words, kernel after kernel: uint32 (words, 5)."""
+        """The stored instruction words, kernel after kernel: uint32 (words, 5), five integers for
+        each word; (0, 5) for a chip without logic."""
         stored = [word for kernel in self.container.kernels for word in kernel.words]
         return np.array(stored, np.uint32).reshape(len(stored), 5)
 
@@ -274,6 +275,7 @@ class ShutterProgram:
 
     def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
         """Return the content of the file `out`, and of further files that belong to it, by path.
+        Raises Rejected (NS0743) if a loaded program lacks what is needed.
 
         `kind` is a key of `nscc.emit.products.SUFFIXES`, and `ending` the ending of `out`."""
         if kind == "icw":

@@ -24,7 +24,8 @@ class Span:
 
 
 class Source(Record):
-    """A text, and its name in messages: the path as the user wrote it."""
+    """A text, and its name in messages: the path as the user wrote it, or a name such as
+    `<text>`."""
 
     name: str
     text: str

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 def columns(bits: NDArray[np.bool_]) -> list[int]:
     """Return the truth vectors of the columns of `bits`, bool (shutters, columns).
 
-    A truth vector is an integer whose bit k belongs to shutter k."""
+    The result has one integer for each column; its bit k belongs to shutter k (row k of `bits`)."""
     packed = np.packbits(np.ascontiguousarray(bits.T), axis=1, bitorder="little")
     return [int.from_bytes(row.tobytes(), "little") for row in packed]
 

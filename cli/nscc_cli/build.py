@@ -83,7 +83,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
 
 def _check_container_name(out: Path) -> None:
     """Raise Rejected if the container `out` would replace an input (NS0785), or if its ending names
-    another kind of file (NS0786). Names without an ending are accepted."""
+    another kind of file (NS0786). Names that end in .icw or have no ending are accepted."""
     if out.suffix.lower() in (SUFFIX, ""):
         return
     refuse_inputs(out)
@@ -121,8 +121,8 @@ def _kinds(text: str) -> dict[str, bool]:
 
 
 def _printer(after: str | None) -> Observer | None:
-    """Return an observer of compiler passes that prints the result of the pass named `after`; None
-    prints nothing.
+    """Return a function of a pass and its value that the compiler calls after each pass, and that
+    prints the result of the pass named `after`; None prints nothing.
 
     Raises Rejected (NS0506) if there is no such pass."""
     if after is None:

@@ -21,7 +21,7 @@ class Name(click.types.StringParamType):
     """The click type of a name, for which the shell suggests known names.
 
     With `files` it suggests files, too. With `several` the value is a list separated by commas, in
-    which each name may follow one of `signs`."""
+    which each name may follow one of the characters `signs`. Any text is accepted as a value."""
 
     name = "text"
 
@@ -74,8 +74,8 @@ class RunPath(click.Path):
         self.more = further_names
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
-        """Return the run folders and names that begin with the text that the user has typed,
-        `incomplete`."""
+        """Return suggestions that begin with the text that the user has typed, `incomplete`: any
+        folder, then the names of runs, then run folders."""
         from nscc_training.run_files import shipped_runs
 
         names = [n for n in (*self.more, *shipped_runs()) if n.startswith(incomplete)]

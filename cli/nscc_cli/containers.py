@@ -56,7 +56,8 @@ def asm(file: str, output: str | None, words: bool) -> None:
 def read_text(file: str) -> Source:
     """Read assembly text from a file, or from standard input if `file` is `-`.
 
-    Raises Rejected (NS0717, status 2) if it cannot be read, is too large, or is not UTF-8."""
+    Raises Rejected (NS0717, status 2) if it cannot be read, has more than 1 GiB, or is not UTF-8.
+    """
     name = "<standard input>" if file == "-" else file
     try:
         if file == "-":

@@ -152,8 +152,8 @@ def _designed(
 def _scene_lights(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
-    """Return the light of each scene over the frame in electrons (rows, cols), without the parts of
-    the array that a smaller scene does not cover.
+    """Return the light of each of `scenes` (names or paths) over the frame in electrons (rows,
+    cols), without the parts of the array that a smaller scene does not cover.
 
     `options` are those of the command."""
     return [laid.placement.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
@@ -167,6 +167,7 @@ def _moving(
 
     `options` are those of the command."""
     slots = options["slots"]
+    # With fewer slots than parts, several parts begin at the same slot; the set drops them.
     starts = sorted({slots * part // parts for part in range(parts)})
     return [
         laid.placement.cut(laid.light.joined(starts).dense())
@@ -184,8 +185,8 @@ def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any])
 def _laid(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
 ) -> Iterator[PlacedLight]:
-    """Yield each scene, placed on the chip's array and divided into the slots of the frame.
-    `options` are those of the command.
+    """Yield each of `scenes` (names or paths), placed on the chip's array and divided into the
+    slots of the frame. `options` are those of the command.
 
     With `warns` False no warnings are printed, because another pass over the scenes prints them.
     Raises Rejected (NS0744) without a scene."""

@@ -87,8 +87,8 @@ def listing() -> str:
 
 
 def costs() -> str:
-    """Measure the simulation costs on this machine, which takes seconds. Return a table of them
-    beside the shipped costs that plans use."""
+    """Measure the simulation costs on this machine, which takes seconds. Return them as a table,
+    text, beside the shipped costs that plans use."""
     from nscc_runtime.effects import registered
     from nscc_runtime.planning.measure_prices import measure_prices
 

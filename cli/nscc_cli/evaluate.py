@@ -135,6 +135,7 @@ def of(
     staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any. class-v1 scores runs that
     predict classes."""
     data, protocol = options["data"], options["protocol"]
+    # Both --data and --protocol, or --split alone.
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
     wanted = settings_of(EvaluationSettings, options, subject=subject)
@@ -222,8 +223,9 @@ def _of_scenes(
     save: Path | None,
     **outputs: Any,
 ) -> int:
-    """Score scenes by `evaluate`, print and write the result. Return the exit status: 1 if a file
-    could not be read, else 0.
+    """Score scenes by `evaluate`, which takes a `scorer` and returns the result (JSON values) and
+    arrays by name; print and write the result. Return the exit status: 1 if a file could not be
+    read, else 0.
 
     With `-o` the scores are kept beside the file until it is written, so that the same command
     continues after an interrupt. They are kept for the options `known`. Reconstructions, which go

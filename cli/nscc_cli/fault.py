@@ -165,8 +165,8 @@ def _save(data: bytes) -> str | None:
 
 
 def _inputs(arguments: Sequence[str]) -> list[Path]:
-    """Return the existing files that the arguments name, and those that programs among them name in
-    quotes."""
+    """Return the existing files, each once, that the arguments name, and those that programs (.nsl)
+    among them name in quotes."""
     named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
     input_files = list(named)
     for program in named:
@@ -186,7 +186,7 @@ def _is_file(path: Path) -> bool:
 
 def _content(path: Path) -> bytes:
     """Return the content of the file `path` for a fault report, or a line that says why it is not
-    copied."""
+    copied: above `_MOST_BYTES`, or unreadable."""
     try:
         size = path.stat().st_size
         if size > _MOST_BYTES:

@@ -42,8 +42,8 @@ def scene_of(
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:
-    """Raise Rejected (NS0780) if the scene is a program file: the user has probably swapped program
-    and scene."""
+    """Raise Rejected (NS0780) if the name `scene` ends in .nsl or .icw: the user has probably
+    swapped program and scene. None is no scene."""
     if scene is None or not scene.lower().endswith((".nsl", ".icw")):
         return
     if program.suffix.lower() in (".nsl", ".icw"):
@@ -58,8 +58,8 @@ def refuse_swapped(program: Path, scene: str | None) -> None:
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
-    """Return the sensor of the chip `target`, with the file and the changes that the options
-    --sensor and --sensor-set name."""
+    """Return the sensor of the chip `target`, changed by the file of the option --sensor and then
+    by the changes of --sensor-set. Raises Rejected for invalid values."""
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, options["sensor"], options["sensor_set"])
@@ -71,8 +71,9 @@ def run_capture_of(
     """Return the conditions under which the decoder of the run `like` expects frames; None without
     a run.
 
-    Where `options` lack a value (exposure, transfer, sensor, chip), the run's is put into them. The
-    chip is not for a `program` that is compiled already."""
+    `like` is a run folder or the name of a run that comes with nscc. Where `options` lack a value
+    (exposure, transfer, sensor, chip), the run's is put into them. The chip is not for a `program`
+    that is compiled already."""
     if like is None:
         return None
     from nscc.containers import is_compiled

@@ -87,7 +87,8 @@ class LazyGroup(click.Group):
 
 def added_by_packages() -> dict[str, click.Command]:
     """Return the commands that other packages add (entry points `nscc.commands`), by name. Raise
-    Rejected (NS0905) for an unusable one."""
+    Rejected (NS0905) for one that cannot be imported, is no click command, or has the name of
+    another."""
     added_commands = added("nscc.commands", COMMANDS)
     for name, command in added_commands.items():
         if not isinstance(command, click.Command):

@@ -27,8 +27,9 @@ _PROGRAM = click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, h
 
 
 def _beside_program(out: Path, arrays: str) -> Path:
-    """Return the path of the file that a program `out` reads `arrays` from: STEM.ARRAYS.npz beside
-    it. Raise BadParameter if the program's name does not end in .nsl."""
+    """Return the path of the file from which the program at `out` reads its arrays: STEM.ARRAYS.npz
+    beside it, where `arrays` is a word such as "codes". Raise BadParameter if the program's name
+    does not end in .nsl."""
     if out.suffix.lower() != ".nsl":
         raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
     path = out.with_suffix(f".{arrays}.npz")
@@ -169,6 +170,7 @@ def import_frame(
         (name, Path(path))
         for file in files
         for name, mark, path in [file.partition("=")]
+        # The name of an existing file may contain `=`.
         if mark and (name in known or not Path(file).exists())
     ]
     if pairs and len(pairs) < len(files):

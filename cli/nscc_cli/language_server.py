@@ -268,8 +268,8 @@ def _fixes(
 
 
 def _formatted(document: Document, at: Positions, _params: object) -> list[types.TextEdit]:
-    """Return the edit that puts the text into the standard style. Return no edit if it has this
-    style already, or has errors."""
+    """Return a list with the edit that puts the text into the standard style. The list is empty if
+    the text has this style already, or has errors."""
     try:
         text = format_source(document.source)
     except Rejected:  # the error is shown already
@@ -313,7 +313,10 @@ request."""
 
 
 def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
-    """Return whether `kind` is one of `kinds` or a subkind, as `source.fixAll` is of `source`."""
+    """Return whether `kind`, a kind of editor action, is one of `kinds` or a subkind, as
+    `source.fixAll` is of `source`.
+
+    None is of no kind."""
     return kind is not None and any(
         (kind + ".").startswith(known_kind + ".") for known_kind in kinds
     )

@@ -33,7 +33,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run `nscc` with the arguments `argv` and return the exit status. None takes the arguments of
     the process.
 
-    Only then are settings of the process changed: streams, signals and garbage collection."""
+    The status is 0 if the command succeeded, 130 after Ctrl-C, and else 1, 2, 3 or 70, which
+    `nscc_cli.fault` names. Only without `argv` are settings of the process changed: streams,
+    signals and garbage collection."""
     if argv is None:
         # Imported objects are permanent: searching them for garbage takes a tenth of `check`. The
         # group turns the collector on again when the command's module is imported.
@@ -177,7 +179,7 @@ def _invoke(arguments: list[str], session: Session) -> int:
 
 def _preset_format(arguments: list[str], session: Session) -> None:
     """Set `session.message_format` to the value of --message-format in `arguments` before they are
-    parsed, so that usage errors have this format, too."""
+    parsed, if it is valid, so that usage errors have this format, too."""
     from nscc_cli.support import FORMATS
 
     for position, argument in enumerate(arguments):

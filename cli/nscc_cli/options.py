@@ -73,9 +73,9 @@ def declared(
     """Return the options that fields of the dataclass `settings` declare, as one decorator of a
     command.
 
-    `names` are the fields, by default all fields with a declaration. An option that is not given is
-    None, so that the dataclass has its default, or False. With `show`, or a value in `defaults`, it
-    has a default of its own, which `--help` shows."""
+    `names` and the keys of `defaults` are the fields, by default all fields with a declaration. An
+    option that is not given is None, so that the dataclass has its default, or False. With `show`,
+    or a value in `defaults`, it has a default of its own, which `--help` shows."""
     keys = keys_by_name(settings)
     chosen = [keys[name] for name in (*names, *defaults) or keys]
     if show:
@@ -127,7 +127,8 @@ class CommaList(click.ParamType[tuple[Any, ...]]):
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> tuple[Any, ...]:
-        """Return the values in a text; raise BadParameter for one that is not allowed."""
+        """Return the values in a text; such as "2,4"; raise BadParameter for one that is not
+        allowed. Blanks around values are dropped."""
         element, values = self.kind.element, []
         empty = getattr(self.kind, "may_be_empty", False) and value.strip() == "none"
         for item in () if empty else map(str.strip, value.split(",")):
@@ -144,6 +145,7 @@ def _option(key: Key, default: Any) -> Callable[..., Any]:
     shows; None for the default of the declaration."""
     kind, help_text = key.kind, key.meaning
     if isinstance(kind, Flag):
+        # A pair such as --cache/--no-cache has the declared default; a single flag is off.
         default = key.default if "/" in key.option else None
         about: dict[str, Any] = {"is_flag": True, "default": default}
     else:
@@ -174,6 +176,7 @@ def _click_type(kind: Kind) -> click.ParamType[Any] | None:
             return WholeNumber(low, high)  # type: ignore[arg-type]  # whole numbers
         if low is high is None:
             return click.FLOAT
+        # LEAST stands for an excluded 0, which the help shows.
         return NumberRange(0 if low == LEAST else low, high, min_open=low == LEAST)
     if isinstance(kind, FilePath):
         return PATH
@@ -187,8 +190,8 @@ build_options = section(COMPILE, declared(Options))
 
 
 def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
-    """Return the tone curve `name`, or None. Raise Rejected if there is no such curve, even if the
-    command draws nothing with it."""
+    """Return the tone curve `name`, or None. `name` is None if the option is not given. Raise
+    Rejected if there is no such curve, even if the command draws nothing with it."""
     if name is not None:
         from nscc_runtime.pictures.tone import check_tone
 

@@ -75,7 +75,8 @@ class _Handler(SimpleHTTPRequestHandler):
     error_message_format, error_content_type = "%(message)s\n", "text/plain; charset=utf-8"
 
     def __init__(self, playground: Playground, lock: Lock, token: str, *connection: Any) -> None:
-        """Answer one connection with the page of this playground."""
+        """Answer one connection with the page of this playground. `connection` are the further
+        arguments of http.server."""
         self.playground, self.lock, self.token = playground, lock, token
         super().__init__(*connection, directory=PAGE.as_posix())
 
@@ -101,8 +102,10 @@ class _Handler(SimpleHTTPRequestHandler):
         return False
 
     def do_POST(self) -> None:
-        """Answer a request of the page: a JSON object, whose kind is the path of the address. The
-        answer is a JSON object, too."""
+        """Answer a request of the page: a JSON object, whose kind (see `Playground.answer`) is the
+        path of the address. The answer is a JSON object, too.
+
+        Anything else, and more than `_MOST_BYTES`, is answered with an error (400)."""
         try:
             length = int(self.headers.get("Content-Length", ""))
             values = json.loads(self.rfile.read(length)) if 0 <= length <= _MOST_BYTES else None

@@ -70,8 +70,9 @@ def load_program(
 
 
 def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Any] | None:
-    """Return what `with_pixels` takes for the value of the option --pixels: the path of a code
-    file, or for a mask the codes that open its shutters. None stays."""
+    """Return what `nscc.containers.with_pixels` takes for `path`, the value of the option --pixels:
+    the path of a code file, or for a mask the codes that open its shutters. None (no option) stays
+    None."""
     if path is None or not _is_mask(path):
         return path
     from nscc_training.imported_masks import codes_of_mask

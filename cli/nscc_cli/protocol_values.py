@@ -39,8 +39,8 @@ class Positions:
         return types.Range(self.of(span.start), self.of(span.end))
 
     def offset(self, position: types.Position) -> int:
-        """Return the character offset of a position. A position beyond its line or the text gives
-        the end of that."""
+        """Return the character offset, from 0, of a position of the protocol (line and column). A
+        position beyond its line or the text gives the end of the line or the text."""
         if position.line >= len(self._starts):
             return len(self.text)
         begin = self._starts[position.line]
@@ -146,8 +146,8 @@ def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> ty
 def edits(
     uri: str, changes: Iterable[tuple[Span, str]], positions: Positions
 ) -> types.WorkspaceEdit:
-    """Convert `changes`, pairs of a span and its new text, into an edit of the document `uri`. They
-    must not overlap."""
+    """Convert `changes`, pairs of a span and its new text, into an edit of the document `uri`. The
+    spans must not overlap; `positions` are those of the document's text."""
     text_edits = [types.TextEdit(positions.range(span), text) for span, text in changes]
     return types.WorkspaceEdit({uri: text_edits})
 

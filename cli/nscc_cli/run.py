@@ -162,7 +162,8 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 def _run_on_emulator(
     program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
-    """Compile a program, expose a scene on the emulator, write the files and print a summary.
+    """Compile the program (or load a compiled one), expose a scene on the emulator, write the files
+    and print a summary.
 
     `options` are those of the command line, `keep` the arrays to add to the frame file. `of_run` is
     the training run that the program must belong to, if one is named. Raises Rejected if the audit

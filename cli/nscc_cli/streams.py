@@ -38,7 +38,7 @@ class _Dropping(io.RawIOBase):
 
     def write(self, data: Any) -> int | None:
         """Write as much of `data` as the descriptor takes, and return the number of bytes; None if
-        the descriptor must not block.
+        the descriptor does not block and can take nothing now.
 
         After an error, the data counts as written. Raises BrokenPipeError if the reader of standard
         output is gone, which ends a command early."""
@@ -83,6 +83,7 @@ def open_streams() -> None:
 
 
 def output_failure() -> OSError | None:
-    """Return the first error of standard output, if something could not be printed; else None."""
+    """Return the first error of standard output, if something could not be printed; else None.
+    Before `open_streams` it is None."""
     raw = getattr(getattr(sys.stdout, "buffer", None), "raw", None)
     return raw.failure if isinstance(raw, _Dropping) else None

@@ -52,6 +52,7 @@ class NumberRange(click.FloatRange):
         """Return `value` as a number. Raise BadParameter if it is outside the range, NaN or other
         text."""
         converted = float(super().convert(value, param, ctx))
+        # Only NaN differs from itself.
         if converted != converted:
             self.fail(f"{value!r} is not a number.", param, ctx)
         return converted
@@ -87,8 +88,8 @@ def use_color() -> bool:
 
 
 def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
-    """Print diagnostics to standard error in the session's format. For SARIF, store them until
-    `show_gathered` prints them.
+    """Print diagnostics, if there are any, to standard error in the session's format. For SARIF,
+    store them until `show_gathered` prints them.
 
     `of` is the session; None takes that of the running command."""
     of = of or session()
@@ -258,7 +259,7 @@ def common_command(name: str) -> Callable[[Callable[..., Any]], CommonCommand]:
 
 def _paths(value: Any) -> Iterator[Path]:
     """Yield the paths that the value of a parameter contains: itself, or those in a tuple, at any
-    depth. Other values contain none."""
+    depth. Texts count as paths, too. Other values contain none."""
     if isinstance(value, str | Path):
         yield Path(value)
     elif isinstance(value, tuple):
@@ -319,8 +320,9 @@ class Subcommands(CommonCommand, click.Group):
         """Return the name of a subcommand, the subcommand, and its arguments, for the arguments
         `args` of the group.
 
-        Raises Rejected (NS0781) if the first argument is neither a subcommand nor a name that the
-        class accepts."""
+        A name that the class accepts stays the first argument of the subcommand `of`. Raises
+        Rejected (NS0781) if the first argument is neither a subcommand nor a name that the class
+        accepts."""
         name = args[0]
         if name in self.commands or name.startswith("-"):
             return super().resolve_command(ctx, args)
@@ -349,7 +351,8 @@ class Subcommands(CommonCommand, click.Group):
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
     """Show on a terminal for how long the block has been running, from the first second on. `task`
-    says what it does."""
+    says what it does. The block is that of a `with` statement; without a terminal nothing is shown.
+    """
     if not _draws():
         yield
         return
@@ -362,6 +365,7 @@ def waiting(task: str) -> Iterator[None]:
         while not over.wait(pause):
             _redraw(f"{task}: {monotonic() - begin:.0f} s")
             pause = _BAR_REFRESH_S
+        # Something was drawn.
         if pause is not _BAR_DELAY_S:
             _redraw("")
 
@@ -380,7 +384,7 @@ def _draws() -> bool:
 
 
 def _redraw(line: str) -> None:
-    """Replace the terminal's current line by `line`, cut to the terminal's width."""
+    """Replace the terminal's current line by `line`, cut to the terminal's width; "" clears it."""
     from shutil import get_terminal_size
 
     sys.stderr.write("\r\x1b[2K" + line[: get_terminal_size().columns - 1])

@@ -120,8 +120,8 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 
 
 def listing() -> str:
-    """Return a table with a line for each target of nscc and of installed packages: name, size of
-    the array, numbers of registers, description."""
+    """Return a table, as text, with a line for each target of nscc and of installed packages: name,
+    size of the array, numbers of registers, description."""
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())

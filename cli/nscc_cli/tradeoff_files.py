@@ -51,7 +51,7 @@ def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, P
 
 def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -> ExperimentStore:
     """Return the store of measurements beside the first of the products `files`; without products,
-    a store in memory.
+    a store in memory. Raises Rejected (NS0785) if a product would replace an input.
 
     A stored row is used again only if these are unchanged: the command's `options`, the contents of
     the files that they name, the texts `of`, the versions of the packages, and the processor."""

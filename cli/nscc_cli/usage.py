@@ -72,8 +72,8 @@ def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]
 
 
 def _options(context: click.Context | None) -> list[str]:
-    """Return the names of all options of the command that `context` belongs to, from which
-    suggestions are made; none without a context."""
+    """Return the names (`-o`, `--out`) of all options of the command that `context` belongs to,
+    from which suggestions are made; none without a context."""
     if context is None:
         return []
     known = context.command.get_params(context)
@@ -91,8 +91,8 @@ def _parameter(error: click.BadParameter) -> str:
 
 
 def _in_lower_case(text: str) -> str:
-    """Return click's message in the style of nscc: without a capital at the start and a full stop
-    at the end, and with plain words for its types."""
+    """Return `text`, a message of click, in the style of nscc: without a capital at the start and a
+    full stop at the end, and with plain words for its types."""
     text = " ".join(text.split()).rstrip(".")
     for kind, plain in _KINDS.items():
         text = text.replace(f"is not a valid {kind}", f"is not {plain}")

@@ -127,9 +127,9 @@ def target_names() -> tuple[str, ...]:
 def added_targets() -> dict[str, Target]:
     """Return the targets that installed packages add, by name.
 
-    A package gives a `Target`, TOML text, or the path of a file. Raises Rejected (NS0905) for other
-    objects, for a name of a built-in target, for a name that differs from the one in the table, and
-    for an invalid table."""
+    A package gives a `Target`, TOML text, or the path of a file. They are loaded once. Raises
+    Rejected (NS0905) for other objects, for a name of a built-in target, for a name that differs
+    from the one in the table, and for an invalid table."""
     return {
         name: _added(name, value) for name, value in added("nscc.targets", builtin_names()).items()
     }
@@ -233,8 +233,8 @@ def read_target(
 def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
     """Return the target that the TOML text `data` describes.
 
-    Messages call the file `name`. Raises Rejected with all errors (NS0232 to NS0236) and the exit
-    status `status`."""
+    Keys that may be missing have their default. Messages call the file `name`. Raises Rejected with
+    all errors (NS0232 to NS0236) and the exit status `status`."""
     key_values, problems, source = file_values(
         SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
     )

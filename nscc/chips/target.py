@@ -279,7 +279,7 @@ class Target:
     @property
     def spread_level(self) -> int | None:
         """The value of IN (the level sent to all pixels), in steps, closest to minus a full well.
-        Adding it spreads exposures over all codes.
+        Twice an exposure plus this value covers all codes.
 
         None if exposures are not spread, or if IN or a register does not reach this value."""
         level = round(-self.full_well_e / self.electrons_per_step)

@@ -168,10 +168,12 @@ def _row(values: Any, who: str) -> Operation:
 def _counts(who: str, effect: WordEffect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
     """Return how many registers a word writes, and the fewest and most that it reads.
 
-    `written_` and `read` are the values of `destinations` and `sources` in the file. Raises
-    ValueError, which calls the word `who`, if they do not suit the effect."""
+    `written_` and `read` are the values of `destinations` (a number) and `sources` ([fewest, most])
+    in the file, not yet checked. Raises ValueError, which calls the word `who`, if they do not suit
+    the effect."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
+    # A word that writes has at least one destination, any other has none.
     if not _is_integer_within(written_, int(effect in _WRITES), most):
         raise ValueError(f"{who} writes {int(effect in _WRITES)} to {most} destinations")
     most = len(DIGITAL_SOURCES if digital else ANALOG_SOURCES) if effect in _READS else 0

@@ -76,8 +76,8 @@ def warn(diagnostics: Iterable[Diagnostic], stacklevel: int = 3) -> None:
 def shown(value: object) -> str:
     """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
 
-    Long texts are cut. Arrays are recognised by `shape` and `dtype`, so that no array library is
-    imported."""
+    Numbers, booleans and None are shown as Python writes them. Texts are cut after 40 characters.
+    Arrays are recognised by `shape` and `dtype`, so that no array library is imported."""
     if isinstance(value, np.generic):
         value = value.item()
     if value is None or isinstance(value, bool | int | float):

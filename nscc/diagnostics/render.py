@@ -49,7 +49,7 @@ def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False)
 
 
 def _place(diagnostic: Diagnostic) -> str:
-    """Return "file:row:column" of a diagnostic, counted from 1.
+    """Return "file:row:column" of a diagnostic, row and column counted from 1.
 
     Without a label, return only the file; without a source, ""."""
     source = diagnostic.source
@@ -70,7 +70,8 @@ def _short(diagnostic: Diagnostic) -> str:
 
 
 def _json(diagnostic: Diagnostic) -> str:
-    """Return a diagnostic as one line of JSON, with positions, fixes and the text for people."""
+    """Return a diagnostic as one line of JSON, with its line break: positions, fixes and the text
+    for people. Without a source or a label, positions are null."""
     import json
 
     source, label = diagnostic.source, diagnostic.label

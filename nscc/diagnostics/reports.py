@@ -24,7 +24,8 @@ def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
 def _annotation(diagnostic: Diagnostic) -> str:
     """Return a diagnostic as a GitHub workflow command, such as `::error file=..,line=..::text`.
 
-    Without a label the command names only the file, and without a source no place."""
+    The line ends in a line break. Without a label the command names only the file, and without a
+    source no place."""
     name = names().get(diagnostic.code, "")
     properties = {"title": f"{diagnostic.code} {name}".strip()}
     source = diagnostic.source
@@ -107,7 +108,7 @@ def _fix(source: Source, fix: Fix) -> dict[str, Any]:
 
 
 def _region(source: Source, at: Label | Fix) -> dict[str, int]:
-    """Return the SARIF region of a place; lines and columns count from 1.
+    """Return the SARIF region of the place of `at` in `source`; lines and columns count from 1.
 
     The end is after the last character."""
     (row, column), (end_row, end_column) = map(source.row_column, (at.span.start, at.span.end))

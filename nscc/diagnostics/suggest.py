@@ -39,6 +39,7 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     for candidate, original in by_folded.items():
         matcher.set_seq1(candidate)
         ratio = matcher.ratio()
+        # The threshold itself is enough; of equal ratios, the first candidate stays.
         if ratio > least or (best is None and ratio == least):
             best, least = original, ratio
     return best

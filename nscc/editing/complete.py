@@ -107,7 +107,8 @@ class _Place(Record):
         """Yield all words and names that may stand at the cursor.
 
         The grammar decides which tokens are possible after the statement's tokens before the
-        cursor. If they have an error, a name or the end of the statement counts as possible."""
+        cursor. Without a statement before the cursor, only `nsl 1` to `nsl 4` are offered. If the
+        tokens have an error, a name or the end of the statement counts as possible."""
         kinds = self.tokens.kinds
         if not self.starts:
             yield from (Offer(form, "word", "language and version") for form in FORMS["nsl"])

@@ -92,7 +92,8 @@ class Document:
 
     @cached_property
     def books(self) -> Mapping[str, Digits | None]:
-        """The rows of every codebook, (K, N) digits 0 and 1, by name; None for an invalid one."""
+        """The digits of every codebook by name, bool (rows, N), True for open; None for an invalid
+        one."""
         return make_books(self.declared.books, self.constants["N"], self.folder, self._unheard)
 
     @cached_property

@@ -118,7 +118,7 @@ def _meaning(document: Document, mention: Mention) -> str | None:
 
 def _picture(document: Document, name: str) -> str | None:
     """Return the description of a name of version 3 of the language; None for other names and in
-    older versions.
+    older versions. The text has several lines only for kernels.
 
     Such names are parameters, input planes, convolution kernels (shown as a grid), images, planes
     and buckets. Images and planes have their cost if the program is valid."""

@@ -24,8 +24,9 @@ class CannotRename(ValueError):
 def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
     """Return the places at which the name at `offset` (characters) must be replaced by `name`.
 
-    Raises CannotRename if no declared name is at `offset`, if `name` is invalid or in use, or if
-    the old name is that of an array in a file."""
+    They are all uses and the declaration, in the order of the text. Raises CannotRename if no
+    declared name is at `offset`, if `name` is invalid or in use, or if the old name is that of an
+    array in a file."""
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(

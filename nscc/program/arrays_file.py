@@ -111,8 +111,9 @@ class ArraysFile:
     def _bytes(self, path: Path) -> bytes:
         """Return the content of the file, at most `MOST_FILE_BYTES`.
 
-        The file is noted as an input of the command, which products must not overwrite. Raises
-        Rejected (NS0313) if it is missing, too large or cannot be read."""
+        `path` is where the file lies. The file is noted as an input of the command, which products
+        must not overwrite. Raises Rejected (NS0313) if it is missing, too large or cannot be read.
+        """
         try:
             if not path.is_file():
                 problem = "is not a file" if path.exists() else "does not exist"

@@ -58,8 +58,8 @@ def _recognise_rule(
 ) -> Recognised:
     """Return the shutter class of one rule, with the reason.
 
-    `shutters`, bool (shutters, slots), are those of the rule; `basis` says of which codes.
-    Codebooks and free bits are recognised from the rule, other classes from the shutters."""
+    `shutters`, bool (shutters, slots), are those of the rule; `basis` says for the reason of which
+    codes. Codebooks and free bits are recognised from the rule, other classes from the shutters."""
     if len(rules.rules) > 1:
         # Shutters of several buckets are distinct together, but perhaps not in this one.
         packed, _ = distinct_rows(np.packbits(shutters, axis=1))

@@ -136,7 +136,8 @@ class Completion:
         fixed shutters.
 
         `in_use` are the codes of pixels (codes, fields) and `at_pixel` their rows, (rows, cols).
-        Raises Rejected for faults of rules or a machine that is too large."""
+        `looking` has the checked senses and states. Raises Rejected for faults of rules (the code
+        of the fault) or a machine that is too large (NS0450)."""
         from nscc.program.machine import MachineBuilder
         from nscc.program.open_time import with_open_times
 
@@ -244,8 +245,8 @@ class Completion:
         self.problems.stop_on_errors()
 
     def _decode(self, codes: CodeArray, mode: Codes) -> DecodeTable:
-        """Return the decode table of these codes; `mode` says whether they are all legal ones
-        ("open").
+        """Return the decode table of these codes (codes, fields), which are sorted and distinct;
+        `mode` says whether they are all legal ones ("open").
 
         Raises Rejected for faults of the rules or too many codes."""
         try:
@@ -256,10 +257,12 @@ class Completion:
     def _legal(
         self, in_use: CodeArray, at_pixel: NDArray[np.int32]
     ) -> tuple[CodeArray, NDArray[np.int32]]:
-        """Return all codes that `require` allows, and each pixel's row among them, (rows, cols).
+        """Return all codes that `require` allows, int64 (codes, fields), and each pixel's row of
+        them, (rows, cols).
 
-        `in_use` and `at_pixel` are the codes of pixels and their rows. Raises Rejected (NS0317) if
-        no code is allowed, and for faults of `require` or too many codes."""
+        `in_use` and `at_pixel` are the codes of pixels (codes, fields) and their rows. Without
+        pixel values or fields, the second result is `at_pixel` as it is. Raises Rejected (NS0317)
+        if no code is allowed, and for faults of `require` or too many codes."""
         try:
             legal = legal_codes(self.rules)
         except (NoValue, TooMuch) as problem:
@@ -282,7 +285,8 @@ class Completion:
         """Return the table from which the class is determined, and the number of legal codes.
 
         The table has all legal codes if there are few, else it is `table`, the used codes. The
-        number is None if it cannot be determined quickly."""
+        number is None if it cannot be determined quickly, or `require` has no value for some code.
+        """
         rules = self.rules
         total = rules.combinations
         legal = None if rules.requires or total >= UNCOUNTED else total

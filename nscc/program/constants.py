@@ -59,7 +59,8 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
 def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     """Return the names that `pixels FIELD = EXPR` may use: constants, x and y.
 
-    Other names are included as "misplaced", with the explanation for an error."""
+    `constants` has the meanings of N, rows, cols and `let` names. Other names are included as
+    "misplaced", with the explanation for an error."""
     scope = constants_scope(declared, constants)
     scope.update(x=VARIABLE, y=VARIABLE)
     scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD_IN_PIXELS)))
@@ -69,7 +70,8 @@ def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]
 def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     """Return the names that `require` may use: constants and fields.
 
-    Other names are included as "misplaced", with the explanation for an error."""
+    `constants` has the meanings of N, rows, cols and `let` names. Other names are included as
+    "misplaced", with the explanation for an error."""
     scope = constants_scope(declared, constants)
     scope.update(dict.fromkeys(("x", "y"), Meaning("misplaced", note=_PLACE_IN_RULE)))
     for name, statement in declared.codes.items():
@@ -185,6 +187,7 @@ class _Resolver:
             for name, (expr, _) in self.exprs.items()
         }
         waiting = dict.fromkeys(self.exprs)
+        # Each round resolves all names outside of cycles, then reports one cycle and drops it.
         for _ in range(_MOST_CYCLES):
             order = TopologicalSorter(
                 {name: [need for need in needs[name] if need in waiting] for name in waiting}

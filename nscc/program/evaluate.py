@@ -135,7 +135,8 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
 def _product(node: Binary, a: Value, b: Value) -> Value:
     """Return a * b, with faults (NS0305) where it exceeds 2^62 - 1 in magnitude; `node` is the
     place in the program."""
-    # Compared by division, because the product itself could wrap.
+    # Compared by division, because the product itself could wrap. The 1 replaces
+    # b = 0, with which no product is too large.
     beyond = np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1, dtype=np.int64)
     return _limited(
         node, a, b, faults=either(a.faults, b.faults), data=a.data * b.data, beyond=beyond
@@ -337,8 +338,8 @@ def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
 
 
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
-    """Return `a and b` (if `conjunction`) or `a or b`; faults of b count only where a does not
-    decide."""
+    """Return `a and b` (if `conjunction`) or `a or b`; both are boolean. Faults of b count only
+    where a does not decide."""
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
     return Value(data, either(a.faults, faults_where(undecided, b.faults)))

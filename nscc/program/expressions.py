@@ -109,11 +109,13 @@ def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
 
 
 def nodes_in(statement: tree.Statement) -> Iterator[tree.Node]:
-    """Yield a statement and all nodes of the syntax tree inside it, in any order."""
+    """Yield a statement and all nodes of the syntax tree inside it, in any order; names and numbers
+    are nodes, too."""
     waiting: list[tree.Node] = [statement]
     while waiting:
         node = waiting.pop()
         yield node
+        # Field 0 is the span, which is no node.
         for name in node.field_names[1:]:
             value = getattr(node, name)
             members = value if isinstance(value, tuple) else (value,)
@@ -147,8 +149,8 @@ class _Checker:
     def run(self, expr: tree.Expr, expected: Type, role: str) -> Checked | None:
         """Return the checked expression; None after reporting errors.
 
-        `role` names the expression in messages, for example "a shutter rule"; `expected` is its
-        type."""
+        It is called once for a checker. `role` names the expression in messages, for example "a
+        shutter rule"; `expected` is its type."""
         nodes = in_evaluation_order(expr)
         types: list[Type | None] = []
         for node in nodes:

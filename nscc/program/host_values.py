@@ -42,8 +42,8 @@ class HostValues:
     ) -> None:
         """Check the declared parameters and input planes, and report errors (NS0545).
 
-        `planes` computes the initial bits of input planes, which are 0 without a `pixels`
-        statement."""
+        `constants` has the meanings of N, rows, cols and `let` names. `planes` computes the initial
+        bits of input planes, which are 0 without a `pixels` statement."""
         self.declared, self.constants, self.target = declared, constants, target
         self.planes, self.problems = planes, problems
         self.params: dict[str, HostParam] = {}
@@ -116,8 +116,8 @@ class HostValues:
         return constant(expr, self.constants, self.problems, "the range of a parameter")
 
     def _steps(self, expr: tree.Expr) -> int | None:
-        """Return a level in steps of IN (the level sent to all pixels), rounded, or the value of an
-        integer; None after reporting an error."""
+        """Return a level in steps of IN (the level sent to all pixels), rounded, or the value of
+        `expr` itself if it is an integer without a unit; None after reporting an error."""
         sign, level = signed_level(expr)
         if not isinstance(level, tree.Amount):
             return self._integer(expr)

@@ -136,7 +136,7 @@ class _Maker:
         }
 
     def sense(self, sense: tree.Sense) -> CheckedSense | None:
-        """Return a checked sense; None after reporting an error."""
+        """Return a checked sense; None after reporting an error, or if N or the target has one."""
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
@@ -222,7 +222,8 @@ class _Maker:
         """Return the level of a sense at each of its `looks` boundaries, in steps of IN (the level
         sent to all pixels).
 
-        Return None after reporting an error."""
+        Return None after reporting an error, such as another number of levels than looks (NS0320).
+        """
         items: tuple[tree.Amount | tree.Levels | tree.Expr, ...] = (sense.level,) * looks
         if isinstance(sense.level, tree.Levels):
             items = sense.level.items

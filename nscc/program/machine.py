@@ -189,8 +189,8 @@ class MachineBuilder:
         raise NoValue([MissingValue(gap.fault, place, gap.number)])
 
     def _node_text(self, node: Nodes, boundary: int) -> str:
-        """Describe a node (state of the machine) at a boundary for a message: its code and
-        states."""
+        """Describe a node (state of the machine, a row of `Nodes`) at a boundary for a message: its
+        code and states."""
         texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
         texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
@@ -354,6 +354,7 @@ class MachineBuilder:
         behaviour_of_key: dict[bytes, int] = {}
         behaviour_of_code = np.empty(len(self.codes), np.int32)
         chosen: list[int] = []
+        # Nodes are sorted by code: a code has the rows from its bound to that of the next code.
         bounds = [
             np.searchsorted(stage.nodes[:, 0], np.arange(len(self.codes) + 1)) for stage in stages
         ]

@@ -154,7 +154,8 @@ class Declarations:
 
 
 def gather(file: tree.File, problems: Problems) -> Declarations:
-    """Return the declarations of `file`, without those that are reported.
+    """Return the declarations of `file`, without those that are reported; of two with one name, the
+    first counts.
 
     Reports names declared twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204),
     a statement that occurs twice (NS0205), `open` beside buckets (NS0206), a field whose pixels are
@@ -252,8 +253,8 @@ class _Gatherer:
                 assert_never(statement)
 
     def finish(self, file: tree.File) -> None:
-        """Report missing statements (NS0204) and too many fields (NS0450); assign `pixels` of input
-        planes."""
+        """Report missing statements (NS0204) and too many fields (NS0450); move `pixels` of input
+        planes from the pixel values to `input_starts`."""
         for name in self.declared.inputs.keys() & self.declared.pixels.keys():
             self.declared.input_starts[name] = self.declared.pixels.pop(name)
         span = file.statements[0].span if file.statements else Span(0, 0)
@@ -279,8 +280,8 @@ class _Gatherer:
     def _is_first(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
         """Return whether a statement is the first of its kind; else report `second` (NS0205).
 
-        `word` names the kind in the message, and `first` is the statement stored before, or None.
-        """
+        `word` is the statement's keyword in the message, and `first` is the statement stored
+        before, or None."""
         if first is None:
             return True
         message = f"`{word}` is given twice, but a program has only one"

@@ -88,7 +88,7 @@ def _differing(
     None.
 
     `last` are the nodes (states of the machine) at the end of a frame and `times` their possible
-    open times; `read` are indices of states."""
+    open times; `read` are indices of `machine.states`."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()

@@ -49,8 +49,8 @@ class PictureComparer(ABC):
         """Report if one image is a count and the other is in electrons, and raise WrongPicture."""
 
     def _not(self, condition: p.Condition) -> p.Condition:
-        """Return the negation of a condition; from version 4 on in the form that needs the fewest
-        words."""
+        """Return the negation of a condition, a plane; from version 4 on in the form that needs the
+        fewest words."""
         if self.declared.version > 3:
             match condition:
                 case p.Inverse(condition=inner):
@@ -169,6 +169,7 @@ class PictureComparer(ABC):
         whole = constant_steps.denominator == 1 and abs(constant_steps) <= self.host.most_steps
         if not levels and whole:
             return p.Above(picture_sum(*other), int(constant_steps))
+        # A parameter alone, times 1 or -1, is a level that the host sets: an `AboveParam`.
         if not constant_steps:
             for param, factor in levels.items():
                 if abs(factor) == 1:
@@ -298,7 +299,7 @@ class PictureComparer(ABC):
         **details: Any,
     ) -> WrongPicture:
         """Report an error, and return the exception that ends the expression, for the caller to
-        raise."""
+        raise. `details` are further fields of `Diagnostic`."""
         self.problems.error(code, message, span, label, helps=helps, **details)
         return WrongPicture()
 

@@ -32,7 +32,8 @@ class LoopReader(PictureComparer):
     outside: int | None
 
     def __init__(self, host: HostValues, kernels: dict[str, p.Weights]) -> None:
-        """Begin without images and planes; the arguments are those of `PictureComparer`."""
+        """Begin without images and planes; `host` knows the parameters that the host sets, and
+        `kernels` are the valid convolution kernels by name."""
         super().__init__(host, kernels)
         self.kinds: dict[str, Kind] = {}
         self.failed: set[str] = set()
@@ -89,6 +90,7 @@ class LoopReader(PictureComparer):
         if times is not None and (is_negative or times.most > MOST_STEPS):
             self.problems.error(
                 "NS0531",
+                # `most` of a negative number is 0.
                 f"a number of steps cannot be {times.most or times.offset}",
                 statement.count.span,
                 "negative" if is_negative else "too large",
@@ -224,7 +226,7 @@ class LoopReader(PictureComparer):
         return cast(p.Node, own)
 
     def _text_of(self, node: tree.Node) -> str:
-        """Return the source text of a node in one line."""
+        """Return the source text of a node in one line, with single blanks."""
         return " ".join(self.problems.source.text[node.span.start : node.span.end].split())
 
     def _flood(self, call: tree.Call) -> p.Condition:

@@ -75,7 +75,7 @@ class PictureMaker:
 
     def make(self) -> Pictures:
         """Return the images, planes, readouts and reports; an unusable result after reporting
-        errors.
+        errors, so the caller must ask `problems` first.
 
         Reports errors in convolution kernels (NS0530), expressions (NS0531 to NS0535), readouts and
         reports (NS0536), assumptions (NS0537) and values of the host (NS0545), and features that
@@ -153,7 +153,8 @@ class PictureMaker:
         """Choose how many steps of IN (the level sent to all pixels) represent one count, and
         return `pictures` with that number.
 
-        Reports the error NS0540 if the largest count does not fit a register."""
+        Without counts or after an error, return `pictures` as it is. Reports the error NS0540 if
+        the largest count does not fit a register."""
         unit = count_unit(pictures, self.target)
         if unit is None or self.problems.has_errors():
             return pictures
@@ -447,6 +448,7 @@ class PictureMaker:
             message = f"only `report events` has `at most K`, with K from 1 to {MOST_EVENTS}"
             self._bad_report(report.span, message)
             return None
+        # The first report of this kind and name must be this statement.
         same_kind = (other for other in self.declared.reports if other.kind.text == kind)
         if report is not next(
             other for other in same_kind if other.plane.text == report.plane.text
@@ -482,6 +484,7 @@ class PictureMaker:
                     "a bucket", assumption.bucket.text, assumption.bucket.span, self.named
                 )
                 continue
+            # The key None stands for an assumption about all buckets.
             first = assumed.setdefault(names[0] if assumption.bucket else None, assumption)
             if first is not assumption:
                 self.problems.error(

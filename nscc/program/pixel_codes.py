@@ -188,9 +188,9 @@ def rows_of(
     """Return the row of `codes` that equals the values of `planes` at each place, and where there
     is none.
 
-    `codes` (codes, fields) are sorted and distinct. `planes` contains at least one array for a
-    field, all of equal shape. The results are int32 and bool of this shape; rows are arbitrary
-    where there is none."""
+    `codes` (codes, fields) are sorted and distinct, at least one. `planes` contains at least one
+    array for a field, all of equal shape. The results are int32 and bool of this shape; rows are
+    arbitrary where there is none."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
     # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`

@@ -49,7 +49,8 @@ class Problems:
         """Add the error (NS0214) for an unknown name, with the most similar of the names `known`.
 
         `kind` says what was expected, with an article, such as "a field". Each name is reported
-        once. Only the first `_MOST_SUGGESTIONS` get a suggestion, because the search is slow."""
+        once. Only the first `_MOST_SUGGESTIONS` get a help with a suggestion, because the search is
+        slow."""
         if name in self._unknown:
             return
         self._unknown.add(name)

@@ -23,7 +23,7 @@ Codes = Literal["fixed", "open"]
 
 
 class Field(Record):
-    """A field of the pixel code, with the values `low`..`high`.
+    """A field of the pixel code, with the values `low`..`high`, both included.
 
     `kind` is its declaration: a range, free bits (`bits` of them) or a row of the codebook `book`.
     `span` is the place of the declaration's range, bit count or book name, which a user would

@@ -29,7 +29,8 @@ _BLOCK = 2**18
 
 
 class TooMuch(Exception):
-    """Raised if codes, slots or operations exceed a limit."""
+    """Raised if codes, slots or operations exceed a limit. `message` has no place in the program;
+    `required` and `available` are the numbers that it compares."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
         """Store the message, and the number that is required and the one that is available."""
@@ -43,8 +44,8 @@ class TooMuch(Exception):
 class MissingValue:
     """An expression that has no value for some codes and slots.
 
-    `fault` is the reason, `place` describes the first code and slot, and `count` is the number of
-    cases."""
+    `fault` is the reason, `place` describes the first code and slot in words, such as "for stop =
+    3, in slot 0", and `count` is the number of cases."""
 
     fault: Fault
     place: str
@@ -213,7 +214,7 @@ def code_text(rules: Rules, code: CodeArray) -> str:
 
 def _blocks(count: int, width: int) -> Iterator[slice]:
     """Yield slices that divide `count` rows of `width` values into blocks of at most `_BLOCK`
-    values."""
+    values, but at least one row. Without rows there is no block."""
     step = max(1, _BLOCK // max(width, 1))
     for start in range(0, count, step):
         yield slice(start, min(start + step, count))

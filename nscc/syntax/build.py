@@ -42,7 +42,8 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
     """Converts lark's tree of a statement to nscc's node, from the leaves up.
 
     Raises Rejected, without a source, for statements that parse but exceed a limit: NS0110 for more
-    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero."""
+    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, or too many decimals, NS0112 for a
+    time of zero."""
 
     def __init__(self) -> None:
         """Begin; tokens are not converted one by one."""
@@ -54,7 +55,8 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         return node
 
     def __default__(self, data: str, children: list[Token | _Part], meta: Meta) -> _Part:
-        """Return the node of a grammar rule (`data`) from its parts; lark calls this for each rule.
+        """Return the node of a grammar rule (`data`) from its parts, the `children`: tokens, and
+        nodes that are made already; lark calls this for each rule.
 
         Raises Rejected (NS0110) for expressions nested more than `MOST_DEPTH` deep."""
         begin, end = children[0], children[-1]
@@ -126,7 +128,7 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
 
 
 def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
-    """Make a state at `span` from its name and values; True among them stands for the word `kept`.
+    """Make a state at `span` from `children`: its name and values, and True for the word `kept`.
 
     With one value, the start, it is a bit; with three, a range and its start."""
     name, *values = [child for child in children if child is not True]
@@ -138,7 +140,8 @@ def _state(span: Span, *children: Any) -> tree.StateRange | tree.StateBit:
 
 
 def _state_image(span: Span, *children: Any) -> tree.StateImage:
-    """Make a state that is an image; True among `children` stands for the word `kept`."""
+    """Make a state that is an image from `children`: its name, its start if it has one, and True
+    for the word `kept`."""
     name, *values = [child for child in children if child is not True]
     return tree.StateImage(span, name, values[0] if values else None, True in children)
 
@@ -280,7 +283,7 @@ def _microseconds(text: str, span: Span) -> Fraction:
 
 
 def _decimals(digits: str, span: Span) -> Fraction:
-    """Return the digits after a decimal point as an exact fraction.
+    """Return the digits after a decimal point as an exact fraction below 1; "" is 0.
 
     Raises Rejected (NS0111) at `span` for more than `_MOST_DECIMALS`."""
     if len(digits) > _MOST_DECIMALS:

@@ -68,8 +68,8 @@ class _Line:
 def format_source(source: Source) -> str:
     """Return a program's text in the standard style, ending in a line break.
 
-    Raises Rejected with the errors of `parse` for an invalid program. The result is parsed again,
-    so that formatting cannot change a meaning or a comment."""
+    Raises Rejected with all syntax errors of an invalid program. The result is parsed again, and
+    AssertionError, a fault of nscc, is raised if its meaning or a comment would change."""
     file, errors = parse(source)
     if errors:
         raise Rejected(errors)
@@ -83,8 +83,10 @@ def format_source(source: Source) -> str:
 
 
 def _bare(value: object) -> object:
-    """Return a syntax tree as nested tuples without places, to compare two texts."""
+    """Return `value`, a syntax tree or a part of one, as nested tuples without places, to compare
+    two texts."""
     if isinstance(value, tree.Node):
+        # Field 0 is the span.
         return (type(value), *(_bare(getattr(value, name)) for name in value.field_names[1:]))
     return tuple(map(_bare, value)) if isinstance(value, tuple) else value
 
@@ -94,6 +96,7 @@ def _comments(source: Source) -> list[str]:
     end."""
     tokens = lex(source)
     spans = [tokens.span(k) for k in range(len(tokens.kinds))]
+    # Comments are in the gaps between tokens, before the first and after the last.
     gaps = zip(
         [0, *(span.end for span in spans)], [*(span.start for span in spans), None], strict=True
     )
@@ -155,8 +158,8 @@ def _line_ends(blank: str) -> int:
 
 
 def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
-    """Yield the tokens number `begin` to `last` - 1 of a statement, with their comments and how
-    they are spaced."""
+    """Yield the tokens number `begin` to `last` - 1 of a text, which are a statement, with their
+    comments and how they are spaced."""
     text, kinds = tokens.source.text, tokens.kinds
     line, end, sign = 0, tokens.span(begin).start, False
     for k in range(begin, last):
@@ -212,7 +215,7 @@ def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
 
 
 def _statement_lines(tokens: list[_Token]) -> list[_Line]:
-    """Return the lines of one statement: a table of digits, or wrapped text.
+    """Return the lines of one statement: a table of rows for codebooks and tiles, or wrapped text.
 
     Commas at the ends of lists are dropped. A statement with comments inside keeps its line breaks.
     """
@@ -261,7 +264,8 @@ class _Rows:
 
     @classmethod
     def of(cls, tokens: list[_Token]) -> _Rows | None:
-        """Return the rows of a codebook or tile with their comments.
+        """Return the rows of the codebook or tile that `tokens`, a whole statement, declare, with
+        their comments.
 
         Return None for other statements, and for comments inside a row."""
         kinds = [token.kind for token in tokens]
@@ -376,7 +380,7 @@ def _together(pieces: Sequence[list[_Token]], indent_length: int) -> list[list[_
 def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[list[_Token]]:
     """Split tokens before operators, or after commas, of these kinds at bracket depth `depth`.
 
-    Without such a token, the result is a single piece."""
+    A minus that is a sign is no operator. Without such a token, the result is a single piece."""
     pieces: list[list[_Token]] = [[]]
     for token, token_depth in zip(tokens, _depths(tokens), strict=True):
         is_break = token.kind in kinds and token_depth == depth and not token.sign

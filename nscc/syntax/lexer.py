@@ -161,7 +161,8 @@ def _awaits_level(tokens: Tokens, statement: str) -> bool:
     """Return whether the next token is a level of a `sense`: after its comparison, or in a list
     there.
 
-    `tokens` are those before it, and `statement` is the first word of the statement."""
+    `tokens` are those before it, at least one, and `statement` is the first word of the statement.
+    """
     if statement != "sense" or tokens.kinds[-1] not in ("COMPARISON", "[", ","):
         return False
     words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))

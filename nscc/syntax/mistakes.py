@@ -127,8 +127,8 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
 def misspelt_statement(
     tokens: Tokens, first: int, last: int, stuck: Stuck
 ) -> tuple[int, str] | None:
-    """Return the token that is probably a misspelt keyword of a new statement, and that keyword, or
-    None.
+    """Return the number of the token that is probably a misspelt keyword of a new statement, and
+    the correct keyword, or None.
 
     The parser stopped at `stuck` in the statement of tokens `first` to `last` - 1. The token is
     where a statement may begin, or first on its line; the parser may have read it as an operand and
@@ -185,9 +185,10 @@ def _is_word(kind: str) -> bool:
 def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
     """Return the error (NS0108) for a character that no token begins with.
 
-    It has a fix if the meaning of the character is known. `expected` are the kinds of token that
-    the grammar allows here."""
+    It has a fix if the meaning of the character is known. `token` is the number of its token.
+    `expected` are the kinds of token that the grammar allows here."""
     text, span = tokens.text(token), tokens.span(token)
+    # `&&` and `||` are two tokens, each a stray character.
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
     if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
         text, span = doubled, Span(span.start, span.end + 1)
@@ -426,8 +427,8 @@ def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
 
 
 def _file_hint(tokens: Tokens, at: int) -> str | None:
-    """Return the hint that a file name needs quotes, if token number `at` is a dot inside one, else
-    None."""
+    """Return the hint that a file name needs quotes, if token number `at` is a dot before the
+    ending .npz, .npy, .toml or .mat, else None."""
     beside = tokens.text(at - 1) if at else "", _text(tokens, at + 1, len(tokens.kinds))
     touching = at and tokens.span(at - 1).end == tokens.span(at).start
     if touching and beside[1] in ("npz", "npy", "toml", "mat"):

@@ -139,8 +139,8 @@ class _Errors:
             self._first.append(make())
 
     def in_order(self) -> tuple[Diagnostic, ...]:
-        """Return the diagnostics in the order of the text; a last one tells how many were only
-        counted."""
+        """Return the diagnostics in the order of the text; a last one (NS0190) tells how many were
+        only counted, if any."""
         diagnostics = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
         if self._more:
             diagnostics.append(more_errors(self._more, self._source))
@@ -163,6 +163,7 @@ def statement_starts(tokens: Tokens) -> list[int]:
             starts
             and starts[-1] == index - 1
             and kinds[index - 1] in _BEFORE_A_NAME
+            # Slices instead of items, because the text may end here.
             and kinds[index + 1 : index + 2] in [[after] for after in _AFTER_A_NAME]
             and kinds[index : index + 2] != ["pixels", "from"]
         ):
@@ -244,7 +245,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
 
 def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
     """Return the error (NS0104) for the second of `versions`, the version statements of `source`,
-    with a fix that removes it."""
+    with a fix that removes it. There are at least two."""
     return Diagnostic(
         "NS0104",
         f"`nsl {versions[0].number.value}` must appear once, at the start",
@@ -309,7 +310,8 @@ def too_large(name: str) -> Diagnostic:
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
-    """Return the exception (NS0102) that the file `path` is not UTF-8 text, for `reason`.
+    """Return the exception (NS0102, status 1) that the file `path` is not UTF-8 text, for `reason`,
+    which ends the message.
 
     The help depends on the ending of its name."""
     ending = path.suffix.lower()

@@ -259,8 +259,8 @@ class Bucket(Node):
 
 
 class Sense(Node):
-    """The statement `sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign,
-    such as ">"."""
+    """The statement `sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as
+    written, which a later pass checks. A `level` that is a Name may be a field of the code."""
 
     name: Name
     signal: Light | Exposure

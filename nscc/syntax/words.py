@@ -38,7 +38,8 @@ class _PlainValues(pickle.Unpickler):
     code."""
 
     def find_class(self, module: str, name: str) -> Any:
-        """Return the class of a value that may be loaded; raise UnpicklingError for all others.
+        """Return the class `name` of a `module` if it may be loaded: only lark's Token. Raise
+        UnpicklingError for all others.
 
         Loading other classes could run code."""
         if (module, name) == ("lark.lexer", "Token"):  # text; lark 1.2 stores such values
@@ -124,7 +125,8 @@ def names_in(version: int) -> frozenset[str]:
 
 
 def statement_words(version: int) -> tuple[str, ...]:
-    """Return the keywords that begin statements in a version (1 to 4) of the language."""
+    """Return the keywords that begin statements in a version (1 to 4) of the language, those of
+    version 1 first."""
     words: tuple[str, ...] = STATEMENT_WORDS
     words += LOOKING_WORDS if version > 1 else ()
     words += PICTURE_WORDS if version > 2 else ()
@@ -224,13 +226,16 @@ def expected_words(terminals: Set[str]) -> str:
     if a list may end."""
     remaining = set(terminals) - {"PLACE"}
     choices: list[str] = []
+    # An expression can begin here: it is named once, instead of all tokens that begin it.
     if {"INTEGER", "NAME", "-"} <= remaining:
         choices.append("a number, a name or another expression")
         remaining -= _OPERANDS
+    # An operand ends here: operators are named only if nothing but the end could follow.
     if {"*", "COMPARISON"} <= remaining:
         remaining -= {*_OPERATORS, "["}
         if remaining == {END}:
             choices.append("an operator")
+    # Where rows of digits stand, a number is one of them.
     if "GROUPED" in remaining:
         remaining.discard("INTEGER")
     over = END in remaining
@@ -242,7 +247,7 @@ def expected_words(terminals: Set[str]) -> str:
 
 
 def shown(text: str) -> str:
-    """Return a piece of the user's text in backquotes, with at most 40 characters and without
-    unprintable ones."""
+    """Return a piece of the user's text in backquotes. Longer texts are cut to 40 characters, and
+    unprintable ones are shown as U+XXXX."""
     cut = text if len(text) <= 40 else text[:37] + "..."
     return "`" + "".join(ch if ch.isprintable() else f"U+{ord(ch):04X}" for ch in cut) + "`"

@@ -45,7 +45,8 @@ def _checked(call: str, key: Key, value: Any) -> Any:
 
 
 def _read(subject: str, kind: Kind, value: Any) -> Any:
-    """Return an argument checked and converted by its kind.
+    """Return `value`, an argument, checked and converted by its kind. Numbers of numpy count as
+    Python's.
 
     Raises WrongArgument for an invalid value. The message begins with `subject`, such as "capture:
     seed is", and says what is allowed."""

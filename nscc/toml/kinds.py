@@ -118,7 +118,8 @@ class Number(Kind):
         return f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
-        """Return the number that a file gives; None for the word that stands for it.
+        """Return the number that a file gives; None for the word ("any" or "auto") that stands for
+        it.
 
         Raises ValueError for any other value."""
         if value is None:
@@ -151,7 +152,7 @@ Integer = partial(Number, is_whole=True)
 
 
 class Flag(Kind, Record):
-    """A boolean, true or false in a file."""
+    """A boolean, true or false in a file; 0 and 1 are not allowed."""
 
     @property
     def allowed(self) -> str:
@@ -171,7 +172,8 @@ class Flag(Kind, Record):
 
 
 class TextKind(Kind, Record):
-    """A text: one of `choices`, or a text that `pattern` matches completely and `phrase` describes.
+    """A text: one of `choices`, or a text that the regular expression `pattern` matches completely
+    and `phrase` describes. With neither, any text is allowed.
 
     If `optional`, "none" in a file is None in Python."""
 
@@ -214,7 +216,8 @@ class TextKind(Kind, Record):
 class Several(Kind, Record):
     """A list of values of the kind `element`, with `count` values unless that is None.
 
-    `text` describes the list in messages; by default that is the number and kind of its values."""
+    It is a tuple in Python. `text` describes the list in messages; by default that is the number
+    and kind of its values."""
 
     element: Kind
     count: int | None = None
@@ -282,7 +285,8 @@ class Axis(Kind, Record):
         return f"{self.element.allowed}, or a list of such values"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        """Return the values as a tuple; a single value gives a tuple of one.
+        """Return the values, each read by `element`, as a tuple in their order; a single value
+        gives a tuple of one.
 
         Raises ValueError for an empty list, an invalid or a repeated value."""
         is_list = isinstance(value, list | tuple)
@@ -298,8 +302,8 @@ class Axis(Kind, Record):
         return values
 
     def _read_one(self, value: Any) -> Any:
-        """Return one value of a list, read by `element`; raise ValueError with a reason that quotes
-        it."""
+        """Return one value of a list, read by `element`; raise ValueError if it is not allowed,
+        with a reason that quotes it."""
         try:
             return self.element.read(value)
         except ValueError as reason:

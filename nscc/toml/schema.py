@@ -256,6 +256,7 @@ class Schema(Generic[Row]):
             if not section and name in tables:
                 message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
                 return self.problem(self.codes.wrong_value, message, section, name, source)
+            # The unknown table is the section itself or, at the top, a key whose value is a table.
             table = section if section not in self.sections else name
             if tables and (table == section or (not section and isinstance(value, Mapping))):
                 message = f"a {self.file_kind} has no table {shown(table)}"
@@ -279,7 +280,7 @@ class Schema(Generic[Row]):
         """Return the help for an unknown name in the table `section`, whose names are `known`.
 
         It names the table that the name belongs to, else the most similar name here or in another
-        table, else the known names."""
+        table, else the known names if they are few, else `start`."""
         homes = {key.name: key.section for key in reversed(self.keys)}
         nearest, elsewhere = closest(name, known), closest(name, homes)
         places = {table: f"under [{table}]" if table else "at the top" for table in self.sections}
@@ -352,8 +353,9 @@ def file_values(
 ) -> tuple[KeyValues, list[Diagnostic], Source]:
     """Return the valid values in a file's bytes by path, the errors of the others, and the text.
 
-    Messages call the file `name`. `choose` returns the schema for a file's unchecked values; None
-    always uses `schema`. Raises Rejected with the exit status `status` if `data` is not TOML."""
+    Values are by path (SECTION.NAME); the text is a `Source` of this name. Messages call the file
+    `name`. `choose` returns the schema for a file's unchecked values; None always uses `schema`.
+    Raises Rejected with the exit status `status` if `data` is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -362,11 +364,11 @@ def file_values(
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
 ) -> tuple[dict[str, Any], Source]:
-    """Return the values in a file's bytes, {section: {key: value}} and not yet checked, and its
-    text.
+    """Return the values in `data`, a file's bytes, {section: {key: value}} and not yet checked, and
+    its text.
 
-    Messages call the file `name`. Raises Rejected with the exit status `status` if `data` is not
-    TOML."""
+    `schema` gives the code of the error. Messages call the file `name`. Raises Rejected with the
+    exit status `status` if `data` is not TOML."""
     try:
         text, values = parsed(data)
     except NotToml as reason:

@@ -104,8 +104,8 @@ def written(value: Any) -> str:
 
 
 def _character(c: str) -> str:
-    """Return a character as a TOML string contains it, with escapes for quotes and unprintable
-    ones."""
+    """Return the character `c` as a TOML string contains it, with escapes for quotes and
+    unprintable ones."""
     if c in '"\\':
         return "\\" + c
     return c if c.isprintable() else f"\\u{ord(c):04x}" if ord(c) < 1 << 16 else f"\\U{ord(c):08x}"

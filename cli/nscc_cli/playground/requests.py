@@ -76,8 +76,8 @@ class Playground:
         self._capture = lru_cache(1)(self._exposed)
 
     def answer(self, kind: str, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the answer to a request as JSON values. If nscc rejects the request, the answer
-        has only `messages`, the errors.
+        """Return the answer to a request as JSON values. If nscc rejects the request or its values
+        are invalid, the answer has only `messages`, the errors.
 
         The kinds are `start` (examples, words of the language, the file), `check`, `frame` and
         `words` (of one pixel), which take `PageSettings`, and `save`, which takes `text` and
@@ -150,6 +150,7 @@ class Playground:
         """Return the words of a frame exposed with `settings` and the registers of its chosen
         pixel, as JSON values. The scene is exposed first if the last frame had other settings.
         Raises Rejected for a pixel outside the array."""
+        # The frame does not depend on the pixel: it is kept for requests about others.
         taken = self._capture(replace(settings, row=0, col=0))
         rows, cols = taken.container.target.rows, taken.container.target.cols
         if not (0 <= settings.row < rows and 0 <= settings.col < cols):
@@ -188,8 +189,8 @@ class Playground:
         return {"pictures": pictures, "lines": frame_lines(taken.container, taken), "plan": plan}
 
     def _opened(self, text: str) -> Document:
-        """Return the document of the program `text`; raise Rejected if it names files outside of
-        its folder."""
+        """Return the document of the program `text`; raise Rejected (NS0796) if it names files
+        outside of its folder."""
         document = Document(self.file.name if self.file else "program.nsl", text, self.folder)
         folder = self.folder.resolve()
         for statement in document.parsed[0].statements:
