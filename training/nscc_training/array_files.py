@@ -243,7 +243,8 @@ def read_mask(path: Path) -> Floats:
     Raises
     ------
     Rejected
-        NS0845 as for `real_array`, and for other shapes and values.
+        NS0845 for a file that cannot be read or has no such array, for values that are not finite
+        real numbers from 0 to 1 or are all 0, and for other numbers of axes.
     """
     mask = real_array(path, "mask")
     if mask.ndim != 3 or 0 in mask.shape:

@@ -39,8 +39,8 @@ def cell_files(
     """Return the program of a cell.
 
     A pooled output is 1 if the gate's count exceeds the threshold in any pixel of a square. The
-    program therefore dilates the bits of outputs (`any`), in steps of 3 x 3 pixels. The host
-    uses only the pixels in the middle of the squares (`cell_film`).
+    program therefore dilates the bits of outputs (`any`), in steps of 3 x 3 pixels. The host uses
+    only the pixels in the middle of the squares (`cell_film`).
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ def cell_files(
     frame_us : float
         Exposure time of a frame in microseconds.
     target : str, optional
-        Name of the chip, for the program's text.
+        Name of the chip, for the program's text; None leaves it out.
     remark : str
         Comment at the start of the program.
 
@@ -154,9 +154,9 @@ def cell_film(
     exposure : array of float32
         (frames, rows, cols), in full wells.
     planes : tuple of str
-        The `planes` of `CellFiles`.
+        Names of the program's planes of outputs, one for each output: `planes` of `CellFiles`.
     effects : str
-        As for `nscc_runtime.film`.
+        Effects of the sensor, such as "all"; "none" gives exact bits.
     seed, device_seed : int
         Seeds of the noise and of the device.
 

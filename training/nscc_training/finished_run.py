@@ -108,7 +108,7 @@ class Run:
         Parameters
         ----------
         light : array, Light, Scene or str
-            As for `nscc_runtime.capture`.
+            Light in electrons per slot (N, rows, cols) or over the frame, or a scene or its name.
         **options
             Further arguments of `nscc_runtime.capture`.
 
@@ -163,8 +163,9 @@ class Run:
     ) -> NDArray[np.float32]:
         """Return the decoder's output for a frame: light in electrons, or scores of classes.
 
-        `frame`, `force`, `dark` and the errors are those of `reconstruct`. Warnings are shown by
-        Python's `warnings`."""
+        `frame` is a capture, a frame file or an array of codes; with `force` another program or
+        sensor is only a warning; `dark` is a dark capture or file, or None. Raises Rejected
+        (NS0819, NS0789). Warnings are shown by Python's `warnings`."""
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
@@ -198,9 +199,9 @@ class Run:
         Parameters
         ----------
         frame : Capture, str, PathLike or array of int
-            As for `reconstruct`.
+            A capture, a frame file, or codes of the converter, (rows, cols).
         **options
-            Further arguments of `reconstruct`.
+            `force` and `dark`, as `reconstruct` takes them.
 
         Returns
         -------
@@ -210,7 +211,8 @@ class Run:
         Raises
         ------
         Rejected
-            As `reconstruct`; NS0789 for a run without classes.
+            NS0819 for a frame of another program or sensor; NS0789 for other arguments, or for a
+            run without classes.
         """
         classes = self.folder.setup.classes
         if not classes:
@@ -330,7 +332,8 @@ def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
     """Return two charts over the training steps: the validation score (PSNR, or the fraction of
     right classes), and the training loss.
 
-    `curves` are those of `Run.curves`."""
+    `curves` are the columns of `metrics.csv` by name, arrays of one length: `step`, `split` (1 for
+    validation), `loss`, and `correct` or `psnr_db`."""
     val = curves["split"] == 1
     metric = "correct" if "correct" in curves else "psnr_db"
     return html.side_by_side(

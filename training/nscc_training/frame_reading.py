@@ -93,9 +93,9 @@ def by_colour(values: Array, in_colours: bool) -> Array:
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """Return the content of a frame file in the shapes that it has there, which may include
-    repeats; shutters are unpacked to (buckets, rows, cols, N). Without `saturated` in the file, no
-    pixel counts as saturated.
+    """Return the content of the frame file `path` in the shapes that it has there, which may
+    include repeats; shutters are unpacked to (buckets, rows, cols, N). Without `saturated` in the
+    file, no pixel counts as saturated.
 
     Raises Rejected (NS0819) for a file that cannot be read, damaged shutters or invalid slot
     lengths."""

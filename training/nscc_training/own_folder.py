@@ -62,10 +62,11 @@ def folder_settings(
     """Return the settings to train on a folder of pictures or clips, with `changes`, each
     SECTION.KEY=VALUE.
 
-    Linear pictures are stills of high dynamic range. Films, and photographs in display encoding,
-    become clips. Patches are as large as the smallest file allows, at most 128 x 128. `tell` is
-    called with a text that describes the settings. Raises Rejected: NS0811 for a folder without
-    pictures and clips, and the errors of `settings_of`."""
+    Linear pictures are stills of high dynamic range; beside them, other files are left out. Films,
+    and photographs in display encoding, become clips. Patches are as large as the smallest file
+    allows, at most 128 x 128. `tell` is called with a text that describes the settings. Raises
+    Rejected: NS0811 for a folder without pictures and clips, NS0814 and NS0815 for invalid changes.
+    """
     stills = files_in(folder, LINEAR)
     files = stills or files_in(folder, (*CLIPS, *DISPLAY))
     if not files:

@@ -117,7 +117,8 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
 def frame_size(path: Path) -> tuple[int, int]:
     """Return rows and columns of the picture in file `path`, or of the frames of a clip.
 
-    Pictures, videos and .mat files are not decoded. Raises Rejected as their readers do."""
+    Pictures, videos and .mat files are not decoded. Raises Rejected for a file that cannot be read.
+    """
     if path.suffix.lower() in PICTURES + picture_files.CLIPS:
         return open_pages(path).sizes[0]
     if path.suffix.lower() == ".mat":

@@ -283,7 +283,8 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
     `light` is in electrons: (rows, cols) of a still over the frame, or (N, rows, cols) of each
     slot. `tile` ([buckets,] N, r, c) are the shutters, which repeat over the scene, and `seed` is
-    that of the noise. Raises ValueError as `differentiable_capture` does."""
+    that of the noise. Raises ValueError for other shapes, and for light that is negative or not
+    finite."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     frame = differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]

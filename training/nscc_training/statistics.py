@@ -58,9 +58,10 @@ def paired(
 
     Scores are by the name of the item, and `scene_of` names its scene. `items` and `scenes` are
     counts, `only_first` and `only_second` count items without a partner, and `gain_db` is the mean
-    gain. `sd`, `ci95` and `infinite` are those of `summary` for the gains; a gain counts as
-    infinite if either score is. Without common items `gain_db`, `sd` and `ci95` are None. Raises
-    ValueError for NaN."""
+    gain. `sd` is the standard deviation of the gains, `ci95` the 95 % interval of their mean (None
+    for a single scene), and `infinite` the number of infinite gains, which are left out of the
+    others; a gain counts as infinite if either score is. Without common items `gain_db`, `sd` and
+    `ci95` are None. Raises ValueError for NaN."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

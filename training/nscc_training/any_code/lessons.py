@@ -224,8 +224,8 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
 def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
     """Return random shutters (frames, size, size), 1 where open.
 
-    Half of the draws are those of `mask_drawn`. The other half are bumps of a quarter of the frame
-    in a 2 x 2 or 4 x 4 tile, which open one after another."""
+    Half of the draws are shutters of any kind (`mask_drawn`). The other half are bumps of a quarter
+    of the frame in a 2 x 2 or 4 x 4 tile, which open one after another."""
     if generator.random() < 0.5:
         return mask_drawn(generator, frames, size)
     length = max(1, frames // 4)

@@ -149,6 +149,9 @@ class _Exchanged(torch.autograd.Function):
         old, new = (values.view(-1, ctx.frames, *slope.shape[1:]) for values in (slope, x_slope))
         count = slope.shape[1] // 4
         if ctx.frames > 1:
+            # The first frame kept its own channels of the first quarter as well as giving them to
+            # the second frame; the last frame's reached no other frame. The second quarter is the
+            # reverse.
             new[:, :-1, :count] = old[:, 1:, :count]
             new[:, 0, :count] += old[:, 0, :count]
             new[:, -1, :count] = 0

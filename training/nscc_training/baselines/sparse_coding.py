@@ -94,8 +94,8 @@ def coded_still(
 
 @cache
 def made_filters() -> Tensor:
-    """Learn filters (K, 1, side, side) of length 1 from the details of procedural stills. They are
-    always the same, and cached."""
+    """Learn filters, float32 (FILTERS, 1, SIDE, SIDE), of length 1 from the details of procedural
+    stills. They are always the same, and cached."""
     generator = np.random.default_rng([0, SIDE])
     blocks = []
     # 150 blocks from each of 16 pictures of 96 x 96 pixels.

@@ -139,8 +139,9 @@ def load_scenes(
 
 @dataclass(frozen=True)
 class _Kind:
-    """The kind of scenes to load, and how: stills, or clips of at least `slots` frames. The other
-    fields are the arguments of `load_scenes`."""
+    """The kind of scenes to load, and how: stills, or clips of at least `slots` frames. `settings`
+    is the section [data], `seed` that of procedural scenes and camera paths. `classes` are the
+    names of classes, empty without. `tell` receives messages."""
 
     settings: DataSettings
     still: bool

@@ -55,7 +55,9 @@ class _Taken(Function):
 
     @staticmethod
     def forward(ctx: Any, pictures: Tensor, block: Size, step: Size) -> Tensor:
-        """Return the blocks of pictures, as `unfold_blocks`."""
+        """Return the overlapping blocks (batch, blocks, count * pixels) of `pictures` (batch,
+        count, rows, cols), as `unfold_blocks`: `block` is their size, `step` their distance, each
+        (rows, cols)."""
         ctx.how = tuple(pictures.shape[1:]), block, step
         return unfold_blocks(pictures, block, step)
 
@@ -74,7 +76,8 @@ class _Put(Function):
     def forward(
         ctx: Any, blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size
     ) -> Tensor:
-        """Return pictures in which the blocks are added, as `fold_blocks`."""
+        """Return pictures (batch, *size) in which `blocks` (batch, blocks, count * pixels) are
+        added, as `fold_blocks`: `block` is their size, `step` their distance, each (rows, cols)."""
         ctx.how = block, step
         return fold_blocks(blocks, size, block, step)
 

@@ -29,7 +29,8 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
     `frame` (batch, rows, cols) is in full wells, and saturated from 1. `share` is the open fraction
     of the frame of each pixel, of the same shape or without the batch. Each pixel is the mean
     around it, weighted by precision. Saturated measurements have weight 0; a saturated pixel gets
-    at least the light that saturates it. Raises ValueError for values that are not finite."""
+    at least the light that saturates it, and one that never opens its neighbours' light. Raises
+    ValueError for values that are not finite."""
     opened = share.clamp(min=1e-6)
     pixel_light = frame / opened
     refuse_not_finite(frame, "frame")

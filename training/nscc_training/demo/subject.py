@@ -46,7 +46,7 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
 
     A clip must fill `slots` slots in `frame_s` seconds. In a longer clip, the frames with the most
     motion are chosen, one per slot; a shorter clip is slowed down. A scene that is no existing file
-    counts as a still, whose reader refuses it. Raises Rejected as the scene readers do."""
+    counts as a still, whose reader refuses it. Raises Rejected for a file that cannot be read."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):

@@ -123,14 +123,15 @@ class DesignChip:
     def compared_sd_e(self, electrons: Values) -> Values:
         """Return the standard deviation of one comparison with an exposure of `electrons`, in
         electrons: photons, comparator noise and copies. The comparator's fixed offset is not
-        included."""
+        included. `electrons` are 0 or more, of any shape, which the result has."""
         noise_e = self.sensor.comparator_noise_fraction * self.sensor.full_well_e
         copies_e2 = self._words_e2(_COPIES, 0, _COPIES)
         return np.sqrt(noise_e**2 + copies_e2 + electrons)
 
     @cached_property
     def levels(self) -> NDArray[np.int64]:
-        """The levels to try, in steps of IN."""
+        """The levels to try, int64, in steps of IN, increasing from 1: at most `_MOST_LEVELS`,
+        evenly spaced."""
         most = most_steps(self.target, self.sensor.full_well_e)
         return np.unique(np.linspace(1, most, _MOST_LEVELS).round().astype(np.int64))
 

@@ -244,8 +244,9 @@ def design_pattern(
     """Design the pattern of stops with the highest PSNR after merging, minus a cost for its words.
 
     The PSNR is simulated with all effects. `nscc_training.design.stop_patterns` lists the patterns.
-    `scenes`, `frame` and errors are as for `design_looks`. `progress` receives the numbers of the
-    scenes while they are simulated."""
+    `scenes` are stills (rows, cols) in electrons over the frame; `frame` None takes the defaults of
+    `Frame`. Raises Rejected: NS0824 for a scene without light, and the compiler's errors.
+    `progress` receives the numbers of the scenes while they are simulated."""
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:

@@ -69,8 +69,8 @@ def best_stop(chip: DesignChip, light_e: NDArray[np.floating], slots: int, curve
 
     Of the times from one slot to all slots in ratios of about the square root of 2 (`stops_tried`),
     it has the smallest expected error of the light after the tone curve `curve` ("mu", "linear" or
-    "log"). `light_e` (rows, cols) is in electrons over all slots. Raises Rejected as `histogram`
-    does."""
+    "log"). `light_e` (rows, cols) is in electrons over all slots. Of equal errors the shortest time
+    counts. Raises Rejected (NS0824) for a scene without light."""
     light = histogram([light_e])
     stops = stops_tried(slots)
     errors = chip.errors(light.light_e, light.peak_e, np.array(stops) / slots, curve)

@@ -80,7 +80,8 @@ def _formatted(lines: Sequence[str]) -> str:
 
 
 def frame_text(slots: int, slot_us: float) -> str:
-    """Return the `frame` statement for `slots` slots of equal length in microseconds."""
+    """Return the `frame` statement for `slots` slots of `slot_us` microseconds each, such as "frame
+    16 slots of 125us"."""
     told_us = f"{slot_us:.{SLOT_DECIMALS}f}".rstrip("0").rstrip(".")
     return f"frame {slots} slots of {told_us}us"
 

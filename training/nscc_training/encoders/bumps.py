@@ -187,7 +187,8 @@ class Bump(Encoder):
         return slots
 
     def bound_of(self, slots: int) -> float:
-        """Return the parameter for a limit in slots, as `parameter_of` does for tensors."""
+        """Return the parameter for a limit in slots, both numbers. Here they are equal; a class
+        with another unit overrides it."""
         return slots
 
     def within(self, fields: Tensor) -> Tensor:

@@ -67,7 +67,9 @@ class Bits(_Digits):
         self.logits = nn.Parameter(torch.full((spec.slots, *spec.tile), 0.5))
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return the shutters (N, rows, cols) of the present logits, as `_Digits.digits`."""
+        """Return the shutters (N, rows, cols) of the present logits: exactly 0 and 1, or if `soft`,
+        sigmoids of the width `temperature`. A generator adds noise to the logits; None adds none.
+        """
         return self.digits(self.logits, generator, soft)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:

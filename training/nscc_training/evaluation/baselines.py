@@ -149,8 +149,8 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 def evaluate_baseline(
     protocol: Protocol, wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of the baseline `wanted.subject` on the folder of scenes `wanted.data`, and
-    its arrays by name, both as `result_of` does.
+    """Return the result of the baseline `wanted.subject` on the folder of scenes `wanted.data`, as
+    JSON values, and the arrays of `--save` by name.
 
     `wanted.shutter` names other shutters, CLASS:START or a run (`named_codes`). The noise of a
     scene depends only on the scene's index and `wanted.seed`."""
@@ -286,8 +286,8 @@ def evaluate_sci8(
     weight: float,
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of `method` on the benchmark clips in the files `paths`, and its arrays by
-    name, both as `result_of` does.
+    """Return the result of `method` on the benchmark clips in the files `paths`, as JSON values,
+    and the arrays of `--save` by name.
 
     `iterations` and `weight` apply to methods of total variation. Raises Rejected: NS0809 for a
     file that is not a clip of the benchmark, NS0810 for an unknown method."""

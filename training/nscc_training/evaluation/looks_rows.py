@@ -73,8 +73,8 @@ def row_of(name: str, target: Target) -> LookSchedule:
 def evaluate_looks(
     wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of `wanted.subject`, a method of UNDECODED, on a folder of panoramas, and
-    its arrays by name, both as `result_of` does.
+    """Return the result of `wanted.subject`, a method of UNDECODED, on a folder of panoramas, as
+    JSON values, and the arrays of `--save` by name.
 
     `wanted.effects` replace the protocol's noise and comparator noise, and then the readout has the
     noise of the chip. Programs are designed for the sensor without `wanted.changes`."""
@@ -145,8 +145,9 @@ def looked_light(
     """Return the light over the frame in electrons (rows, cols) that pixels which look measure of
     the constant light `light_e`, of this shape.
 
-    `container` is the program, and `effects` a selection or the names of effects. `seeds` are those
-    of the noise and of the device."""
+    `container` is the program of pixels that look (another raises KeyError), `sensor` that of the
+    chip, and `effects` a selection or the names of effects. `seeds` are those of the noise and of
+    the device."""
     readings = _still_capture(container, light_e, sensor, effects, seeds).told
     return merged_image(readings[LIGHT], readings[DEVIATION]) * float(container.slot_s.sum())
 

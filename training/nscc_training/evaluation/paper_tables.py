@@ -62,8 +62,9 @@ def _row(
 ) -> tuple[dict[str, Any], str]:
     """Return a row as JSON values, and as a line of Markdown with - for missing values.
 
-    `folder` holds the results. The other arguments are those of `{{TABLE ..}}` (see the module):
-    table, label, the paper's PSNR and SSIM, name of the results, remark."""
+    `folder` holds the results. `table` is the table's number as text, `label` names the row,
+    `psnr_db` and `ssim` are the paper's as text ("-" for none), `name` is the pattern of the result
+    files (* for any text), and `remark` is put at the end."""
     results = results_named(folder, name)
     settings = [result["settings"] for result in results]
     remarks = [NOT_RUN * (not results), remark]

@@ -54,7 +54,7 @@ def evaluate_run(
     scorer: Scorer | None = None,
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a run with its hard shutters on the scenes in the folder `wanted.data`,
-    and its arrays by name, both as `result_of` does.
+    as JSON values, and the arrays of `--save` by name.
 
     The result lists the files that `wanted.skip_seen` leaves out. Effects are those of a different
     chip for each seed.
@@ -102,8 +102,8 @@ def evaluate_run(
 def evaluate_validation(
     folder: RunFolder, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run on its validation scenes, with the run's effects, and its arrays
-    by name, both as `result_of` does.
+    """Return the result of a run on its validation scenes, with the run's effects, as JSON values,
+    and the arrays of `--save` by name.
 
     Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
     (NS0811) if the scenes of its configuration are missing or have changed."""
@@ -175,8 +175,8 @@ def _run_result(
     left_out: list[dict[str, Any]],
     extra_keys: dict[str, Any],
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of scored scenes, with the settings of the run, and its arrays by name,
-    both as `result_of` does.
+    """Return the result of scored scenes, with the settings of the run, as JSON values, and the
+    arrays of `--save` by name.
 
     `files` are the scenes' files, `left_out` the scenes that could not be used, and `extra_keys`
     are added to the result."""
@@ -285,7 +285,9 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 def evaluate(
     wanted: EvaluationSettings, scorer: Scorer | None = None
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a baseline or of a run, and its arrays by name.
+    """Return the result of a baseline or of a run, as JSON values, and the arrays of `--save` by
+    name. `wanted` names subject, protocol, data and options; `scorer` keeps scores (None: in
+    memory).
 
     Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes and
     NS0841 for effects that the subject does not support, NS0811 for a folder without suitable data,

@@ -83,7 +83,8 @@ def keep(store: ExperimentStore, done: Done) -> None:
 def results(
     store: ExperimentStore, tasks: Sequence[SomeTask], execute: Executor[SomeTask]
 ) -> Iterator[Done]:
-    """Compute and store the tasks that have no row in the store, and yield their rows.
+    """Compute and store the tasks that have no row in the store, and yield their rows, as they are
+    done. Tasks with a row are not yielded.
 
     `execute` computes tasks. Several processes may share a store: a task that another process has
     claimed is waited for, and computed here if that process drops it."""

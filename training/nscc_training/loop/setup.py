@@ -140,7 +140,7 @@ class TrainingSetup:
 
     def random_tile(self, number: int) -> Tensor:
         """Return the shutters (N, rows, cols) of random codes number `number`, and use their
-        emulated sensor. The encoder keeps its present codes.
+        emulated sensor, which stays until `follow_codes`. The encoder keeps its present codes.
 
         A decoder that learns random codes can judge codes before it is trained for one of them.
         Codes of odd numbers are the present ones after some moves, because a search begins there.

@@ -71,8 +71,8 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors of a checkpoint, as `tensors` returns them. Raise KeyError, RuntimeError
-        or ValueError if some are missing or do not fit."""
+        """Load `tensors`, those of a checkpoint by the names that the method `tensors` gives them.
+        Raise KeyError, RuntimeError or ValueError if some are missing or do not fit."""
         set_tensors(self.setup, tensors)
         self.setup.tables.set(_below("emulated.", tensors))
         if self.average is not None:

@@ -443,8 +443,8 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
     the state in `run.progress` if it is the best.
 
     The running average replaces the decoder's weights meanwhile, if there is one. Codes that do not
-    compile, or take too many words, are never the best. `loss` is the mean loss since the last
-    validation."""
+    compile, or take too many words, are never the best; of equal losses the earlier state stays,
+    and NaN is never the best. `loss` is the mean loss since the last validation."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None

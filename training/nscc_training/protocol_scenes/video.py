@@ -111,6 +111,7 @@ def exposed_window(
 
 
 def encoded(light: Clip, srgb: bool) -> Clip:
-    """Return light, clipped to 0..1, in the encoding in which errors are measured."""
+    """Return light, clipped to 0..1, in the encoding in which errors are measured: sRGB with
+    `srgb`, else linear. `light` is relative to white, of any shape."""
     clipped = np.clip(light, 0.0, 1.0)
     return curves.srgb(clipped) if srgb else clipped

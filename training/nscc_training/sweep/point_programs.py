@@ -134,8 +134,8 @@ def target_fault(values: Values) -> PointFault | None:
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
     """Return the error of stating one of the `keys`, or None if the grid states none of them
-    (`named`). They have no effect on points with `point_text`, so that several values would give
-    identical points."""
+    (`named`). They have no effect on points with `point_text`, such as "a scene", so that several
+    values would give identical points. Of several, the first of `keys` is named."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None

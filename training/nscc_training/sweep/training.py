@@ -38,7 +38,8 @@ def _settings(values: Values) -> RunSettings:
     """Return the training settings of a point: its configuration file, or the defaults, with the
     point's own values.
 
-    Raises Rejected as `load_config` does."""
+    Raises Rejected with all errors at once: a file that cannot be read (NS0813), unknown keys
+    (NS0814) or invalid values (NS0815)."""
     changes = [
         f"{key.path} = {written(key.kind.plain(values[key.path]))}"
         for key in SCHEMA.keys

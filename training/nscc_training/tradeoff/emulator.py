@@ -244,7 +244,8 @@ class EmulatorBench:
 
     @cached_property
     def frames(self) -> int:
-        """The number of frames from which errors are measured: more for small scenes."""
+        """The number of frames from which errors are measured: those of the settings, or for small
+        scenes as many as have `_POOLED` pixels, at most `_MOST_POOLED`."""
         rows, cols = self.scene.light.shape
         return max(
             self.settings.frames, min(math.ceil(_POOLED / max(1, rows * cols)), _MOST_POOLED)

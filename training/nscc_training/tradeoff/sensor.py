@@ -137,8 +137,8 @@ def bench_values(settings: SensorStudySettings, kind: str) -> Values:
 
 
 def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -> StudyPoint:
-    """Return a point of the study for scenes of one `kind`, "clips" or "stills", a `method` (its
-    format: `sensor_points`), and a number of slots.
+    """Return a point of the study for scenes of one `kind`, "clips" or "stills", a `method`
+    ("CLASS, CODES codes, LOWERING", or "NAME-COUNT" for pixels that look), and a number of slots.
 
     `measure` is called when the point runs; it returns `psnr_db`, `shortest_slot_us` and `words`,
     as `bench_figures` does."""
