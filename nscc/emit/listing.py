@@ -135,8 +135,8 @@ def _print(node: Node, source: Source, indent: str, lines: list[str]) -> None:
 
 
 def plan_text(plan: ExposurePlan) -> str:
-    """Return an exposure plan as text: the analog words of every boundary, and for how many
-    shutters."""
+    """Return an exposure plan as text: registers, then a line for each step with its boundary,
+    role, bucket, number of shutters and analog words."""
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:

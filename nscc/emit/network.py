@@ -95,8 +95,8 @@ class NetworkMaker:
     def plane(self, name: str, register: str, holder: str, vector: int) -> None:
         """Add the node of a register's initial value.
 
-        `name` is the register's virtual name, and `holder` says what it holds. Bit k of `vector`
-        belongs to shutter k."""
+        `name` is the register's virtual name, which becomes that of the node, `register` the chip's
+        register, and `holder` says what it holds. Bit k of `vector` belongs to shutter k."""
         self.network.add_node(
             name, kind="plane", register=register, name=name, holder=holder, bits=f"{vector:#x}"
         )
@@ -149,9 +149,10 @@ class NetworkMaker:
 
     def demand(self, edge: str, bucket: str, boundary: int) -> None:
         """Add the node of a demand: what the value of FLAG (the bit that lets a pixel act) is
-        needed for at a boundary.
+        needed for at a boundary. FLAG must have been written.
 
-        `edge` is "open", "rise", "fall" or "reset", and `bucket` is "" for a reset."""
+        `edge` is "open", "rise", "fall" or "reset", and `bucket` is the bucket's name, "" for a
+        reset."""
         node = self._named("d")
         self.network.add_node(node, kind="demand", edge=edge, bucket=bucket, boundary=boundary)
         self.network.add_edge(self.holds["FLAG"], node)

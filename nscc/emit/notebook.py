@@ -47,6 +47,7 @@ def shutter_chart(
         )
         lane = (_ROW - 4) / len(buckets)
         for bucket, opened in enumerate(rows[row]):
+            # The open time up to each edge; its increase in a column is the column's share.
             until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
             share = np.diff(np.interp(columns, edges, until)) / np.diff(columns)
             shapes += _bars(columns / edges[-1], share, top + 2 + bucket * lane, lane, bucket)

@@ -190,7 +190,8 @@ def _by_slots(
 
 
 def _fixed_bump(length: int) -> Family:
-    """Return the family of class c: bumps of `length` slots, one shutter for each start."""
+    """Return the family of class c: bumps of `length` slots, one shutter for each start. The
+    smallest frame has `length` slots."""
     return _by_slots(
         f"c len {length}",
         f"a bump of {length} slots, any start 0..N - {length}",
@@ -221,8 +222,8 @@ def _book_by_slots(rows: int) -> Family:
 
 
 def _book_by_rows(slots: int) -> Family:
-    """Return the family of codebooks of `slots` slots; its sizes are numbers of pseudo-random
-    rows."""
+    """Return the family of codebooks of `slots` slots; its sizes are numbers of pseudo-random rows,
+    at most as many as there are different rows."""
     return Family(
         name=f"codebook, {slots} slots",
         description="K pseudo-random rows",

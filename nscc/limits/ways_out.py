@@ -87,8 +87,9 @@ def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
 def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOut]:
     """Yield similar programs that fit, in the order in which the error lists them.
 
-    `most` is the user's optimisation level. All but programs with fewer codebook rows are compiled
-    at `QUICK_LEVEL` or below."""
+    `attempt` compiles a program; `most` is the user's optimisation level. All but programs with
+    fewer codebook rows are compiled at `QUICK_LEVEL` or below. A change that does not fit, or does
+    not apply to the program, is left out."""
     level = min(most, QUICK_LEVEL)
     if program.mode == "open" and program.pixel_codes is not None:
         lowered = attempt(program.source, "fixed", level)

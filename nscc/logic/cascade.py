@@ -191,6 +191,7 @@ class _Finder:
         for task in self._tasks:
             gates = Gates(self._machine)
             if task is not None:
+                # A link writes t0, so its cubes take the other registers first.
                 registers = [*(f"t{i}" for i in range(1, plan.scratch)), "t0"]
                 inner: list[str] = []
                 for link in reversed(plan.cascades[task].links):

@@ -401,6 +401,8 @@ class Search:
         links = []
         for i, (via, negated, cubes, reads_flag) in reversed(list(enumerate(ways))):
             to_flag = self._way(via)[3]
+            # The last member of `ways[0]` says that the old FLAG is read; of other ways, that the
+            # value is in FLAG.
             reads_flag = reads_flag and i == 0
             if negated:
                 on, off = off, on

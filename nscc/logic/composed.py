@@ -88,11 +88,14 @@ class _Covered:
 class _State:
     """A part that only closes or only opens, as a state that collects changed shutters.
 
-    `changes` maps the demand of a change to its number. The NOR of the planes at which a number has
-    a 0 selects the number and its submasks, which have changed before. Higher planes are in Gray
-    code and inverted over time. The register holds the value itself if `positive`, else its
-    inverse. With `second` it holds the exclusive or with that part. `steps` are the disjoint parts
-    in which `second` then differs from its value at the demand before."""
+    `register` is a name such as s0, and `masked` tells whether it is the masked register. The
+    register holds the part's value if `positive`, else its inverse. `closes`: the part only closes,
+    else it only opens. `changes` maps the index of the demand at which shutters change to their
+    number. The NOR of the planes (numbers `planes`, lowest bit first) at which a number has a 0
+    selects the number and its submasks, which have changed before. So it is for the `low_bits`
+    lowest planes; higher planes are in Gray code and inverted over time. With `second` the register
+    holds the exclusive or with that part. `steps` are the disjoint parts in which `second` then
+    differs from its value at the demand before."""
 
     register: str
     masked: bool
@@ -137,6 +140,8 @@ class _Writer:
             raise GaveUp("the parts leave no register to compute with")
         self.gates = Gates(self.machine)
         self.standing = Standing(self.gates, len(self.planes))
+        # At first no shutter has changed, so each register holds the opposite of its content after
+        # a change.
         opening = tuple(
             (Gate("CLR" if _after(state) else "SET", state.register, ()),) for state in self.states
         )
@@ -443,7 +448,7 @@ class _Writer:
 
     def _direct(self, planned: _Planned, index: int) -> bool:
         """Return whether registers with the inverse of a rule, at demand number `index`, take fewer
-        gates than those with its value. An exclusive or takes equally many."""
+        gates than those with its value. For an exclusive or the result is False."""
         if isinstance(planned, _State):
             return not planned.positive
         if isinstance(planned, _Covered):

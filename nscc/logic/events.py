@@ -26,10 +26,11 @@ from nscc.truth import members, set_bits, union, vector
 
 @dataclass(frozen=True)
 class _Field:
-    """Numbers (shutters,), and for each event, in time order, its demand and number.
+    """Numbers (shutters,) of the shutters' events, and for each event, in time order, its demand
+    and number.
 
-    Shutters without an event have the number `count` - 1. An event of shutters with several numbers
-    has the lowest of them."""
+    `name` describes the field. Numbers are below `count`; shutters without an event have the last.
+    An event of shutters with several numbers has that of its first shutter."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -97,6 +98,7 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))
     for chosen in fitting[:_MOST_TRIED]:
         stored = room - sum(form.planes for form in chosen)
+        # A stored demand takes one word, but spare registers may save more as scratch registers.
         for stored_demands in sorted({0, stored}):
             with suppress(GaveUp):
                 yield from walk(

@@ -89,7 +89,7 @@ class Generator(Record):
 
 def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
     """Return the generator of a `kind` that chooses planes with `encode` and then emits their
-    gates."""
+    gates: one solution, or GaveUp from either."""
 
     def solve(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
         """Return the one solution that follows from an encoding."""

@@ -1,4 +1,4 @@
-"""The scripted part of a frame: planes, and the gates that run whatever answers the demands."""
+"""The scripted part of a frame: planes, and the gates that run however the demands are met."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ class _Choice(Record):
 
 _TURNED = "turned"
 
-# Words of an answer below which no other kind of cover is tried (a NOR, a WHERE and a share of a
+# Words for a demand below which no other kind of cover is tried (a NOR, a WHERE and a share of a
 # lasting cube), and above which one is.
 _GOOD_PRICE = 2.5
 _DEAR = 4.0

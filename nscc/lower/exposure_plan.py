@@ -275,7 +275,8 @@ RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
-    """The steps of a plan in execution order, under construction."""
+    """The steps of a plan in execution order (`steps`), under construction; make a new one for each
+    plan. `everywhere` is the truth vector of all shutters."""
 
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters

@@ -110,6 +110,7 @@ def plan_fault(
     all lack analog registers, else NS0414."""
     reasons = _reasons(misfits)
     short = [m for m in misfits.values() if m.resource is not None]
+    # Some lowering has enough registers, so its own condition is what the program does not meet.
     if len(short) < len(misfits):
         return Diagnostic(
             "NS0414",

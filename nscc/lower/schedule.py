@@ -154,9 +154,10 @@ SIZES: tuple[KernelSize, ...] = get_args(KernelSize)
 class FrameSchedule(Record):
     """All words of a frame.
 
-    `kernels` are distinct; `launches` are (boundary, kernel) in execution order. `setup_us` is the
-    time of boundary 0's words before the exposure starts, including their launch. `levels` is the
-    value of IN of each launch in steps, None if it does not matter; empty if no launch sets IN."""
+    `kernels` are distinct; `launches` are (boundary, number of the kernel) in execution order.
+    `setup_us` is the time of boundary 0's words before the exposure starts, including their launch.
+    `refreshed` are the code registers that need words of refresh. `levels` is the value of IN of
+    each launch in steps, None if it does not matter; empty if no launch sets IN."""
 
     allocation: Allocation
     kernels: tuple[Words, ...]
@@ -288,6 +289,7 @@ def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> l
     setup: list[Op] = []
     opened = False
     for step, action in zip(plan.steps, decoding.actions, strict=True):
+        # Steps of the whole frame at boundary 0 clear and reset registers, which needs no gates.
         in_setup = step.boundary == 0 and step.bucket < 0
         analog: Words = step.words
         if action == "all":

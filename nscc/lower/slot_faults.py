@@ -137,8 +137,8 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
 
 
 def _times(target: Target) -> str:
-    """Return a sentence on how long words, launches and the loop at a boundary take on the target
-    (us)."""
+    """Return a text without a full stop on how long words, launches and the loop at a boundary take
+    on the target, in microseconds."""
     return (
         f"a digital word takes {target.digital_word_us:g} us, an analog word "
         f"{target.analog_word_us:g} us, a launch {target.launch_us:g} us, and the loop at a "

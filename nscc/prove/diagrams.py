@@ -368,7 +368,8 @@ class Forms:
         return answer if first > 0 else diagrams.inverse(answer)
 
     def depends_beyond(self, value: Form | int) -> bool:
-        """Return whether a form, or a bit (an int), depends on light outside the array."""
+        """Return whether a form, or a bit (an int), depends on light outside the array, directly or
+        through a comparison."""
         if not isinstance(value, int) and any(kind == BEYOND for kind, *_ in value):
             return True
         return bool(self._beyond) and self._depends_on(value, self._beyond)
@@ -380,7 +381,8 @@ class Forms:
         return sign_of_0 is not None and self._depends_on(value, self.diagrams.support(sign_of_0))
 
     def _depends_on(self, value: Form | int, variables: Set[int]) -> bool:
-        """Return whether a form, or a bit (an int), depends on one of these variables."""
+        """Return whether a form, or a bit (an int), depends on one of these variables, given by
+        number. The bits that a form counts as unknowns are looked into."""
         bits = [value] if isinstance(value, int) else list(value.values())
         if not isinstance(value, int):
             bits += [bit for kind, bit, _ in value if kind == COUNTED]

@@ -120,7 +120,8 @@ class PictureMeaning:
         return form
 
     def _image(self, value: p.Value, at: Place) -> Form:
-        """Compute what `image` returns, which caches it."""
+        """Return the value of an image expression at `at` (x, y), which may be outside the array,
+        as a weighted sum; computed anew, because `image` keeps the results."""
         forms, (x, y) = self.forms, at
         match value:
             case p.Source():
@@ -197,7 +198,8 @@ class PictureMeaning:
         return diagram
 
     def _bit(self, condition: p.Condition, at: Place) -> int:
-        """Compute what `bit` returns for a pixel of the array, which caches it."""
+        """Return the decision diagram of a condition at the pixel `at` (x, y) of the array;
+        computed anew, because `bit` keeps the results."""
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():

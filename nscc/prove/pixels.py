@@ -74,8 +74,8 @@ WRONG_CODE = "the code registers do not hold their code at the end of the frame"
 
 
 class ReplayError(Exception):
-    """Raised for an error in the words: its `reason`, `bucket` and `shutter`, None if all are
-    concerned."""
+    """Raised for an error in the words, with its `reason` in words, and the `bucket` (name) and
+    `shutter` (number) concerned; these are None if all are."""
 
     def __init__(self, reason: str, bucket: str | None = None, shutter: int | None = None) -> None:
         """Store the reason why a replay fails, and the bucket and shutter concerned; None if all
@@ -175,7 +175,7 @@ class ReplayPixels:
         """Begin the next frame: all analog registers, PIX (the photodiode) and IN (the level sent
         to all pixels) are unknown.
 
-        From the second frame on, digital registers that the frame before did not write are unknown,
+        From the second frame on, digital registers that no frame has written so far are unknown,
         too."""
         if self._frame:
             # The chip runs frame after frame: a bit that no frame writes decays.

@@ -50,7 +50,11 @@ class Replay(ReplayPixels):
         quiet: bool = False,
     ) -> None:
         """Begin a replay with a lane (a simulated pixel) for each row of the container's
-        `encoding`, one for each shutter."""
+        `encoding`, one for each shutter.
+
+        `kernels` are the decoded words of the container's kernels; `lights` is the number of
+        exposures computed in parallel. With `quiet`, analog values that were never written are 0
+        instead of random."""
         super().__init__(container, kernels, container.encoding, lights=lights, quiet=quiet)
         self.code = self.code_bits(container.encoding)
 
@@ -171,7 +175,8 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 
 def _converter_input_e(container: Container, exposure_e: float) -> float:
     """Return the converter input, in electrons, whose code means an exposure of `exposure_e`
-    electrons. Codes need not be whole numbers here.
+    electrons: both the target's meaning of codes and its converter decide. The code need not be a
+    whole number.
 
     The converter's codes are symmetric around an empty register."""
     target = converter_of(container)

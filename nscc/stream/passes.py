@@ -268,6 +268,7 @@ def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
             notes=("on this chip, one bit per pixel and slot routes the light",),
             helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
         )
+        # The message says everything; this NoRoute only stands for a missing route.
         return NoRoute("", ""), [no_words]
     names = tuple(bucket.name for bucket in program.buckets)
     chosen_route = route(program.table.shutters, names, program.target)

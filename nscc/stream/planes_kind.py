@@ -115,7 +115,8 @@ class BitPlanes(ProgramKind):
         return f"{planes} of {target.rows} x {target.cols} bits a frame. Loading them"
 
     def slot_text(self, compiled: Compiled, slot: int) -> str:
-        """Return a sentence on the plane of a slot and its load time."""
+        """Return a sentence on the plane of a slot and its load time; `slot` is the number of the
+        slot, from 0."""
         program = compiled.program
         took = share_text(program.target.plane_load_us, program.frame.slot_us[slot])
         return f"one bit plane, loaded in {took}."

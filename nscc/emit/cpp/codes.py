@@ -228,7 +228,8 @@ class PlaneLoad:
 
 @dataclass(frozen=True)
 class CodeLoading:
-    """How the bit planes of all code registers of a target are loaded, in this order."""
+    """How the bit planes of all code registers of a target are loaded, in this order. There are no
+    loads if pixels have no code."""
 
     target: Target
     loads: tuple[PlaneLoad, ...]
@@ -329,6 +330,7 @@ def loading_lines(loading: CodeLoading) -> Iterator[str]:
     `loading` must have at least one load."""
     rows, cols = loading.target.rows, loading.target.cols
     yield from template_lines("fading")
+    # A WHERE comes first only if both the masked register and its mask hold code.
     if loading.refresh_calls()[0][0] == "WHERE":
         yield from comment(
             f"{loading.target.masked_register} takes a write only where "

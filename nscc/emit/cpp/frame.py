@@ -227,6 +227,7 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
     texts = [_row_text(row, count, schedule) for row in schedule.rows]
     if len(texts) <= _COMMENTED_ROWS:
         boundaries = [ranges_text(sorted(set(row.instants))) for row in schedule.rows]
+        # Long lists of boundaries are cut, so that comments fit beside the rows.
         shown = [text if len(text) <= 50 else text[:46] + " ..." for text in boundaries]
         remarks = [f"boundary {text}" for text in shown]
         lines = [f"    {text}" for text in texts]

@@ -60,6 +60,7 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
             assert read is not None
             (register,) = word.destinations
             other_sources = tuple(name for name in read.sources if name != register)
+            # The library's calls for a pair combine the register with one other register.
             if len(other_sources) < 2 or register not in read.sources:
                 yield from (read, word)
             else:

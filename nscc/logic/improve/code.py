@@ -17,7 +17,7 @@ Content = int | None
 """The content of a register: a truth vector, None if unknown."""
 
 OPENING, CLOSING = -1, -2
-"""Places of operations that belong to no answer: before the first and after the last demand."""
+"""Places of operations that belong to no demand: before the first and after the last one."""
 
 REFRESH_WORDS = 2
 """Words that the schedule adds for every plane that the frame does not write."""
@@ -32,7 +32,7 @@ class GateOp:
     """An operation destination := OR(sources), or NOR if `inverted`; sources are numbers of
     registers, ascending and distinct. Without sources it writes 0, or 1 if `inverted`.
 
-    `place` is the number of the answer that the operation belongs to, or OPENING or CLOSING;
+    `place` is the index of the demand for which the operation runs, or OPENING or CLOSING;
     `segment` is the index of its segment there. `reads` is the bit mask of its sources."""
 
     inverted: bool
@@ -45,7 +45,7 @@ class GateOp:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point of `place` (the number of an answer, OPENING or CLOSING) at which FLAG must equal the
+    """A point of `place` (the index of a demand, OPENING or CLOSING) at which FLAG must equal the
     truth vector `need` (None: anything).
 
     `forgets` is the bit mask of registers whose contents are unknown afterwards."""
@@ -198,6 +198,7 @@ def flatten(
         unknown."""
         for index, segment in enumerate(segments):
             for gate in segment:
+                # Every gate is an OR or a NOR: MOV and NOT of one source, CLR and SET of none.
                 inverted = gate.name in ("NOR", "NOT", "SET")
                 sources = [number[name] for name in gate.sources]
                 target = number[gate.destination]
@@ -234,8 +235,8 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
 
 
 def _forgotten(frame: FrameContext, coming: int) -> int:
-    """Return the bit mask of the registers whose contents are unknown when answer number `coming`
-    begins; after the last answer, when the closing gates begin."""
+    """Return the bit mask of the registers whose contents are unknown when the gates for demand
+    number `coming` begin; after the last demand, when the closing gates begin."""
     demands = frame.problem.demands
     last = coming == len(demands)
     flag = 0 if not last and demands[coming].flag_kept else 1 << frame.flag

@@ -67,6 +67,7 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
     for register in range(frame.planes):
         values[holds[register]].last = len(items)
         values[holds[register]].home = register
+    # Checks at which registers lose their contents: a value that is read later must not be there.
     lossy = [
         (k, forgets)
         for k, item in enumerate(items)
@@ -127,6 +128,7 @@ class _Painter:
                 target = chosen
                 self.holds[target] = number
             self.place[number] = target
+            # A copy of a register to itself is no operation.
             if not _copies(item) or sources != [target]:
                 out.append(self.frame.op(item.inverted, target, sources, item.place, item.segment))
         return self._bring_home(out)

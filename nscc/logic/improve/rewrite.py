@@ -49,6 +49,8 @@ def cover(
                 gain, best = covered, source
         chosen.append(best)
         uncovered &= ~best[1]
+    # One of three or more may be covered by later ones. Of two none can be: the first covers most,
+    # and the second covers a rest.
     if len(chosen) > 2:
         for source in list(chosen):
             other_contents = [content for register, content in chosen if register != source[0]]
@@ -107,6 +109,7 @@ def gate(
         if len(chosen) < fewest:
             if not allowed:
                 continue
+            # Any register that is 0 wherever the result must be 0 may be read, too.
             chosen = (allowed[0][0],)
         if best is None or len(chosen) < len(best[1]):
             best = invert, chosen
@@ -376,6 +379,8 @@ class Rewriter:
                     continue
                 new = frame.op(chosen[0], spare, chosen[1], item.place, item.segment)
                 value = frame.value(new, self.state)
+                # The outer gate is searched as if the inner one had run; nothing is changed if
+                # there is none.
                 previous = self.state[spare]
                 self.state[spare] = value
                 outer = self._single(item, ones, zeros, in_place=False)

@@ -32,7 +32,8 @@ from nscc.logic.improve.rewrite import Rewrite, Rewriter, shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# Most distance of operations that are dropped together or exchanged, about one answer.
+# Most distance of operations that are dropped together or exchanged, about the gates of one
+# demand.
 SPAN = 12
 
 
@@ -88,7 +89,7 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
     elif kind == 6:
         if item.destination == run.frame.masked:
             return None
-        # A random place before k in the same answer.
+        # A random index before k among the gates of the same demand.
         low = k
         while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
             low -= 1
@@ -133,7 +134,7 @@ def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
     return operations
 
 
-# Most distance of operations dropped together: they belong to one answer or to two consecutive
+# Most distance of operations dropped together: they belong to one demand or to two consecutive
 # ones.
 PAIR_SPAN = 8
 # Steps of one walk, half a second, before the next sweeps.
@@ -213,7 +214,7 @@ def _recolour(run: TrackedRun) -> None:
             run.restart(items)
 
 
-# How many answers a gate may move forward; its value needs a register in between.
+# How many demands a gate may move forward; its value needs a register in between.
 REACH = 6
 
 
@@ -306,10 +307,10 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
 
 
 def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
-    """Return the ends of the next REACH earlier answers with room for another word, as (index of an
-    item, place, segment), latest first; item k may move before that item.
+    """Return the ends of the gates of up to REACH earlier demands with room for another word, as
+    (index of an item, place, segment), latest first; item k may move before that item.
 
-    `loads` are the words at each boundary, of which none may grow to `most`. Answers at the
+    `loads` are the words at each boundary, of which none may grow to `most`. Demands at the
     boundary of item k are left out."""
     places = []
     own_boundary = loads.boundary(run.items[k].place)

@@ -138,6 +138,7 @@ class TrackedRun:
                 live = live & ~(1 << item.destination) | item.reads
             else:
                 dead.append(k)
+            # Items before `start` did not change, so neither does what they make live.
             if k < start and live == self.live[k]:
                 break
             self.live[k] = live
