@@ -58,6 +58,7 @@ from nscc_runtime.emulator.capture import check_codes
 from nscc_runtime.neighbours.plane_summary import NO_BOX, PlaneSummary
 
 MOST_TIMES = (1 << 16) - 1
+"""Largest number of launches of one row."""
 MOST_LAUNCHES = 1 << 20
 """Largest number of launches of a frame, for any number of rows."""
 READOUT = Struct("<BB6xd")
@@ -70,9 +71,11 @@ _REPORT = Struct("<B3xI4H")
 PARAM = Struct("<3i")
 CHANGE = Struct("<IBBhi")
 SETS_LEVEL, SETS_TIMES, IS_START = 0, 1, 2
+"""The kinds of changes in PARAMS."""
 IS_IMAGE, IS_KEPT = 1, 2
 """The role of a register in READOUTS, a bit each; what is only kept is not read out."""
 MOST_PARAMS, MOST_CHANGES = 16, 64
+"""Largest numbers of parameters and of changes that a loader stores."""
 WORD = Struct("<5I")
 LEVEL = Struct("<h")
 AS_IT_IS = -32768
@@ -110,11 +113,15 @@ class Object:
 class Upload:
     """A program in the form that is sent.
 
-    `words`, `kernels`, `rows`, `runs`: its demands on a loader's memory. `frame_ms`, `readout_ms`:
-    its times. `readouts`, `states`: numbers of registers sent with a frame of `pixels`;
-    `report_bytes`: bytes of its reports. `params`, `changes`: numbers of parameters, and of changes
-    of rows. `gains`: whether readouts are scaled. `levels`: whether IN is set; `pictures`: images
-    and planes are computed; `host_values`: the host sets or loads values, or images are kept."""
+    `target`, `label`: 32 bytes each, the digest of the target table and a label of the host.
+    `objects`: in the order of sending. `words`, `kernels`, `rows`, `runs`: its demands on a
+    loader's memory. `frame_ms`, `readout_ms`: its times. `readouts`, `states`: numbers of registers
+    sent with a frame of `pixels`; `report_bytes`: bytes of its reports. `params`, `changes`:
+    numbers of parameters, and of changes of rows.
+
+    `gains`: whether a readout has a gain other than 1. `levels`: whether IN is set. `pictures`:
+    whether images and planes are computed. `host_values`: whether the host sets or loads values, or
+    images are kept."""
 
     target: bytes
     label: bytes
@@ -154,12 +161,14 @@ class Upload:
 
 
 def program_digest(target: bytes, label: bytes, entries: bytes) -> bytes:
-    """Return the digest of a program from its target's digest, label and packed entries."""
+    """Return the digest (32 bytes) of a program from its target's digest, its label, both 32 bytes,
+    and the packed `entries` of its objects."""
     return sha256(b"nscc-program-1" + target + label + entries).digest()
 
 
 def target_digest(target: Target) -> bytes:
-    """Return the SHA-256 digest by which loader and host identify a target."""
+    """Return the SHA-256 digest (32 bytes) by which loader and host identify a target: of all its
+    values but the description."""
     values = target_dict(target)
     del values["description"]
     text = json.dumps(values, sort_keys=True, separators=(",", ":"), allow_nan=False)
@@ -168,8 +177,10 @@ def target_digest(target: Target) -> bytes:
 
 def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Upload:
     """Return a container in the form that is sent; `label` is 32 bytes. With `reports`, the device
-    sends `device_reports` instead of their planes. Raises Rejected: NS0741 for a program without
-    pixel codes, NS0510 for a program with planes instead of words."""
+    sends `device_reports` instead of their planes.
+
+    Raises Rejected: NS0741 for a program without pixel codes, NS0510 for a program with planes
+    instead of words, NS0765 for a program that no loader supports."""
     refuse_planes(
         container.target,
         "the loader runs words, but this program has planes of bits",
@@ -210,6 +221,7 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         report_rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
         objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, report_rows)))
     lengths = [len(kernel.words) for kernel in container.kernels]
+    # The kernel without words of `schedule_rows`, if a row uses it.
     lengths += [0] * any(row.kernel == len(lengths) for row in rows)
     words = [word for kernel in container.kernels for word in kernel.words]
     kernels = COUNT.pack(len(lengths)) + np.array(lengths, "<u4").tobytes()
@@ -247,7 +259,8 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
 
 
 def _plane_objects(container: Container) -> Iterator[Object]:
-    """Yield the planes that a device loads before the first frame."""
+    """Yield the planes that a device loads before the first frame of the program, as objects in the
+    order of sending."""
     planes, target = container.planes(), container.target
     # Writes to the masked register use the mask, so its plane is sent before the mask's plane.
     for register in sorted(planes, key=lambda name: name != target.masked_register):
@@ -256,19 +269,22 @@ def _plane_objects(container: Container) -> Iterator[Object]:
 
 
 def packed_plane(plane: NDArray[np.bool_]) -> bytes:
-    """Return a plane (rows, cols) as the bytes of a PLANE object."""
+    """Return a plane (rows, cols) as the bytes of a PLANE object: a bit for each pixel, row by row,
+    the first in the lowest bit."""
     return np.packbits(plane, axis=None, bitorder="little").tobytes()
 
 
 def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    """Return the plane (rows, cols) of a PLANE object."""
+    """Return the plane of `shape` (rows, cols) in the bytes of a PLANE object, which must have a
+    bit for each pixel."""
     bits = np.frombuffer(data, np.uint8)
     flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
     return flat.view(np.bool_).reshape(shape)
 
 
 def _readouts(container: Container) -> list[tuple[int, int, float]]:
-    """Return the number, the role and the gain of each register that a device converts."""
+    """Return the number, the role (0 bucket, 1 image) and the gain of each register that a device
+    converts, in the order of readout."""
     registers, buckets = container.target.analog_registers, len(container.buckets_read)
     return [
         (registers.index(each.register), IS_IMAGE * (place >= buckets), each.gain)
@@ -277,13 +293,16 @@ def _readouts(container: Container) -> list[tuple[int, int, float]]:
 
 
 def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
-    """Return the number of rows and the rows as bytes."""
+    """Return the number of `rows` and the rows, each packed by `layout`, as bytes."""
     return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
 class ScheduleRow(Record):
-    """A row of a schedule. `level`: steps of IN, or None. `steered`: its first launch, if values of
-    parameters change the row."""
+    """A row of a schedule.
+
+    `advance`: number of slots that pass before it. `kernel`: number of the kernel. `times`: number
+    of its launches. `level`: steps of IN, None to leave it. `steered`: its first launch, if values
+    of parameters or the number of the frame change the row, else None."""
 
     advance: int
     kernel: int
@@ -319,7 +338,9 @@ def schedule_rows(
 
 
 def _changes(rows: Sequence[ScheduleRow], pictures: Pictures) -> list[tuple[int, ...]]:
-    """Return how parameters change rows of a schedule, as the object PARAMS contains it."""
+    """Return how parameters change `rows` of a schedule, as the object PARAMS contains it: (row,
+    parameter, change, factor, offset) each. `pictures` has the parameters, which are numbered in
+    their order."""
     number = [param.name for param in pictures.params].index
     changes: list[tuple[int, ...]] = []
     for place, of in enumerate(row.steered for row in rows):
@@ -330,12 +351,14 @@ def _changes(rows: Sequence[ScheduleRow], pictures: Pictures) -> list[tuple[int,
         if of.level_of is not None:
             changes.append((place, number(of.level_of.param), SETS_LEVEL, of.level_of.factor, 0))
         if of.times is not None:
+            # A row that begins with a later step of a loop has as many launches fewer.
             offset = of.times.offset - of.step
             changes.append((place, number(of.times.param), SETS_TIMES, of.times.factor, offset))
     return changes
 
 
 _COORDINATES = 4
+"""Number of bytes of a pair of coordinates."""
 _SUMMARY = Struct("<I4H")
 
 
@@ -349,10 +372,10 @@ def report_bytes(most: int) -> int:
 @OfContainer
 def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
     """Return the reports that need fewer bytes than their planes, by register: the most
-    coordinates, and the margin of the plane.
+    coordinates, and the margin of the plane that is left out.
 
-    Planes that are read are sent anyway, and a margin that changes from frame to frame, or with a
-    parameter, is known to the host only."""
+    Planes that are read are sent anyway, and are not reported. A margin that changes from frame to
+    frame, or with a parameter, is known to the host only: then there are no reports, {}."""
     pictures, target = container.pictures, container.target
     if not pictures.reports or any(loop.times.param for loop in pictures.loops):
         return {}
@@ -378,7 +401,9 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
 def split_reports(
     reports: dict[str, tuple[int, Reach]], data: bytes
 ) -> tuple[bytes, dict[str, PlaneSummary]]:
-    """Return the bytes of a frame before its reports, and the summaries of planes by register."""
+    """Return the bytes of a frame before its reports, and the summaries of planes by register.
+    `data` is the whole frame; its last bytes are those of `reports`, in this order, as
+    `device_reports` returns them."""
     summaries: dict[str, PlaneSummary] = {}
     for register, (most, _) in reversed(reports.items()):
         data, report = data[: -report_bytes(most)], data[-report_bytes(most) :]

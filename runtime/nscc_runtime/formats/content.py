@@ -68,10 +68,11 @@ class Content:
 
     @cached_property
     def shown_by(self) -> Tone | None:
-        """The tone curve with which `shown` displays the light; None if converter codes are
-        shown."""
+        """The tone curve with which `shown` displays the light; None if converter codes are shown,
+        or if there is no light."""
         if self.light is None or (self.codes is not None and self.tone is None):
             return None
+        # One curve for all frames: with a curve each, a clip would flicker.
         light = np.stack([*self.pictures]) if self.moving else self.picture(self.light)
         return fitted(self.tone or self.usual, light, self.white)
 
@@ -87,7 +88,8 @@ class Content:
         return self._pictures(self.codes) if tone is None else map(tone, self.pictures)
 
     def _pictures(self, values: NDArray[Any] | None) -> Iterator[NDArray[Any]]:
-        """Yield the pictures of a clip, or the one of a still."""
+        """Yield the pictures of a clip `values`, or the one of a still. `values` must not be
+        None."""
         assert values is not None  # `lacks` refuses content without light
         return map(self.picture, values if self.moving else [values])
 
@@ -100,7 +102,9 @@ class Content:
         return f"{tone.name}, white {tone.white:.4g}{f' {self.unit}' if self.unit else ''}"
 
     def lacks(self, kinds: str) -> str | None:
-        """Return the reason why a format of `kinds` cannot hold the content; None if it can."""
+        """Return the reason why a format that holds `kinds` cannot hold the content; None if it
+        can. `kinds` is a text of "picture", "clip" or "arrays", or of several separated by
+        commas."""
         if "arrays" in kinds:
             return None
         if self.light is None:
@@ -113,7 +117,7 @@ class Content:
 
 
 _TOP = 255.0
-"""White level in the benchmark's clips."""
+"""White level in the clips of the benchmark of snapshot compressive imaging."""
 _WHOLE = 1e-3
 """Tolerance for values that were whole numbers before conversion to electrons."""
 
@@ -125,12 +129,13 @@ def frame_content(
     shutters: Callable[[], NDArray[np.bool_]],
     tone: str | None = None,
 ) -> Content:
-    """Return the content of a frame file.
+    """Return the content of the frame file `file` of the program `container`.
 
     Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side,
     or the images, planes and buckets that the program reads. Frames of --repeat make a clip, three
-    colours a colour picture. `shutters` returns the distinct shutters bool (shutters, buckets, N)
-    of the container."""
+    colours a colour picture. `light`: the scene of a .mat file, None if unknown. `shutters` returns
+    the distinct shutters bool (shutters, buckets, N) of the container. `tone`: the requested tone
+    curve, None for the codes as read out."""
     frame, colour = file.frame, "colours" in file.meta
     codes, electrons = _read_out(frame, container)
     return Content(
@@ -150,9 +155,11 @@ def frame_content(
 def _read_out(
     frame: Frame, container: Container
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64] | None]:
-    """Return codes and electrons (.., reads, rows, cols); no electrons if only reports are read.
+    """Return codes and electrons, (.., reads, rows, cols) each, of all that the program reads; no
+    electrons if only reports are read.
 
-    A 1 of a plane is the code 255 and one electron."""
+    The first axis, of repeated frames or colours, may be missing. A 1 of a plane is the code 255
+    and one electron."""
     if container.reads == container.buckets:
         return frame.frame, frame.exposure_e
     if not container.reads:
@@ -174,8 +181,8 @@ def _read_out(
 
 
 def _picture(values: NDArray[Any]) -> NDArray[Any]:
-    """Reshape (buckets, rows, cols) to (rows, buckets * cols), with 0 for values that are not
-    finite. A leading axis of colours becomes the last axis."""
+    """Return `values` (buckets, rows, cols) as a picture (rows, buckets * cols), with 0 for values
+    that are not finite. A leading axis of three colours becomes the last axis."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
     np.copyto(side, 0, where=~np.isfinite(side))
     return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
@@ -188,12 +195,16 @@ def benchmark_arrays(
     light: Light | None,
     colour: bool = False,
 ) -> Arrays:
-    """Return `mask` (H, W, T), `meas` (H, W, K) and, for a known scene, `orig` (H, W, T * K).
+    """Return the arrays of a .mat file: `mask` (H, W, T), `meas` (H, W, K) and, for a known scene,
+    `orig` (H, W, T * K).
 
-    K is the number of frames. As in the benchmark 255 is white, and without effects meas = sum(mask
-    * orig). `white_e` (1, 1): electrons per slot of white. For a clip it is the clip's white level,
-    or its brightest value if larger; for an unknown scene it is the full well divided by T. Raises
-    Rejected (NS0786) for several buckets or colours, which the benchmark does not support."""
+    K is the number of frames. `shutters` bool (shutters, buckets, N) are the distinct shutters of
+    `container`, `exposure_e` (K, buckets, rows, cols), or without K, the electrons of the frames,
+    and `light` is the scene, None if unknown. `colour`: whether the first axis is colours. As in
+    the benchmark 255 is white, and without effects meas = sum(mask * orig). `white_e` (1, 1):
+    electrons per slot of white. For a clip it is the clip's white level, or its brightest value if
+    larger; for an unknown scene it is the full well divided by T. Raises Rejected (NS0786) for
+    several buckets or colours, which the benchmark does not support."""
     exposures = exposure_e if exposure_e.ndim == 4 else exposure_e[None]
     if colour or exposures.shape[1] != 1:
         raise _one_bucket()
@@ -220,8 +231,10 @@ def benchmark_arrays(
 
 
 def shutter_content(arrays: Arrays) -> Content:
-    """Return the content of `nscc shutters`. A .mat file contains `mask` (rows, cols, T), an .npy
-    file (buckets, rows, cols, T), both of 0 and 1."""
+    """Return the content of `nscc shutters`. `arrays` are those of its .npz file, with the packed
+    bits `shutter` and their shape. A .mat file contains `mask` (rows, cols, T), an .npy file
+    (buckets, rows, cols, T), both of 0 and 1. Writing a .mat of several buckets raises Rejected
+    (NS0786)."""
 
     def mask() -> Arrays:
         """Return the shutters for formats with one bucket."""
@@ -233,8 +246,9 @@ def shutter_content(arrays: Arrays) -> Content:
 
 
 def mask_content(arrays: Arrays, bucket: int | None) -> Content:
-    """Return the content of `nscc export-mask`: uint8 (rows, cols, slots) of a bucket or of the
-    only one, else (buckets, rows, cols, slots)."""
+    """Return the content of `nscc export-mask`: uint8 (rows, cols, slots) of the bucket number
+    `bucket`. If that is None, of the only one, or of all (buckets, rows, cols, slots). `arrays` are
+    those of `nscc shutters`."""
     opened = _opened(arrays)
     if bucket is None and len(opened) == 1:
         bucket = 0
@@ -242,7 +256,8 @@ def mask_content(arrays: Arrays, bucket: int | None) -> Content:
 
 
 def _opened(arrays: Arrays) -> NDArray[np.uint8]:
-    """Return the shutters of all pixels, (buckets, rows, cols, slots) of 0 and 1."""
+    """Return the shutters of all pixels, (buckets, rows, cols, slots) of 0 and 1. `arrays` has them
+    as packed bits in `shutter`, the first in the lowest bit, and their shape in `shutter_shape`."""
     count = int(arrays["shutter_shape"][3])
     return np.unpackbits(arrays["shutter"], axis=-1, count=count, bitorder="little")
 
@@ -258,6 +273,7 @@ def _one_bucket() -> Rejected:
 
 
 _COLUMNS, _MOST = 4, 16
+"""Number of frames side by side on a sheet, and of all frames."""
 
 
 def content_sheet(content: Content, title: str) -> Figure:

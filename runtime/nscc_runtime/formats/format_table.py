@@ -19,7 +19,8 @@ from nscc_runtime.formats.content import Arrays, Content
 
 
 def npz(content: Content) -> bytes:
-    """Return an .npz file of all arrays of `content` by name; equal arrays give equal bytes."""
+    """Return the bytes of an .npz file of all arrays of `content` by name; equal arrays give equal
+    bytes, because no time is stored."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_STORED) as archive:
         for name, values in content.arrays.items():
@@ -30,12 +31,12 @@ def npz(content: Content) -> bytes:
 
 
 def npy(content: Content) -> Product:
-    """Return a function that writes an .npy file of the main array of `content` to a stream, which
-    may be a pipe."""
+    """Return a function that writes an .npy file of the main array of `content` (its `main()`, or
+    its first array) to a stream, which may be a pipe."""
     first = content.main or (lambda: next(iter(content.arrays.values())))
 
     def write(file: IO[bytes]) -> None:
-        """Write the first array to a file that may be a pipe."""
+        """Write the main array to `file`."""
         # Hide the file's type from numpy, which would seek in it: pipes cannot seek.
         np.lib.format.write_array(SimpleNamespace(write=file.write), np.asarray(first()))
 
@@ -43,8 +44,8 @@ def npy(content: Content) -> Product:
 
 
 def mat(content: Content) -> bytes:
-    """Return a compressed MATLAB file (version 5) of the benchmark arrays of `content`, or of all
-    its arrays; time is the last axis."""
+    """Return the bytes of a compressed MATLAB file (version 5) of the benchmark arrays of
+    `content`, or of all its arrays without those. Raises what `content.benchmark` raises."""
     from scipy.io import savemat
 
     arrays: Arrays = content.arrays if content.benchmark is None else content.benchmark()
@@ -57,8 +58,11 @@ def mat(content: Content) -> bytes:
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its ending, the kinds of content that it `holds` (picture, clip, arrays), and
-    its writer. `shown`: it contains display pictures after a tone curve instead of light."""
+    """A file format.
+
+    `ending`: with the dot. `holds`: the kinds of content, "picture", "clip", "arrays" or "picture,
+    clip". `write`: returns the bytes of a file, or a function that writes it. `shown`: it contains
+    display pictures after a tone curve instead of light."""
 
     ending: str
     holds: str
@@ -85,7 +89,8 @@ FORMATS = {
 
 
 def endings(*kinds: str) -> tuple[str, ...]:
-    """Return the endings of formats that hold one of these kinds; without kinds, all endings."""
+    """Return the endings of formats that hold one of `kinds` ("picture", "clip", "arrays"), in the
+    order of the table; without kinds, all endings."""
     return tuple(
         ending
         for ending, format_ in FORMATS.items()
@@ -94,8 +99,9 @@ def endings(*kinds: str) -> tuple[str, ...]:
 
 
 def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
-    """Return the lower-case ending of a file name, or the first of `allowed` if the name has no
-    ending. Raises Rejected (NS0786) for any other ending."""
+    """Return the lower-case ending of the file name `path`, or the first of `allowed` if it has no
+    ending. `product` is what is written, for the message. Raises Rejected (NS0786) for an ending
+    not in `allowed`."""
     ending = path.suffix.lower()
     if ending in allowed:
         return ending
@@ -116,8 +122,9 @@ def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
 
 
 def file_of(path: Path, content: Content, product: str) -> Product:
-    """Return the bytes of an output file, or a function that writes it. Raises Rejected (NS0786) if
-    the format of the ending cannot hold the content."""
+    """Return the bytes of an output file, or a function that writes it, in the format of the ending
+    of `path`; without an ending, .npz. `product` is what is written, for messages. Raises Rejected
+    (NS0786) for an unknown ending, or if its format cannot hold the content."""
     ending = check_ending(path, endings(), product)
     format_ = FORMATS[ending]
     lacks = content.lacks(format_.holds)

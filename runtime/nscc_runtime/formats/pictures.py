@@ -32,13 +32,16 @@ def png(content: Content) -> bytes:
 
 
 def hdr(content: Content) -> bytes:
-    """Return a Radiance file: 8 bits of mantissa per sample, and a common exponent of colours."""
+    """Return the bytes of a Radiance file of the light of `content`, one picture, with 8 bits of
+    mantissa per sample and a common exponent of colours. Raises OSError if OpenCV cannot write
+    it."""
     light = _light(content)
     return _encoded(".hdr", light if light.ndim == 3 else np.repeat(light[..., None], 3, axis=-1))
 
 
 def pfm(content: Content) -> bytes:
-    """Return a portable float map of float32, lossless."""
+    """Return the bytes of a portable float map of float32 of the light of `content`, one picture;
+    lossless. Raises OSError if OpenCV cannot write it."""
     return _encoded(".pfm", _light(content))
 
 
@@ -57,8 +60,8 @@ def tiff(content: Content) -> bytes:
 
 
 def exr(content: Content) -> bytes:
-    """Return a lossless OpenEXR file of float32 of the light of `content`; grey light is the
-    channel Y."""
+    """Return the bytes of a lossless OpenEXR file of float32 of the light of `content`, one
+    picture; grey light is the channel Y. Raises ImportError without OpenEXR."""
     import OpenEXR
 
     light = np.ascontiguousarray(_light(content))
@@ -74,18 +77,20 @@ def exr(content: Content) -> bytes:
 
 
 def _light(content: Content) -> NDArray[np.float32]:
-    """Return the light of the one picture."""
+    """Return the light of the one picture of `content`, float32 (rows, cols) or (rows, cols, 3)."""
     (picture,) = content.pictures
     return np.asarray(picture, np.float32)
 
 
 def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
-    """Return the picture with channels blue, green, red, as OpenCV requires."""
+    """Return the picture `light` (rows, cols) or (rows, cols, 3) with channels blue, green, red, as
+    OpenCV requires; grey stays as it is."""
     return light[..., ::-1] if light.ndim == 3 else light
 
 
 def _encoded(ending: str, light: NDArray[np.float32]) -> bytes:
-    """Return a picture in the format of a file ending; raise OSError if OpenCV cannot write it."""
+    """Return the bytes of a file of the picture `light`, (rows, cols) or (rows, cols, 3), in the
+    format of `ending`, such as ".pfm". Raises OSError if OpenCV cannot write it."""
     import cv2
 
     success, data = cv2.imencode(ending, np.ascontiguousarray(_to_opencv(light)))
@@ -101,8 +106,8 @@ _CODECS = ("vp09", "mp4v")
 
 
 def gif(content: Content) -> bytes:
-    """Return a looping .gif file with at most 256 greys or colours; its comment names the tone
-    curve."""
+    """Return the bytes of a looping .gif file of the clip `content` with at most 256 greys or
+    colours; its comment names the tone curve. Ten frames are shown in a second."""
     from PIL import Image
 
     frames = map(Image.fromarray, content.shown)
@@ -122,8 +127,8 @@ def gif(content: Content) -> bytes:
 
 
 def mp4(content: Content) -> bytes:
-    """Return a lossy .mp4 file of the clip `content`; odd sizes are padded to even ones for codecs.
-    Raises OSError without a codec."""
+    """Return the bytes of a lossy .mp4 file of the clip `content`, ten frames a second; odd sizes
+    are padded to even ones for codecs. Raises OSError if OpenCV has no codec."""
     with quiet():
         import cv2
 
@@ -149,7 +154,8 @@ def mp4(content: Content) -> bytes:
 
 
 def _even(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Return a frame with channels blue, green, red, padded to even numbers of rows and columns."""
+    """Return a display `frame`, (rows, cols) or (rows, cols, 3), with channels blue, green, red,
+    padded to even numbers of rows and columns by repeating the last ones."""
     colours = frame[..., ::-1] if frame.ndim == 3 else np.repeat(frame[..., None], 3, axis=-1)
     odd = [(0, side % 2) for side in colours.shape[:2]]
     return np.pad(colours, [*odd, (0, 0)], mode="edge")

@@ -26,6 +26,7 @@ _CELL, _BETWEEN, _NAME = 0.19, 0.5, 0.4
 """Inches: side of a weight, gap between kernels, height of a kernel's name."""
 _SWEEPS = 8
 """Number of passes that order each layer by the mean position of the neighbours."""
+# The number of the colour of each kind of box.
 _SERIES = {"exposure": 6, "image": 0, "plane": 2, "state": 3, "output": 4}
 
 Node = str | tuple[str, str, int]
@@ -33,9 +34,12 @@ Node = str | tuple[str, str, int]
 
 
 def flow_graph(container: Container) -> DiGraph:
-    """Return the graph of exposures, states, images, planes, read-out and reports.
+    """Return the graph of exposures, states, images, planes, read-out and reports of a program.
 
-    Nodes have a `kind` and a `text`, edges a `label`."""
+    Nodes are named as in the program ("next NAME" for the new value of a state). They have a
+    `kind`, a key of `_SERIES`, and a `text`. Edges have a `label`: the kernels and levels applied,
+    a line for each use. An edge that would close a circle, to a value of the step before, is left
+    out."""
     from networkx import DiGraph, has_path
 
     pictures, graph = container.pictures, DiGraph()
@@ -58,14 +62,16 @@ def flow_graph(container: Container) -> DiGraph:
         graph.add_node(node, kind="output", text=text)
         graph.add_edge(states.get(name, name), node, label="")
     for node, facts in graph.nodes.items():
+        # Nodes that only an edge added: values that the program does not compute.
         if not facts:
             facts |= {"kind": "state" if node in states else "exposure", "text": ""}
     return graph
 
 
 def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tuple[str, str]]:
-    """Yield the names that an expression reads, each with the kernels and levels that are
-    applied to it as text. `label` is the text so far."""
+    """Yield the names that the expression `node` reads, each with the kernels and levels that are
+    applied to it as text, from the outermost on. `label` is this text for the expressions around
+    `node`."""
     step = ""
     match node:
         case p.Source() | p.Bit():
@@ -87,8 +93,9 @@ def _sources(container: Container, node: p.Node, label: str = "") -> Iterator[tu
 
 
 def _layers(graph: DiGraph) -> list[list[Node]]:
-    """Return the nodes by layer, each below all that it reads, ordered so that few edges cross;
-    outputs are in the last layer."""
+    """Return the nodes by layer, from top to bottom, each below all that it reads, ordered so that
+    few edges cross; outputs are in the last layer. Edges that pass through layers have points in
+    them."""
     from networkx import topological_generations
 
     outputs = [node for node in graph if graph.nodes[node]["kind"] == "output"]
@@ -114,7 +121,8 @@ def _layers(graph: DiGraph) -> list[list[Node]]:
 
 
 def _chain(edge: tuple[str, str], layers: list[list[Any]]) -> list[Node]:
-    """Return an edge's ends with its places in the layers between."""
+    """Return the ends of `edge` (source, target), and between them its points (source, target,
+    layer) in the `layers` that it passes, from top to bottom."""
     first, last = (next(n for n, layer in enumerate(layers) if end in layer) for end in edge)
     return [edge[0], *((*edge, number) for number in range(first + 1, last)), edge[1]]
 
@@ -133,7 +141,7 @@ class DataFlow:
         self.height = self.graph_height + self.row_height * len(self.kernels)
 
     def draw(self, figure: Figure, top: float) -> None:
-        """Draw the graph and the kernels from `top` inches below the figure's upper edge."""
+        """Draw the graph and the kernels into `figure`, from `top` inches below its upper edge."""
         axes = place(figure, 0, top, self.width, self.graph_height)
         axes.set(xlim=(0, self.width), ylim=(self.graph_height, -0.02))
         axes.axis("off")
@@ -155,9 +163,9 @@ class DataFlow:
 
     def _draw_edges(self, axes: Axes, node: str, at: dict[Node, tuple[float, float]]) -> None:
         """Draw the edges that end at the box of `node`, side by side in the order of where they
-        begin.
+        begin, with their labels.
 
-        `at` are the positions of all nodes in inches."""
+        `at` are the positions (x, y) of all nodes and points of edges, in inches."""
         edges = [
             (self.graph.edges[source, node]["label"], _chain((source, node), self.layers))
             for source in self.graph.predecessors(node)
@@ -212,7 +220,8 @@ class DataFlow:
 
 
 def _draw_kernel(axes: Axes, kernel: p.Weights) -> None:
-    """Draw the weights of `kernel` as numbers in cells: blue if positive, red if negative."""
+    """Draw the weights of `kernel` as numbers in cells: blue if positive, red if negative. The
+    title is its name, with its divisor if that is above 1."""
     # Beyond the largest weight, so that colours stay light and the numbers legible.
     limit = 1.6 * max(abs(weight) for row in kernel.rows for weight in row) or 1
     axes.imshow(kernel.rows, cmap="RdBu", vmin=-limit, vmax=limit, alpha=0.7, aspect="auto")

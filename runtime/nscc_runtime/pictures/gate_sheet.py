@@ -36,8 +36,11 @@ _SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
 
 @dataclass(frozen=True)
 class _Score:
-    """The layout of gates. `column`: column of every gate and demand, _COLUMNS of them per row.
-    `row`: row of every register, FLAG last. `until`: the last column of each value."""
+    """The layout of gates.
+
+    `column`: the column of every drawn gate and demand (a value needed in FLAG), by node, _COLUMNS
+    of them per row of the picture. `row`: the line of every register, by name, FLAG last. `until`:
+    the last column in which each value is read, by node; -1 if it is never read."""
 
     network: DiGraph
     column: dict[str, int]
@@ -46,7 +49,8 @@ class _Score:
 
 
 def gate_sheet(network: DiGraph, title: str) -> Figure:
-    """Draw a network of `nscc.emit.network`, or only its beginning if it is large."""
+    """Return a drawing of `network`, a network of gates of `nscc.emit.network`, under `title`. Only
+    the beginning of a large one is drawn, which the note says."""
     score = _score(network)
     used = 1 + max(score.column.values(), default=-1)
     lines, columns = -(-used // _COLUMNS), max(_LEAST, min(used, _COLUMNS))
@@ -63,10 +67,11 @@ def gate_sheet(network: DiGraph, title: str) -> Figure:
 
 
 def _score(network: DiGraph) -> _Score:
-    """Return the column of each gate and the line of each register.
+    """Return the column of each gate of `network` and the line of each register.
 
-    A boundary begins a new row of the picture if it would be divided otherwise. Only the first
-    `_MOST` columns are drawn."""
+    The gates of a boundary begin a new row of the picture if they would be divided otherwise and
+    fit into one. Only complete boundaries within the first `_MOST` columns are drawn, but always
+    the first boundary, cut off there."""
     nodes = network.nodes
     events = [node for node in nodes if nodes[node]["kind"] in (*_WRITING, "demand")]
     column: dict[str, int] = {}
@@ -96,8 +101,8 @@ def _score(network: DiGraph) -> _Score:
 
 
 def _note(network: DiGraph, score: _Score) -> str:
-    """Return the text below the picture: encoding, number and depth of gates, and what is left
-    out."""
+    """Return the text below the title: encoding, number and depth of gates, and what is left out of
+    the picture."""
     nodes, facts = network.nodes, network.graph
     gates = [node for node in nodes if nodes[node]["kind"] == "gate"]
     drawn = sum(node in score.column for node in gates)
@@ -114,8 +119,8 @@ def _note(network: DiGraph, score: _Score) -> str:
 
 
 def _draw_line(axes: Axes, score: _Score, first: int) -> None:
-    """Draw one row of the picture: the registers' lines, values and gates of the columns from
-    `first` on. Coordinates are columns to the right and registers downwards."""
+    """Draw one row of the picture into `axes`: the registers' lines, values and gates of the
+    `_COLUMNS` columns from `first` on. Coordinates are columns to the right and lines downwards."""
     nodes = score.network.nodes
     shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
     end = score.column[shown[-1]] + 1
@@ -141,13 +146,15 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
 
 
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
-    """Draw a band for each boundary of the nodes `shown`, alternately shaded, with the numbers of
-    boundaries and kernels. `first`: the column at the left edge."""
+    """Draw a band for each boundary of the nodes `shown` (gates and demands of this row),
+    alternately shaded, with the numbers of boundaries and kernels. `first`: the column at the left
+    edge."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
     boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
         inside = list(group)
         band_left = score.column[inside[0]] - first
+        # Counted over all rows, so that the shades of a picture alternate.
         if boundaries.index(boundary) % 2 == 0:
             axes.axvspan(band_left, band_left + len(inside), color=theme().closed, zorder=0)
         axes.text(
@@ -164,9 +171,10 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
 
 
 def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
-    """Draw gates: a box on the line that it writes, and a dot on each line that it reads.
+    """Draw the nodes `gates`: a box on the line that each writes, and a dot on each line that it
+    reads, joined by a vertical line.
 
-    `first` is the number of the row's first column."""
+    `first` is the column at the left edge."""
     nodes = score.network.nodes
     for node in gates:
         x = score.column[node] - first + 0.5
@@ -198,8 +206,8 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
 
 
 def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
-    """Draw an arrow on the FLAG line for each demand: FLAG then decides which pixels add or
-    reset."""
+    """Draw an arrow on the FLAG line for each of the nodes `demands`: FLAG then decides which
+    pixels add or reset. `first` is the column at the left edge."""
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5

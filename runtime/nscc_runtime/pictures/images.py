@@ -27,7 +27,8 @@ _LETTERS = 11
 
 @dataclass(frozen=True, eq=False)
 class Image:
-    """A grey image (rows, cols) of 0..255 with its title and a note."""
+    """An image (rows, cols), or (rows, cols, 3) in colours, of 0..255, with the title above and the
+    note below it."""
 
     values: NDArray[Any]
     title: str = ""
@@ -35,13 +36,14 @@ class Image:
 
 
 def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None = None) -> Figure:
-    """Draw rows of images; images of equal size in a row have equal magnification. `side`: inches
-    per side of an image; None for an equal share of the page width."""
+    """Return a sheet of `rows` of images, each with one or more, under `title`. Images of equal
+    size in a row have equal magnification. `side`: inches per side of an image; None for an equal
+    share of the page width."""
     columns = max(map(len, rows))
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 
     def lines(text: str) -> list[str]:
-        """Return a text in lines as wide as a picture."""
+        """Return `text` in lines as wide as an image; none if it is empty."""
         return textwrap.wrap(text, int(side * _LETTERS))
 
     boxes, top = [], 0.0
@@ -74,8 +76,8 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
 
 
 def frame_sheet(readouts: Sequence[BucketReadout], title: str) -> Figure:
-    """Return a sheet under `title` that shows, for each of the `readouts`, the codes as read out
-    and the tone-mapped light."""
+    """Return a sheet under `title` with a row for each of `readouts`: the codes as read out, and
+    the tone-mapped light."""
     rows = []
     for readout in readouts:
         light, usable = light_estimate(readout)
@@ -96,9 +98,10 @@ _COLUMNS = 2
 
 
 def image_plane_sheet(frame: Frame, buckets: Sequence[str], title: str) -> Figure:
-    """Draw buckets, images (0.5th to 99.5th percentile), planes in black and white, and events.
+    """Return a sheet under `title` of the buckets of `frame`, its images (0.5th to 99.5th
+    percentile), its planes in black and white, and the places of reported events.
 
-    `buckets` are the names of the frame's buckets."""
+    `buckets` are the names of the first of its readouts."""
     arrays = frame.told
     shown = [
         Image(codes, f"{name}", "bucket, as read out")
@@ -115,6 +118,7 @@ def image_plane_sheet(frame: Frame, buckets: Sequence[str], title: str) -> Figur
             grey = np.rint(255 * share).astype(np.uint8)
             shown.append(Image(grey, name, f"image, {low:.4g} to {high:.4g} electrons"))
         elif key.startswith("report_events_") and f"{key}_count" in arrays:
+            # Rows of -1 follow the last event.
             points = values[values[:, 0] >= 0]
             grey = np.zeros(arrays["margin"].shape, np.uint8)
             grey[points[:, 1], points[:, 0]] = 255

@@ -36,6 +36,7 @@ _CANDIDATES = 400
 @dataclass(frozen=True)
 class ChartLabel:
     """A text to place beside a mark or the end of a line at (`x`, `y`) in data coordinates.
+    `colour` is that of the line.
 
     `name`: whether it is the name of a line, which is larger. `sought`: whether readers look for
     it. Both kinds may be further away, joined to their mark by a thin line."""
@@ -49,8 +50,9 @@ class ChartLabel:
 
 
 def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
-    """Write the labels inside the panel, not on a text, mark or line; earlier ones first, but those
-    that may be further away before others. Return those for which there is no free position.
+    """Write `labels` inside the panel `axes`, not on a text, mark or line. Those that may be
+    further away are placed first, else in their order. Return those for which there is no free
+    position, which are not written; labels without text are ignored.
 
     The figure must have its final layout (`sheet.lay_out`)."""
     far = [label for label in labels if label.text and (label.name or label.sought)]
@@ -66,8 +68,8 @@ def halo() -> list[Any]:
 
 
 def _placed(axes: Axes, labels: list[ChartLabel], farthest: float) -> list[ChartLabel]:
-    """Write labels at most `farthest` points from their marks. Return those that were not
-    written."""
+    """Write `labels` into `axes`, at most `farthest` points from their marks. Return those that
+    were not written, because there is no free position."""
     from textalloc import allocate
 
     if not labels:
@@ -124,8 +126,8 @@ def _placed(axes: Axes, labels: list[ChartLabel], farthest: float) -> list[Chart
 
 
 def _drawn(axes: Axes) -> tuple[Points, Any, list[Points]]:
-    """Return the content of a panel in data coordinates: marks, their radii in dots, and lines. A
-    text is represented by the diagonals and the sides of its box."""
+    """Return the content of a panel in data coordinates: marks (n, 2), their radii in dots (n,),
+    and lines (points, 2) each. A text is represented by the diagonals and the sides of its box."""
     to_data = axes.transData.inverted().transform
     marks, radii, lines = [np.empty((0, 2))], [np.empty(0)], []
     for line in axes.lines:

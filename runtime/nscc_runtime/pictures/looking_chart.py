@@ -24,11 +24,12 @@ from nscc_runtime.pictures.shutter_sheet import (
 
 Values = NDArray[np.float64]
 Nodes = NDArray[np.int64]
+"""Numbers of nodes of the state machine; a node is a behaviour with values of its states."""
 
 
 @dataclass(frozen=True, eq=False)
 class Courses:
-    """One frame for several amounts of light.
+    """One frame of pixels of one code in several amounts of light.
 
     `wells` (lights,): the light of the whole frame in full wells. `opens` bool (lights, buckets,
     N), `resets` bool (lights, N): open slots, and slots that begin with a reset. `values` int64
@@ -43,8 +44,10 @@ class Courses:
 
 
 def courses(container: Container, behaviour: int, wells: Values, frame: int = 0) -> Courses:
-    """Return the courses of a behaviour in frame number `frame`. Kept states have the program's
-    start values in frame 0 and continue from there."""
+    """Return what pixels do in frame number `frame`, from 0. `behaviour` is the number of the codes
+    that pass the same states. `wells` (lights,) is the steady light of each pixel, in full wells
+    over a frame, ascending. Kept states have the program's start values in frame 0 and continue
+    from there."""
     machine = container.machine
     nodes = np.full(len(wells), machine.start_nodes()[behaviour])
     for _ in range(frame):
@@ -53,8 +56,8 @@ def courses(container: Container, behaviour: int, wells: Values, frame: int = 0)
 
 
 def thresholds(container: Container) -> Values:
-    """Return the lights (comparisons,) at which the light collected by a pixel reaches a level of a
-    look, in full wells over the frame, if nothing resets the pixel."""
+    """Return for each comparison (comparisons,) the light at which what a pixel has collected
+    reaches its level, in full wells over the frame, if nothing resets the pixel."""
     machine, share = container.machine, _share(container)
     level = container.target.electrons_per_step / container.target.full_well_e
     return np.array(
@@ -75,9 +78,10 @@ def _run_frame(
     container: Container, machine: StateMachine, nodes: Nodes, wells: Values
 ) -> tuple[Courses, Nodes]:
     """Run one frame of pixels in steady light, and return what they did and the nodes in which they
-    end.
+    end (lights,).
 
-    `nodes` are the pixels' nodes at the start, `wells` their light in full wells over the frame."""
+    `nodes` (lights,) are the pixels' nodes of `machine` at the start, `wells` (lights,) their light
+    in full wells over the frame, ascending."""
     share = np.diff(_share(container))
     opens = np.zeros((len(wells), *machine.opens.shape[1:]), np.bool_)
     resets = np.zeros((len(wells), machine.slots), np.bool_)
@@ -88,6 +92,7 @@ def _run_frame(
         for slot in range(machine.starts(stage), machine.ends(stage)):
             resets[:, slot] = machine.resets[nodes, slot]
             opens[:, :, slot] = machine.opens[nodes, :, slot]
+            # A photodiode is full at one full well.
             charge = np.minimum(np.where(resets[:, slot], 0.0, charge) + wells * share[slot], 1.0)
             exposed += opens[:, :, slot].T * wells * share[slot]
         if stage + 1 == machine.stages:
@@ -110,10 +115,11 @@ def _run_frame(
 
 
 def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
-    """Return the nodes in which the next frame starts after it ended in these: kept states
-    continue, others restart."""
+    """Return the nodes (lights,) of `machine` in which the next frame starts after the frame
+    `ended` in these. Kept states continue, others restart."""
     is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)
+    # The nodes of the first stage, one for each behaviour and possible values at the start.
     first = slice(0, int(machine.first[1]))
     known = np.column_stack([machine.behaviour[first], machine.values[first]])
     start_values = np.where(is_kept, machine.values[ended], starts)
@@ -130,20 +136,24 @@ if TYPE_CHECKING:
 _LIGHTS = 360
 """Number of rows of a chart, one for each amount of light."""
 _MOST_CODES = 3
+"""Number of charts, each of one code."""
 _LATER = 8
 """With kept states, this later frame is drawn beside the first."""
 _ROUND = 4.0
 """Factor by which the lights shown extend beyond the outermost thresholds."""
 _MOST_RANGE = 1e7
+"""Largest ratio of the lights shown."""
 _HEIGHT, _BETWEEN, _TIMES, _GAP, _ABOVE = 3.0, 0.95, 1.5, 0.35, 0.3
 """Inches: height of a chart, gap below, width of the open times, gap to their left, margin."""
 _MOST_NAMED = 14
 _MOST_FLIPS = 400
+"""Largest numbers of values of states that are written, and of dots for answers that turn."""
 
 
 def course_sheet(container: Container, title: str) -> Figure:
-    """Draw, for some codes, the open times of pixels (across) against light (up), with looks and
-    thresholds. A second panel shows the total open time and the states that are read."""
+    """Return a drawing, under `title`, of a program whose pixels look. It shows for some codes when
+    pixels are open (across) in each light (up), with looks and thresholds. A second panel shows the
+    total open time and the states that are read."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -179,8 +189,8 @@ def course_sheet(container: Container, title: str) -> Figure:
 
 
 def _shown(container: Container) -> list[tuple[str, Courses]]:
-    """Return title and content of each chart: of some codes, or of the first and a later frame
-    if states are kept."""
+    """Return title and content of each chart: of up to three codes, or of the first and a later
+    frame of one code if states are kept."""
     machine, table = container.machine, container.table
     threshold_wells = thresholds(container)
     low = min(float(threshold_wells.min(initial=1.0)), 1.0) / _ROUND
@@ -206,8 +216,8 @@ def _shown(container: Container) -> list[tuple[str, Courses]]:
 
 
 def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
-    """Draw when pixels are open (across) in each light (up), coloured by total open time or by
-    bucket."""
+    """Draw into `axes` when pixels are open (across) in each light (up). The colour stands for the
+    total open time, or for the bucket if there are several."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 
@@ -232,6 +242,7 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
         image[row] = np.outer(1 - np.minimum(total, 1.0), to_rgb(theme().closed)) + mixed
     axes.set_yscale("log")
     inner = np.sqrt(courses.wells[1:] * courses.wells[:-1])
+    # The outermost rows extend as far beyond their light as within, in equal ratios.
     first, last = courses.wells[0] ** 2 / inner[0], courses.wells[-1] ** 2 / inner[-1]
     row_edges = np.concatenate(([first], inner, [last]))
     axes.pcolormesh(columns, row_edges, image.clip(0, 1), edgecolors="none")
@@ -244,6 +255,7 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     every = max(1, -(-len(courses.flips) // _MOST_FLIPS))
     flips = np.array(courses.flips[::every], np.float64).reshape(-1, 2)
     axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=theme().ink, clip_on=False)
+    # A reset before slot 0 is not drawn: it begins the frame.
     light, slot = np.nonzero(courses.resets[:, 1:])
     axes.plot(edges[slot + 1], courses.wells[light], "|", color=theme().series[1], markersize=2)
     axes.set_xlabel(f"time in the frame, {name}")
@@ -252,8 +264,8 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
 
 
 def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
-    """Draw the total open time against light for each bucket, and beside it the values of the
-    states that are read."""
+    """Draw into `axes` the total open time against light for each bucket, and beside it the values
+    of the states that are read, where they hold for enough lights to write them."""
     machine = container.machine
     slot_us = np.array(container.slot_us)
     scale, name = unit(float(slot_us.sum()))

@@ -26,6 +26,7 @@ _EXACT = 1e-7
 """On a logarithmic axis, errors below this fraction of the largest error are drawn at the end of
 the axis, pointing down."""
 _COLUMNS = 2
+"""Number of panels side by side."""
 
 
 @dataclass(frozen=True)
@@ -33,9 +34,9 @@ class Point:
     """One method at one setting, measured several times on one problem.
 
     Points with the same `case` and `error_unit` are comparable. A smaller `error` is better unless
-    `more_is_better`, as for PSNR. `bound` is a lower bound for all settings of the method, None if
-    unknown. `times_ms` are all measured times. `device` is their device if it differs from that of
-    most points."""
+    `more_is_better`, as for PSNR. `times_ms` are all measured times, one or more. `bound` is a
+    lower bound for all settings of the method, None if unknown. `device` is the device of the times
+    if it differs from that of most points, else ""."""
 
     case: str
     method: str
@@ -64,9 +65,11 @@ class Point:
 
 
 def dominated(points: Sequence[Point]) -> list[bool]:
-    """Return for each point whether another point of its case and unit dominates it.
+    """Return for each of `points`, in their order, whether another point of its case and unit
+    dominates it.
 
-    A dominating point is no worse in error and time, and better in one of them."""
+    A dominating point is no worse in error and time, and better in one of them. Of equal points
+    none dominates the other."""
     flags = []
     for point in points:
         mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
@@ -77,7 +80,8 @@ def dominated(points: Sequence[Point]) -> list[bool]:
 
 @dataclass(frozen=True)
 class Guide:
-    """A reference line with a dash pattern: vertical at `time_ms`, or horizontal at `error`."""
+    """A reference line with a pattern of dashes (a line style of matplotlib, such as "--"):
+    vertical at `time_ms`, or horizontal at `error`. The other one is None."""
 
     name: str
     dashes: str
@@ -87,8 +91,8 @@ class Guide:
 
 @dataclass(frozen=True)
 class Panel:
-    """One panel of a diagram of error against time: title, label of the error axis, points, and
-    reference lines."""
+    """One panel of a diagram of error against time: its title, the label of its error axis
+    (`error`), its points, and reference lines. Panels with the same label have one scale."""
 
     title: str
     error: str
@@ -101,8 +105,8 @@ class PointReading:
     """The mapping of points to a diagram.
 
     `time`: label of the time axis. `per_ms`: its units per millisecond. `line`: returns the name of
-    a point's line (empty: the point only counts for dominance). `text`: returns a point's label.
-    `linear`: whether the error axis, in decibels, is linear instead of logarithmic."""
+    a point's line ("": the point only counts for dominance). `text`: returns a point's label, ""
+    for none. `linear`: whether the error axis, in decibels, is linear instead of logarithmic."""
 
     time: str
     per_ms: float = 1.0
@@ -111,8 +115,8 @@ class PointReading:
     linear: bool = False
 
     def lines(self, points: Sequence[Point]) -> dict[str, list[Point]]:
-        """Return the points by the line on which they are drawn, without those that have no line
-        or no finite error."""
+        """Return `points` by the name of the line on which they are drawn, in their order, without
+        those that have no line or no finite error."""
         points_by_line: dict[str, list[Point]] = {}
         for point in points:
             if self.line(point) and math.isfinite(point.error):
@@ -128,11 +132,11 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Return a figure of time against error with one panel for each of `problems`, all with common
-    scales, under `title` and above `note`.
+    """Return a figure of error against time with one panel for each of `problems`, all with one
+    time scale, under `title` and above `note`.
 
     `reading` says on which line a point lies and which times it has. Raises ValueError without
-    points."""
+    points that can be drawn."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]
@@ -145,6 +149,7 @@ def precision_diagram(
     drawn_points = [*chain.from_iterable(lines.values())]
     times = [time for point in drawn_points for time in reading.times(point)]
     times += [g.time_ms * reading.per_ms for p in problems for g in p.guides if g.time_ms]
+    # A margin in proportion to the length of the logarithmic axis; at least that of a factor of 3.
     room = max(max(times) / min(times), 3.0) ** 0.06
     columns = min(_COLUMNS, len(problems))
     figure, grid = sheet.panels(len(problems), (sheet.WIDTH / max(columns, 1.4), 3.1), columns)
@@ -192,11 +197,11 @@ def _draw(
     reading: PointReading,
     beaten: dict[int, bool],
 ) -> list[ChartLabel]:
-    """Draw the lines of a panel with their bounds; return the labels to place: names of lines,
-    points on the front, other points.
+    """Draw the lines of `panel` with their bounds into `axes`; return the labels to place: names of
+    lines, points that are not dominated, other points.
 
-    `looks` gives each line's colour and marker, and `beaten` the points that another point
-    dominates."""
+    `looks` gives each line's colour and marker by name. `beaten` says by `id` of a point whether
+    another point dominates it."""
     lines = reading.lines(panel.points)
     bounds = {
         name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound
@@ -240,7 +245,8 @@ def _draw(
 
 
 def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
-    """Set the scale of the error axis, linear or logarithmic, with margins around the `heights`."""
+    """Set the scale of the error axis, linear or logarithmic, with margins around `heights`, one or
+    more errors. A logarithmic axis ends at `_EXACT` of the largest."""
     if linear:
         least, most = min(heights), max(heights)
         margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)

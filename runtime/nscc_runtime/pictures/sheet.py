@@ -50,12 +50,14 @@ class Theme:
         }
 
     def type_in(self, colour: str) -> str:
-        """Return the colour, mixed with ink until small type in it is legible on the background."""
+        """Return `colour` (#rrggbb), mixed with ink until small type in it is legible on the
+        background."""
+        # The last step is ink itself, which is legible.
         mixed = (_mix(colour, self.ink, step / 20) for step in range(21))
         return next(shade for shade in mixed if contrast(shade, self.paper) >= _LEGIBLE)
 
     def on(self, colour: str) -> str:
-        """Return the more legible type colour, ink or paper, on an area of a colour."""
+        """Return the more legible type colour, ink or paper, on an area of `colour` (#rrggbb)."""
         return max(self.ink, self.paper, key=lambda type_: contrast(type_, colour))
 
 
@@ -99,13 +101,14 @@ def themed(chosen: Theme) -> Iterator[None]:
 
 
 def contrast(colour: str, other_colour: str) -> float:
-    """Return the contrast of two colours, 1 to 21, as the WCAG defines it."""
+    """Return the contrast of two colours (#rrggbb), 1 to 21, as the WCAG defines it; their order
+    does not matter."""
     dark, light = sorted((_luminance(colour), _luminance(other_colour)))
     return (light + 0.05) / (dark + 0.05)
 
 
 def _luminance(colour: str) -> float:
-    """Return the relative luminance of an sRGB colour, 0..1 (WCAG 2)."""
+    """Return the relative luminance of an sRGB colour (#rrggbb), 0..1 (WCAG 2)."""
     linear = [
         value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
         for value in (level / 255 for level in _rgb_levels(colour))
@@ -114,13 +117,14 @@ def _luminance(colour: str) -> float:
 
 
 def _mix(colour: str, target_colour: str, share: float) -> str:
-    """Return a colour between two, `share` of the way."""
+    """Return the colour between `colour` (`share` 0) and `target_colour` (`share` 1), all as
+    #rrggbb."""
     pairs = zip(_rgb_levels(colour), _rgb_levels(target_colour), strict=True)
     return "#" + "".join(f"{round(a + (b - a) * share):02x}" for a, b in pairs)
 
 
 def _rgb_levels(colour: str) -> list[int]:
-    """Return red, green and blue of a colour such as #8090a0."""
+    """Return red, green and blue (0 to 255) of a colour such as #8090a0."""
     return [int(colour[at : at + 2], 16) for at in (1, 3, 5)]
 
 
@@ -229,7 +233,8 @@ def blank(width: float, height: float) -> Figure:
 
 
 def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure, list[Axes]]:
-    """Return a figure with `count` panels of about this size in inches, row by row."""
+    """Return a figure with `count` panels of about `size` (width, height) in inches, at most
+    `columns` side by side, and the panels row by row."""
     columns = min(columns, count)
     rows = -(-count // columns)
     figure = blank(columns * size[0], rows * size[1])
@@ -238,8 +243,8 @@ def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure,
 
 
 def place(figure: Figure, x_inches: float, y_inches: float, width: float, height: float) -> Axes:
-    """Add axes of `width` x `height` inches to `figure`, `x_inches` and `y_inches` from its top
-    left corner, and return them."""
+    """Add axes of `width` x `height` inches to `figure`, and return them. Their top left corner is
+    `x_inches` to the right of that of the figure and `y_inches` below."""
     across, down = figure.get_size_inches()
     box = [_round_to_dots(value) for value in (x_inches, y_inches, width, height)]
     return figure.add_axes(
@@ -248,20 +253,24 @@ def place(figure: Figure, x_inches: float, y_inches: float, width: float, height
 
 
 def _round_to_dots(inches: float) -> float:
-    """Return a length that is a whole number of dots."""
+    """Return the length `inches`, rounded to a whole number of dots."""
     return round(inches * DPI) / DPI
 
 
 def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
-    """Return width and height in inches of an image (rows, cols) in a square of side `room`. The
-    image is magnified by a whole number if possible, to avoid moire."""
+    """Return width and height in inches of an image of `shape` (rows, cols, ..) in a square of side
+    `room` inches.
+
+    The image is magnified by a whole number, to avoid moire. One with more pixels than dots has one
+    dot per pixel, and extends beyond the square."""
     dots = room * DPI / max(shape[:2])
     zoom = max(1, int(dots)) / DPI
     return shape[1] * zoom, shape[0] * zoom
 
 
 def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
-    """Draw a grey (0..255) or RGB image over all of the axes, one square per pixel."""
+    """Draw a grey (0..255) image (rows, cols), or an RGB image (rows, cols, 3), over all of `axes`,
+    one square per pixel."""
     axes.imshow(image, cmap="gray", vmin=0, vmax=255, interpolation="nearest", aspect="auto")
     axes.grid(False)
 
@@ -273,10 +282,12 @@ def lay_out(figure: Figure) -> None:
 
 
 def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
-    """Add title, subtitle and legend above the figure. Call it last: it fixes the layout."""
+    """Add `title`, a subtitle `note` and a legend of `handles` above the figure; empty ones are
+    left out. Call it last: it fixes the layout."""
     lay_out(figure)
     width, height = figure.get_size_inches()
     left_edge, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height
+    # As many columns of the legend as fit into the width.
     for columns in range(len(handles), 0, -1):
         legend = figure.legend(
             handles=handles, loc="lower left", bbox_to_anchor=(left_edge, bottom), ncols=columns
@@ -297,11 +308,13 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
 
 
 def round_ticks(axis: Axis, most: int = 7) -> None:
-    """Set a few round ticks, written in full, on an axis with fixed limits."""
+    """Set round ticks, written in full, on an axis with fixed limits: about five on a linear axis,
+    at most `most` on a logarithmic one."""
     from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator
 
     low, high = axis.get_view_interval()
     axis.set_minor_locator(NullLocator())
+    # A logarithmic axis below two octaves has too few powers and simple multiples of them.
     if axis.get_scale() == "linear" or high < 4 * low:
         axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
     else:

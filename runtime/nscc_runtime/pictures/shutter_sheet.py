@@ -20,24 +20,28 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MOST_ROWS, _CHOSEN_ROWS = 64, 48
+"""Largest number of shutters of which all are drawn, and number of those drawn of more."""
 _COLUMNS = 1200
 """Largest number of columns of a chart. With more slots, a column shows its open fraction."""
 _MOST_BOUNDARIES = 130
 _MOST_NUMBERS = 16
+"""Largest numbers of slots with lines between them, and of slots with numbers."""
 _MOST_LABELLED = 8
 """Largest number of cells per side of a tile map with printed codes."""
 _CORNER = 16
+"""Number of cells per side of the corner that is shown of an array without a tile."""
 _MAP, _BETWEEN = 3.5, 0.6
 CHART_INCHES = 2 * _MAP + _BETWEEN
 """Inches: side of a map, gap between maps, width of the chart."""
 _ABOVE, _BELOW = 0.36, 1.0
 """Inches: numbers of the slots above the chart, gap from the chart to the maps."""
 _BAR = 0.84
+"""Height of a bar; rows are 1 apart."""
 
 
 def shutter_sheet(container: Container, title: str) -> Figure:
-    """Draw the time chart, and below it the map of codes with a magnified tile, or the data flow of
-    images and planes."""
+    """Return a drawing of a program under `title`: the time chart of its shutters, and below it the
+    map of codes with a magnified tile, or the data flow of images and planes."""
     from matplotlib import colormaps
     from matplotlib.patches import Patch
 
@@ -91,14 +95,14 @@ def subtitle(container: Container, subject: str) -> str:
 
 
 def _time(us: float) -> str:
-    """Return a time as text with a suitable unit."""
+    """Return a time of `us` microseconds as text with a suitable unit and four digits."""
     scale, name = unit(us)
     return f"{us * scale:.4g} {name}"
 
 
 def unit(us: float) -> tuple[float, str]:
-    """Return a factor and a unit with which a time of `us` microseconds is written in few
-    digits."""
+    """Return a factor and a unit with which a time of `us` microseconds is written in few digits:
+    `us` times the factor is in s, ms, µs or ns."""
     if us >= 1e6:
         return 1e-6, "s"
     if us >= 1e3:
@@ -109,8 +113,9 @@ def unit(us: float) -> tuple[float, str]:
 def _draw_chart(
     axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
 ) -> None:
-    """Draw the open time of each shutter as a bar. `rows`: (shutters, buckets, slots).
-    `row_colours`: the colour of each shutter in the map, used if there is one bucket."""
+    """Draw the open time of each shutter as a bar, into `axes`. `rows` bool (shutters, buckets,
+    slots) are the shutters. `row_colours` (shutters, 3) are their colours in the map, used for the
+    bars if there is one bucket."""
     from matplotlib.colors import to_rgb
 
     count, lanes, slots = rows.shape
@@ -149,19 +154,25 @@ def _draw_chart(
 
 
 def chart_columns(edges: Field) -> Field:
-    """Return the edges of a chart's columns: the edges of the slots (N + 1,), or fewer."""
+    """Return the times at the edges of a chart's columns: `edges` (N + 1,), those of the slots, or
+    1201 evenly spaced ones if there are more."""
     return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
 
 
 def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field:
-    """Return the fraction of each column for which a shutter (N,) is open."""
+    """Return the fraction (columns,) of each column of a chart for which a shutter is open.
+    `opened` bool (N,): its open slots. `edges` (N + 1,), `columns` (columns + 1,): times at the
+    edges of slots and of columns."""
     open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
+    # The open time up to each edge of a column, by interpolation within slots.
     return np.asarray(np.diff(np.interp(columns, edges, open_until)) / np.diff(columns))
 
 
 def _number_slots(axes: Axes, edges: Field) -> None:
-    """Write slot numbers above the axes, only as many as there is room for."""
+    """Write slot numbers above `axes`, only as many as there is room for. `edges` (N + 1,): times
+    at the edges of the slots."""
     slots = len(edges) - 1
+    # A power of two, with which at most `_MOST_NUMBERS` slots have numbers.
     step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
     middles = (edges[:-1] + edges[1:]) / 2
     numbers: list[int] = []
@@ -177,7 +188,8 @@ def _number_slots(axes: Axes, edges: Field) -> None:
 
 @dataclass(frozen=True, eq=False)
 class _Map:
-    """A part of the array: colours (rows, cols, 3), and the values of codes if they fit."""
+    """A part of the array: colours (rows, cols, 3), 0..1, and the values of the fields of codes
+    (rows, cols, fields), None if they do not fit."""
 
     title: str
     colours: Field
@@ -185,8 +197,8 @@ class _Map:
 
 
 def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
-    """Return maps of the pixel codes of `container` in the `colours` of its shutters: of the whole
-    array, and of the smallest repeating tile or of a corner.
+    """Return maps of the pixel codes of `container`: of the whole array, and of the smallest
+    repeating tile or of a corner. `colours` (shutters, 3) are those of its `shutters`.
 
     A program without pixel codes has no map; an array of one pixel, or without fields, has only the
     first."""
@@ -233,6 +245,7 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
     cell = extent.width / cols / sheet.DPI * 72
     size = min(18.0, 0.9 * cell / max(0.7 * widest, 1.3 * drawing.codes.shape[2], 1.6))
     for row, col in np.ndindex(rows, cols):
+        # Smaller type is not legible: the cells stay empty.
         if size >= 4.5:
             axes.text(
                 col,

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _COLUMNS = 2
+"""Number of panels side by side."""
 _HEIGHT = 2.9
+"""Height of a panel in inches."""
 _DECADE = 10.0
 _MARGIN = 0.06
 """Margin of an axis beyond its outermost points, relative to its length."""
@@ -32,7 +34,8 @@ Place = float | str
 
 @dataclass(frozen=True)
 class Lines:
-    """A panel: its axis labels (`across`, `upwards`), and each line's points (across, upwards)."""
+    """A panel: its axis labels (`across`, `upwards`), and by the name of each line its points
+    (across, upwards). A line named "" has no label."""
 
     title: str
     across: str
@@ -51,11 +54,12 @@ class _Scale:
 
     @classmethod
     def of(cls, values: Sequence[Place]) -> _Scale:
-        """Return the scale that shows all of these values: names, linear, or logarithmic over a
-        decade and more."""
+        """Return the scale that shows all of `values`, one or more: names if any of them is a text,
+        else linear, or logarithmic if they are positive and span a decade or more."""
         numbers = [value for value in values if not isinstance(value, str)]
         if len(numbers) < len(values):
             names = tuple(dict.fromkeys(map(str, values)))
+            # Names lie at 0, 1, ..: the axis extends 0.3 beyond the outermost ones.
             return cls(-0.3, len(names) - 0.7, names=names)
         low, high = min(numbers), max(numbers)
         if low > 0 and high >= _DECADE * low:
@@ -65,7 +69,8 @@ class _Scale:
         return cls(low - room, high + room)
 
     def at(self, value: Place) -> float:
-        """Return where a value is on the axis: a name by its number."""
+        """Return where `value` is on the axis: a number as it is, a name by its place among the
+        names."""
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:
@@ -83,7 +88,8 @@ class _Scale:
 
 def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     """Return a figure of all `panels` that have points, with one colour per name of lines, under
-    `title` and above `note`. Raises ValueError without points."""
+    `title` and above `note`. Panels with the same axis label have the same scale. Raises ValueError
+    without points."""
     from matplotlib.lines import Line2D
 
     filled_panels = [panel for panel in panels if any(panel.lines.values())]
@@ -124,9 +130,10 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
 ) -> list[ChartLabel]:
-    """Draw a panel's lines; return labels with the lines' names at their ends.
+    """Draw the lines of `panel` into `axes`; return labels with the lines' names at their ends.
 
-    `names` fixes the colour of each line, and `scales` the scale of each quantity."""
+    `names` fixes the colour of each line by its place. `scales` has the scale of each quantity, by
+    ("x" or "y", axis label)."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
     axes.set_xlabel(panel.across)

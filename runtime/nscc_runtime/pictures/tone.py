@@ -24,7 +24,8 @@ _KEY = 0.18
 
 @dataclass(frozen=True)
 class Tone:
-    """A fitted tone curve. `curve` maps light divided by `white` to 0..1. `name` describes it."""
+    """A fitted tone curve. `curve` maps light divided by `white` to 0..1. `name` describes it. A
+    `white` of 0 makes all light black."""
 
     name: str
     white: float
@@ -46,10 +47,11 @@ def check_tone(tone: str) -> None:
 
 
 def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
-    """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours.
+    """Fit the tone curve named `tone` to light (.., rows, cols), or (.., rows, cols, 3) in colours.
 
-    `white`: the light shown as white; None for the percentile `WHITE_PERCENTILE`. Raises Rejected
-    like `check_tone`."""
+    `white`: the light shown as white; None for the percentile `WHITE_PERCENTILE`, or the brightest
+    light if that is 0. Values that are not finite are ignored; without light the curve is black.
+    Raises Rejected like `check_tone`."""
     check_tone(tone)
     values = np.asarray(light, np.float64).ravel()
     values = np.maximum(values[np.isfinite(values)], 0.0)
@@ -62,15 +64,17 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
 
 
 def srgb_of_linear(values: Field) -> Field:
-    """Apply the sRGB curve of IEC 61966-2-1 to linear light on 0..1 and above."""
+    """Return `values`, linear light on 0..1 and above, mapped by the sRGB curve of IEC 61966-2-1.
+    Negative values continue its straight part."""
     power = 1.055 * np.maximum(values, 0.0031308) ** (1 / 2.4) - 0.055
     return np.where(values > 0.0031308, power, 12.92 * values)
 
 
 def _logarithmic(relative: Field) -> Callable[[Field], Field]:
     """Return the curve log(1 + b x) / log(1 + b), with b such that the median of `relative` light
-    becomes a middle grey."""
+    becomes a middle grey. b is limited to 1 .. 2^30 for a median that is too bright or too dark."""
     middle = min(float(np.median(relative)), 1.0)
+    # Bisection of the power of two of b: 40 halvings leave errors far below a grey level.
     low, high = 0.0, 30.0
     for _ in range(40):
         bend = (low + high) / 2
@@ -81,8 +85,8 @@ def _logarithmic(relative: Field) -> Callable[[Field], Field]:
 
 
 def _reinhard(relative: Field) -> Callable[[Field], Field]:
-    """Return Reinhard's global operator (SIGGRAPH 2002) with a white point, for an sRGB screen and
-    the geometric mean of `relative` light."""
+    """Return Reinhard's global operator (SIGGRAPH 2002) with a white point, for an sRGB screen. The
+    geometric mean of `relative` light, without zeros, becomes a middle grey."""
     lit = relative[relative > 0]
     scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
 
