@@ -331,6 +331,7 @@ def test_who_handles_interrupts_goes_on_to(folder: Path, monkeypatch: pytest.Mon
     )
     before = signal.signal(signal.SIGINT, lambda number, _frame: came.append(number))
     try:
+        # 70 is the status of a fault of nscc.
         assert invoke(["check", "ok.nsl"], folder).status == 70
     finally:
         signal.signal(signal.SIGINT, before)

@@ -36,6 +36,7 @@ def ask(address: Any, method: str, path: str, body: str = "", **headers: str) ->
 
 def test_the_address_is_this_computer_with_a_secret(address: Any) -> None:
     assert address.hostname == "127.0.0.1"
+    # 18 random bytes in base64 are 24 letters.
     assert len(address.path.strip("/")) == 24
 
 

@@ -21,6 +21,8 @@ PIXELS = "pixels stop = tile [[4, 3], [2, 1]]\n"
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A temporary current folder in every test of this file, with a small target and two
+    programs."""
     from nscc.chips.load import builtin_target, target_toml
 
     monkeypatch.chdir(tmp_path)

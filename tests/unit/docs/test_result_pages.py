@@ -125,6 +125,7 @@ def test_the_papers_tables_are_of_what_comes_with_nscc(tmp_path: Path) -> None:
     assert {row["table"] for row in rows} == {2, 3, 4}
     assert all(row["psnr_db"] is not None for row in rows)
     paper = {(row["table"], row["row"]): (row["paper_psnr_db"], row["paper_ssim"]) for row in rows}
+    # PSNR in dB and SSIM as they are printed in tables 2 to 4 of Martel et al. (2020).
     assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
     assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
     assert paper[4, "dictionary, e random"] == (26.22, 0.7258)

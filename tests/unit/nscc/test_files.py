@@ -100,6 +100,7 @@ def test_what_others_may_not_read_they_cannot_while_it_is_written(tmp_path: Path
     path.chmod(0o600)
 
     def look(file: BinaryIO) -> None:
+        # No rights of group and others.
         assert os.fstat(file.fileno()).st_mode & 0o077 == 0
         file.write(b"new")
 

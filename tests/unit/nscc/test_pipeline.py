@@ -145,6 +145,7 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
     with pytest.raises(Inconsistent):
         compiled()
     (tmp_path / "p.nsl").write_text(TEXT)
+    # 70 is the status of a fault of nscc.
     assert invoke(["build", "p.nsl", "-O", "0"], tmp_path).status == 70
 
 

@@ -21,6 +21,7 @@ ASKED = [
 
 @pytest.fixture(autouse=True)
 def _read_anew(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In every test of this file, each call reads the extras again instead of from the cache."""
     monkeypatch.setattr(requirements, "extras", requirements.extras.__wrapped__)
 
 

@@ -178,6 +178,7 @@ def test_huge_pictures_are_refused_by_their_header(
             str(path), picture.astype(np.float32) if ending in (".hdr", ".pfm") else picture
         )
     assert read_picture(path).shape[:2] == (30, 40)
+    # One less than 30 x 40.
     monkeypatch.setattr(limits, "MOST_PIXELS", 1199)
     with pytest.raises(Rejected) as raised:
         read_picture(path)

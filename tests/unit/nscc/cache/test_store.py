@@ -86,6 +86,7 @@ def test_what_is_written_is_read(tmp_path: Path) -> None:
     assert store.entries() == 1
     assert store.bytes_used() >= 100_000
     assert [path.name for path in store.folder.iterdir()] == [KEYS[0]]
+    # Nobody but the owner may read or write it.
     assert store.folder.stat().st_mode & 0o077 == 0
 
 
@@ -126,6 +127,7 @@ def test_the_least_recently_used_go_first(tmp_path: Path) -> None:
     assert store.read(KEYS[0]) is not None  # now it is the youngest
     for key in KEYS[10:20]:
         store.write(key, b"x" * 1500)
+    # The twenty entries of 1500 bytes do not all fit: the oldest are gone.
     assert store.bytes_used() <= 20_000
     assert store.read(KEYS[0]) is not None
     assert store.read(KEYS[1]) is None
@@ -195,4 +197,5 @@ def test_processes_do_not_disturb_each_other(tmp_path: Path) -> None:
         _, said = process.communicate(timeout=100)
         assert process.returncode == 0, said
     assert not list(tmp_path.glob(".*.part"))
+    # Each of the three may have written an entry (5000 bytes and its head) beyond the limit.
     assert Store(tmp_path).bytes_used() <= 30_000 + 3 * 5200

@@ -57,6 +57,7 @@ def test_builtin_targets_are_what_is_public() -> None:
     scamp5 = load_target("scamp5", Path())
     assert (scamp5.rows, scamp5.cols, scamp5.store_words) == (256, 256, 1024)
     assert len(scamp5.digital_registers) == 13
+    # A full well of 30000 electrons has the last of 256 codes.
     assert scamp5.electrons_per_lsb == 30000 / 255
     assert len(load_target("scamp7", Path()).digital_registers) == 23
     assert load_target("scamp5-algorithm1", Path()).reset_honours_flag == "yes"

@@ -150,6 +150,7 @@ def test_long_frames_are_a_table_and_not_thousands_of_lines(codes: str, tmp_path
     text = (ROOT / "examples" / "class_b_4096.nsl").read_text()
     _, container, written = checked(tmp_path, text, "--codes", codes)
     assert container.slots == 4096
+    # A line for each launch would be more than 4096.
     assert len(written.splitlines()) < 1600
 
 
@@ -159,6 +160,7 @@ def test_every_slot_of_a_long_frame_is_repetition(tmp_path: Path) -> None:
     text = "nsl 1\nframe 4096 slots of 20us\nopen when n % 2 == 0 or n < 7\n"
     _, container, written = checked(tmp_path, text, "--lowering", "accumulate")
     assert len(container.launches) > 2000
+    # Fewer than launches, so repeated ones share lines.
     assert len(written.splitlines()) < 1500
 
 
@@ -227,6 +229,7 @@ def test_bits_that_fade_fast_are_refreshed_while_images_come(tmp_path: Path) -> 
     data = "pixels bits = (2917 * x + 4421 * y + x * y) % 512\n"
     recording, _, _ = checked(tmp_path, text + data, "--target", chip)
     rates = [int(values[1]) for name, values in recording.loading if name == "trigger"]
+    # The time between triggers is below the retention, less a margin of a tenth.
     assert 1e6 / rates[0] < 0.9 * 120_000
 
 
@@ -254,6 +257,7 @@ def test_cpp_exposes_a_frame_longer_than_its_clock(tmp_path: Path) -> None:
     """32 bits of microseconds are 71 minutes."""
     recording, _, _ = checked(tmp_path, "nsl 1\nframe 2 slots of 5000s\nopen when true\n")
     [started, *_, ended] = [int(v[1]) for name, v in recording.frames[0] if name == "launch"][:-1]
+    # Two slots of 5000 s, in nanoseconds.
     assert ended - started >= 10**13
 
 

@@ -62,6 +62,7 @@ def test_many_shutters_and_slots_stay_small() -> None:
     rng = np.random.default_rng(1)
     rows = rng.random((3000, 1, 4000)) < 0.5
     text = shutter_chart(rows, [f"code {k}" for k in range(3000)], [1.0] * 4000, ("frame",))
+    # All rows would be twelve million cells: some are left out, and slots are joined.
     assert len(text) < 400_000
     words = Page(text).words
     assert {"code 0", "code 2999", "24 of 3000 shutters"} <= {*words}

@@ -106,6 +106,7 @@ def test_too_few_registers_make_sizes_impossible():
     few = replace(target, digital_registers=target.digital_registers[:4])
     found = {family.name: impossible_from(family.shutters, few) for family in families()}
     assert found["a"] is None
+    # 4 registers have 16 states: 16 stops fit, or 15 and one for a shutter that never opens.
     assert (found["b 1..N"], found["b 0..N"]) == (17, 16)
     assert found["c len 4"] == 20  # 17 starts, 0..16
     assert found["d"] == 6  # 21 bumps; at 5 slots there are 15

@@ -60,6 +60,7 @@ def test_the_known_codebook_takes_a_tenth_less_than_the_best_known():
         table = np.random.default_rng(seed).integers(0, 2, (64, 16))
         asked = asked_of(table)
         solution = cascade(asked, SCAMP5, 60_000)
+        # A recorded number of words: it must not grow.
         assert words_if_right(asked, SCAMP5, solution) <= 187
 
 

@@ -92,6 +92,7 @@ def test_rules_of_three_parts_take_few_words(rule, registers):
     codes = "code stop : 1..N code k : 0..3 code j : 0..2"
     found = words(problem(rule, 60, codes), chip(registers))
     assert found
+    # Eleven words for each of 60 slots.
     assert min(found) <= 11 * 60
 
 

@@ -31,11 +31,13 @@ def words(table, target):
 @pytest.mark.parametrize("never", [False, True])
 @pytest.mark.parametrize(("slots", "most"), [(65, 590), (66, 670), (72, 1210)])
 def test_bumps_of_many_slots_take_few_words(slots, most, never):
+    # `most` are recorded numbers of words. A shutter that never opens may cost 60 more.
     assert words(bumps(slots, never=never), SCAMP) <= most + 60 * never
 
 
 @pytest.mark.parametrize(("slots", "longest"), [(65, 20), (100, 20), (110, 33)])
 def test_bumps_of_limited_length_fold_in_longer_frames(slots, longest):
+    # Fifty words a slot.
     assert words(bumps(slots, longest), SCAMP) <= 50 * slots
 
 

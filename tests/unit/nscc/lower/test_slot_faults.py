@@ -70,6 +70,7 @@ def book_file(folder, rows, slots):
 )
 def test_more_shutters_than_states(chip, text, codes, required, what):
     found = fault(f"target {chip}\n{text}" if chip else text, codes)
+    # `required` is the binary logarithm of the number of shutters, rounded up.
     assert found.code == "NS0412"
     assert f"its codes need {required} bits per pixel, but the chip has 13" in found.message
     assert found.label.text == what
@@ -88,6 +89,7 @@ def test_more_shutters_than_states(chip, text, codes, required, what):
 @pytest.mark.slow
 def test_a_codebook_that_is_too_large_is_refused(tmp_path):
     found = fault(book_file(tmp_path, 8200, 20))
+    # 14 bits tell 8200 rows apart, 13 only 8192.
     assert (found.code, found.data["required"]) == ("NS0412", 14)
     check_ways_out(found, 20)
 
@@ -168,6 +170,7 @@ def test_a_codebook_of_random_rows_costs_no_more_than_its_stand_in(tmp_path):
     assert "pseudo-random" in text
     done = compiled(book_file(tmp_path, 64, 16))
     price = float(re.search(r": ([0-9.]+) words", text)[1])
+    # A tenth is for the luck of the rows.
     assert done.lowered.schedule.words_total / 16 < 1.1 * price
 
 
@@ -320,6 +323,7 @@ def test_slots_longer_than_the_memory_are_refused():
     found = fault(f"frame 4 slots of 2s\n{STOPS}")
     assert found.code == "NS0602"
     assert found.data["required"] == 2e6
+    # A retention of 1.5 s, less a margin of a tenth.
     assert found.data["available"] == pytest.approx(0.9 * 1.5e6)
     assert compiled(f"frame 8 slots of 1s\n{STOPS}").proof.holds
     assert compiled("frame 4 slots of 2s\nopen when true").proof.holds

@@ -310,6 +310,7 @@ def test_propagations_flood_what_steps_flood(pixels: int) -> None:
     expected = binary_propagation(exposure > 18000, cross, mask=exposure > 9000)
     assert complete
     np.testing.assert_array_equal(found, expected)
+    # The flood reaches a part of its mask: neither nothing nor everything would show it.
     assert 0 < expected.sum() < (exposure > 9000).sum()
 
 
@@ -341,7 +342,9 @@ def test_a_kept_image_leaks_and_a_sum_is_exact() -> None:
     )
     light = np.full((3, 4, 256, 256), 1000.0)
     exact = nscc_runtime.film(program, light)
+    # 40 % of a full well of 30000 electrons.
     assert (exact.images["s"] == 12000).all()
+    # Half of four slots of 1000 electrons, in 256 x 256 pixels, in three frames.
     assert exact.reports["sum i"] == [2000.0 * 256 * 256] * 3
     leaking = nscc_runtime.film(program, light, effects="leakage").images["s"].mean(axis=(1, 2))
     assert leaking[0] < 12000
@@ -355,6 +358,7 @@ def test_every_step_of_a_loop_takes_time() -> None:
     ]
     target = containers[0].target
     few_us, many_us = (pictures_us(made.pictures, made.target) for made in containers)
+    # The loops differ by 99 steps.
     words_a_step = (containers[1].pictures.words - containers[0].pictures.words) / 99
     step_us = target.launch_us + words_a_step * target.digital_word_us
     assert words_a_step == 2

@@ -176,6 +176,7 @@ def test_dense_kernels_of_any_size_take_few_words_and_registers(size: int, most:
 def test_three_dense_kernels_of_one_exposure_fit() -> None:
     rng = np.random.default_rng(3)
     kernels = [rng.integers(-9, 10, (5, 5)).tolist() for _ in range(3)]
+    # A recorded number of words: it must not grow.
     assert words_of(kernels, 256) <= 310
 
 
@@ -247,6 +248,7 @@ SOBEL_X, SOBEL_Y = outer([1, 2, 1], [1, 0, -1]), outer([1, 0, -1], [1, 2, 1])
 
 
 def test_kernels_of_one_exposure_share_words() -> None:
+    # Recorded numbers of words: they must not grow.
     assert words_of([SOBEL_X, SOBEL_Y], 1) <= 13
     assert words_of(ANALOGNET2, 4) <= 36
     apart = sum(words_of([rows], 4) for rows in ANALOGNET2)
@@ -254,6 +256,7 @@ def test_kernels_of_one_exposure_share_words() -> None:
 
 
 def test_kernels_share_halvings_and_are_computed_in_the_best_order() -> None:
+    # Recorded numbers of words: they must not grow.
     assert words_of(MAX_POOLED, 4, level=2) <= 31
     assert words_of(ANALOGNET2, 4, level=2) <= 30
     assert words_of([BOX_3, BOX_5], 1, level=2) <= 19
@@ -288,6 +291,7 @@ def test_the_same_kernel_again_takes_a_copy_at_most() -> None:
 
 
 def test_a_large_box_is_two_lines() -> None:
+    # 49 weights one by one would take more than a word each.
     assert words_of([outer([1] * 7, [1] * 7)], 64) <= 24
 
 

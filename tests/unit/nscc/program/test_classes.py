@@ -134,6 +134,7 @@ def test_the_listing_shows_shutters_and_their_codes() -> None:
 
 def test_printing_cuts_long_tables() -> None:
     text = program_text(program_of("nsl 1 frame 300 slots of 1us code s : 0..N open when n < s"))
+    # 256 of 300 slots and 64 of 301 shutters are shown.
     assert "(44 slots more)" in text
     assert "... 237 shutters more" in text
     assert max(map(len, text.splitlines())) < 300

@@ -134,6 +134,7 @@ def test_an_unknown_name_gets_the_closest_known_one() -> None:
 def test_the_first_pixel_and_the_count_are_named() -> None:
     (found,) = errors(STOP + "open when n < stop pixels stop = x + y")
     assert "x = 9, y = 0 (row 0, column 9)" in found.message
+    # x + y is at most 8 in 1 + 2 + .. + 9 = 45 pixels.
     assert found.data == {"field": "stop", "x": 9, "y": 0, "pixels": 65536 - 45}
 
 

@@ -62,6 +62,7 @@ def test_numbers_of_a_file_are_the_lowest_bits_or_refused(
     numbers = np.full((ROWS, COLS), 2**62 - 1, np.asarray(value).dtype)
     np.savez(tmp_path / "bits.npz", bits=numbers)
     found = nscc.compile(text(count), target=STREAM, folder=tmp_path).shutters(pixels=True)
+    # 2^62 - 1 has 62 ones.
     assert found[0].sum(axis=0).tolist() == [[62] * COLS] * ROWS
     numbers[3, 4] = value
     np.savez(tmp_path / "bits.npz", bits=numbers)
@@ -87,6 +88,7 @@ def test_what_cannot_be_is_told(program: str, code: str, tmp_path: Path) -> None
         nscc.compile(program, target=STREAM, folder=tmp_path)
     (wrong,) = caught.value.diagnostics
     assert wrong.code == code
+    # A message does not repeat a number of thousands of bits.
     assert len(wrong.message) < 250
 
 

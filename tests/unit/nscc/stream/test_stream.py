@@ -104,10 +104,12 @@ def test_every_single_bit_is_proved() -> None:
 def test_planes_load_one_after_the_other_and_act_whole(pipelined: bool) -> None:
     chip = replace(CHIP, pipelined=pipelined, row_load_us=100.0)
     loads = list(schedule(chip, (700.0, 650.0, 900.0)))
+    # Six rows of 100 us load in 600 us: before their slot if pipelined, else at its start.
     assert [each.acts_us for each in loads] == (
         [0.0, 700.0, 1350.0] if pipelined else [600.0, 1300.0, 1950.0]
     )
     assert all(each.acts_us - each.load_us == 600.0 for each in loads)
+    # Six rows of 167 us take longer than a slot of 1 ms.
     late = replace(sent(built(STOPS))[0], target=replace(chip, row_load_us=167.0))
     assert not prove_planes(late).holds
 
@@ -186,6 +188,7 @@ def test_emitted_planes_have_their_times_and_taps() -> None:
         stream = Stream(file["planes"], file["ones"], file["zeros"])
         assert meta["format"] == "nscc-planes-1"
         assert meta["taps"] == ["TAP1", "TAP2"]
+        # Slots of 1 ms; six rows of 0.5 us load before each.
         assert np.array_equal(file["acts_us"], 1000.0 * np.arange(8))
         assert np.allclose(file["load_us"], 1000.0 * np.arange(8) - 3.0)
     assert np.array_equal(followed(stream, program.shape) == 0, opened(program)[..., 0])
@@ -212,6 +215,7 @@ def _noisy(chip: Target, effects: str, **values: float) -> NDArray[np.float64]:
 def test_each_tap_is_reset_and_read_once() -> None:
     chip = replace(CHIP, tap_gain=(1.0, 3.0))
     off = _noisy(chip, "read,reset", read_noise_e=20.0, reset_noise_e=30.0)
+    # A reset is before the gain of a tap, a read after it. Noise of two taps is independent.
     for bucket, gain in enumerate(chip.gains):
         assert np.std(off[:, bucket]) == pytest.approx(np.hypot(20.0, gain * 30.0), rel=0.02)
     assert abs(np.corrcoef(off[:, 0].ravel(), off[:, 1].ravel())[0, 1]) < 0.03
@@ -260,6 +264,7 @@ def test_the_expected_noise_is_that_of_frames() -> None:
     spread = np.sqrt(np.var(exposed, axis=(0, 2, 3)) + converter**2)
     assert light_e.min() >= 0
     assert found[0] == pytest.approx(np.sqrt(np.mean(spread**2)), rel=0.08)
+    # Half a full well has shot noise of 15000 squared electrons.
     assert found[1] ** 2 - found[0] ** 2 == pytest.approx(15000.0)
 
 
@@ -304,6 +309,7 @@ def test_targets_compare_shows_two_chips(tmp_path: Path) -> None:
     assert found.status == 0
     scamp, dual = json.loads(found.out)
     assert (scamp["fits"], dual["fits"]) == (True, True)
+    # 176 rows of 0.5 us; a bit for each of 176 x 280 pixels in 8 slots.
     assert dual["shortest_slot_us"] == 176 * 0.5
     assert dual["sent_bits_a_frame"] == 8 * 176 * 280
     assert scamp["sent_bits_a_frame"] == 0

@@ -290,6 +290,7 @@ def test_frame_files_of_one_run_are_one_level(tmp_path: Path) -> None:
     assert [level["frames"] for level in told["flats"]] == [6] * 4
     assert [level["frames"] for level in told["darks"]] == [6]
     assert [level["exposure_s"] for level in told["flats"]] == [0.004, 0.008, 0.012, 0.016]
+    # All but the pixel that one seed calls invalid.
     assert told["pixels"] == 32 * 40 - 1
     assert told["quantities"]["linearity_error"]["known"] == "measured"
     assert found.codes == ["NS0791"]

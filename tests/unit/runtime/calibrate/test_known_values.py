@@ -62,6 +62,7 @@ def test_more_frames_give_smaller_errors() -> None:
     few, many = (calibrated(*taken(Chip(), 5, n, 2 * n), TOP) for n in (3, 12))
     for name in ("conversion_gain", "dark_noise_e", "prnu"):
         ratio = few.quantities[name].se / many.quantities[name].se
+        # Four times the frames halve errors of noise, but not those of rounding and of the pixels.
         assert 1.3 < ratio < 3.5
 
 
@@ -103,6 +104,7 @@ def test_quiet_darks_give_a_bound() -> None:
     found = calibrated(*taken(chip, 2), TOP)
     noise = found.quantities["dark_noise_e"]
     assert noise.known == "at most"
+    # The square root of `QUIET`, in codes of 20 electrons.
     assert noise.value == pytest.approx(20 * 0.24**0.5, rel=0.1)
     assert "rounding" in noise.remark
     gain = found.quantities["conversion_gain"]
@@ -128,6 +130,7 @@ def test_rounding_is_part_of_the_errors(noise_lsb: float) -> None:
         for name in ("dark_noise_lsb", "conversion_gain", "offset", "saturation_lsb"):
             off.append((found[name].value - truth(chip)[name]) / found[name].se)
     z = np.array(off).reshape(24, -1)
+    # Chance passes these bounds of 24 chips and four quantities seldom.
     assert np.abs(z).max() < 4.5
     assert np.all(np.sqrt((z * z).mean(axis=0)) < 1.6)
 
@@ -141,6 +144,7 @@ def test_known_crosstalk_makes_the_gain_more_certain() -> None:
     assert gains[1].se < 0.6 * gains[0].se
     assert abs(gains[0].value - 20) < 4 * gains[0].se
     assert abs(gains[1].value - 20) < 4 * gains[1].se
+    # Crosstalk c leaves (1 - 4 c)^2 + 4 c^2 of the variance; here c = 0.01 is taken for 0.
     assert gains[2].value / gains[1].value == pytest.approx(1 / (0.96**2 + 4 * 0.01**2), rel=1e-6)
     assert known.quantities["crosstalk"].known == "given"
     chosen = parameters(known, builtin_target("scamp5"), Chain())["crosstalk_fraction"]
@@ -168,6 +172,7 @@ def test_an_adc_that_ends_first_gives_a_bound_of_the_full_well() -> None:
     found = calibrated(*taken(chip, 2), TOP)
     well = found.quantities["full_well"]
     assert well.known == "at least"
+    # From the offset of 14.3 to the last code, 20 electrons a code.
     assert well.value == pytest.approx((255 - 14.3) * 20, rel=0.02)
     target = builtin_target("scamp5")
     assert parameters(found, target, Chain())["full_well_e"].value == target.full_well_e
@@ -194,6 +199,7 @@ def test_a_bent_response_is_a_linearity_error() -> None:
     flats, darks = taken(Chip(), 4)
     plain = calibrated(flats, darks, TOP).quantities["linearity_error"]
     assert plain.value < 0.05
+    # One level seems to have been exposed for a tenth longer.
     late = [
         replace(stack, exposure_s=stack.exposure_s * (1.1 if i == 3 else 1.0))
         for i, stack in enumerate(flats)

@@ -302,6 +302,7 @@ def test_a_port_that_is_stuck_starves_the_watchdog(devkit_loader: Path, tmp_path
 
     assert fed(20)
     mode, counts = unpack("<2I", (tmp_path / "watchdog").read_bytes()[:8])
+    # Enabled with reset; four seconds of a clock of 12 MHz that is divided by 4.
     assert (mode, counts) == (3, 4 * 12_000_000 // 4)
     # Nobody takes the answers, until the pipe is full and the library's `send` waits for ever.
     hello = Packet(PacketKind.HELLO, 1, 1, bytes([VERSION, VERSION, 0, 0])).wire()

@@ -72,6 +72,7 @@ def upload(line: Simulation, program: Upload) -> None:
 
 
 def test_a_large_program_takes_half_a_second_of_line(large: Upload) -> None:
+    # 13 planes of 8192 bytes and 1024 words of 20 bytes are 126 976 bytes; more are heads.
     assert 126_976 <= len(large.stream) <= 132_000
     line = line_of(LineFaults(delay_s=0.001))
     upload(line, large)
@@ -165,6 +166,7 @@ def test_silence_and_noise_are_given_up() -> None:
             line.run(host.lasting(host.status), limit_s=10)
         assert not caught.value.ever
         assert bool(caught.value.noise) == bool(noise)
+        # After the patience, and at most a few waits later.
         assert 2.0 <= line.now < 4.0
 
 
@@ -340,12 +342,14 @@ def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
     upload = example.upload
     pixels = TARGET.rows * TARGET.cols
     wanted = FrameRequest(1, 3, upload)
+    # A byte for the code and eight for the exposure of each pixel.
     assert wanted.bytes(upload.readouts) == 9 * pixels * upload.readouts
     assert wanted.bytes(upload.readouts + 1) == 0
     # Estimates of 2^32 - 1 ms are not waited for.
     assert wanted.longest_s < 2 * (sum(example.container.slot_us) * 1e-6 + 1) + 11
     held = FrameRequest(1, 1, None, pixels)
     assert held.bytes(2) == 2 * pixels
+    # Twice the twenty minutes of `LONGEST_US`.
     assert held.longest_s < 3600
     loader, host = python_loader(example), new_host(1)
     announced = replace(upload, readouts=upload.readouts + 1)

@@ -95,6 +95,7 @@ def test_an_imported_frame_is_the_frame_without_its_scene(tmp_path: Path) -> Non
     )
     readout_lsb = errors.codes(made_meta["seed"], 0, 1)
     error_lsb = (arrays["exposure_e"] - made["exposure_e"]) / lsb_e - readout_lsb
+    # Rounding to codes is half a code.
     assert np.abs(error_lsb[inside]).max() < 0.51
     assert meta["fidelity"] == "imported"
     assert [meta[key] for key in ("seed", "device_seed", "scene_sha256", "plan")] == [None] * 4

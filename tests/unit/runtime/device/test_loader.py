@@ -176,6 +176,7 @@ def test_a_program_is_taken_and_a_frame_is_the_emulators(talk: Talk) -> None:
     assert (captured.crc32, captured.adler32) == (crc32(EXAMPLE.frame), adler32(EXAMPLE.frame))
     pieces = talk(PacketKind.READ, ReadRequest(5, 0, captured.length, 0, 100).pack())
     assert b"".join(piece.body[12:] for piece in pieces) == EXAMPLE.frame
+    # 540 bytes of a frame in packets of at most 100, after a head of 12.
     assert [len(piece.body) - 12 for piece in pieces] == [100] * 5 + [40]
     [piece] = talk(PacketKind.READ, ReadRequest(5, 7, 20, 0, 1024).pack())
     assert piece.body == pack("<QI", 5, 7) + EXAMPLE.frame[7:27]
@@ -518,6 +519,7 @@ def test_declared_lengths_beyond_the_memory_are_refused(talk: Talk) -> None:
         talk.one(PacketKind.BEGIN, Begin(found, digest, ZEROS, 0xFFFFFFFF, 1).pack())
         failure = talk.failure(PacketKind.DECLARE, Declare(0, (entry,)).pack())
         assert failure == (LoaderFault.TOO_LARGE, 0xFFFFFFFF)
+    # A loader has room for 64 objects.
     assert (
         talk.failure(PacketKind.BEGIN, Begin(found, ZEROS, ZEROS, 0, 65).pack())[0]
         == LoaderFault.TOO_LARGE

@@ -160,6 +160,7 @@ def test_fixed_patterns_have_the_stated_mean_and_spread() -> None:
     current = current_e_per_s(sensor, 7, PIXELS)
     assert current.min() > 0
     assert current.mean() == pytest.approx(50.0, rel=0.006)
+    # Half of the mean of 50, as `dark_spread_fraction` says.
     assert current.std() == pytest.approx(25.0, rel=0.02)
     assert not np.array_equal(factor, response(sensor, 8, PIXELS))
 
@@ -168,10 +169,12 @@ def test_soft_saturation_is_exact_below_the_knee_monotone_and_bounded() -> None:
     values = np.linspace(-1e5, 1e5, 20001)
     sensor = SENSOR.changed(register_min_e=-30000.0, register_max_e=30000.0)
     held = soft(values, sensor)
+    # The knee is at 90 % of the range.
     inside = np.abs(values) <= 27000
     np.testing.assert_array_equal(held[inside], values[inside])
     assert np.all(np.diff(held) >= 0)
     assert np.abs(held).max() <= 30000
+    # Values are 10 apart; at the knee (27 000, number 12 700) the slope is still that of a line.
     np.testing.assert_allclose(np.diff(held[12700:12703]), 10.0, rtol=0.01)
     hard = soft(values, sensor.changed(register_knee_fraction=1.0))
     np.testing.assert_array_equal(hard, np.clip(values, -30000, 30000))
@@ -184,6 +187,7 @@ def test_crosstalk_moves_charge_and_loses_none() -> None:
     charge[0, 2, 1] = 100.0
     charge[0, 0, 0] = 10.0
     found = smeared(charge, 0.01)
+    # A pixel gives 1 % to each of four neighbours; one in a corner to two.
     assert found[0, 2, 1] == pytest.approx(96.0)
     assert found[0, 2, 0] == found[0, 1, 1] == found[0, 3, 1] == found[0, 2, 2] == 1.0
     assert found[0, 0, 0] == pytest.approx(9.8)

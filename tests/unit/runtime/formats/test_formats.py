@@ -141,6 +141,7 @@ def test_curves_are_those_of_their_names() -> None:
     assert fitted("srgb", light, 700)(light).tolist() == np.rint(255 * by_hand).tolist()
     mu = np.log(1 + 5000 * there) / np.log(5001)
     assert fitted("mu-law", light, 700)(light).tolist() == np.rint(255 * mu).tolist()
+    # A logarithmic curve shows the median at 45 % of white.
     assert abs(int(fitted("log", GREY)(np.median(GREY)[None])[0]) - 0.45 * 255) < 1.5
     for name in TONES:
         levels = fitted(name, GREY)(np.sort(GREY.ravel()))

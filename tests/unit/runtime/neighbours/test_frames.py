@@ -56,6 +56,7 @@ def test_the_margin_is_what_depends_on_light_beyond() -> None:
     inner[1:-1, 1:-1] = True
     assert np.array_equal(~frame.told["margin"], inner)
     assert np.all(frame.told["image_i"][inner] == 500.0)
+    # Images have symmetric codes: 0 electrons at 128, and 60000 electrons in 255 steps.
     assert np.all(frame.told["image_codes_i"][inner] == 128 + round(500 / (60000 / 255)))
     assert frame.frame.shape == (0, SIDE, SIDE)
 
@@ -105,6 +106,7 @@ def test_values_beyond_what_was_assumed_are_marked() -> None:
     light = np.full((SIDE, SIDE), 1000.0, np.float32)
     light[3, 3] = 15001
     frame = exposed(container_of(text), light)
+    # 32 is the bit for such values; one pixel is above 50 % of 30000 electrons.
     marked = frame.told["image_saturated_by_twice"] & 32
     assert marked[3, 3] == 32
     assert np.count_nonzero(marked) == 1
@@ -142,6 +144,7 @@ def test_the_error_of_words_is_what_the_report_says() -> None:
     inside = ~frame.told["margin"]
     word_e = quiet.analog_noise_lsb * quiet.analog_lsb_e
     # The exposure has errors of its own: two words, blurred by the kernel.
+    # The squares of the weights add up to (1 + 4 + 1)^2 = 36, over 16^2.
     exposure_words = 2 * 36 / 256
     report = picture_report(container)["images"]["i"]
     expected_e = word_e * np.sqrt(report["noise_gain"] ** 2 + exposure_words)

@@ -60,6 +60,7 @@ def test_gaussian_numbers_have_the_moments_of_a_normal_distribution():
     n = 1_000_000
     found = normals(key(11, 2), np.arange(n))
     assert stats.kstest(found, "norm").pvalue > 1e-3
+    # Within five standard errors: 1, 2 and 96 are the variances of x, x^2 and x^4.
     assert abs(found.mean()) < 5 / math.sqrt(n)
     assert abs(found.var() - 1) < 5 * math.sqrt(2 / n)
     assert abs((found**4).mean() - 3) < 5 * math.sqrt(96 / n)

@@ -57,6 +57,7 @@ def test_the_ends_lie_inside_and_are_symmetric():
 def test_uniform_numbers_are_evenly_spread():
     found = uniforms(key(5, 1), np.arange(1_000_000))
     assert stats.kstest(found, "uniform").pvalue > 1e-3
+    # Numbers lie in the middles of 2^52 intervals.
     scaled = found * 2.0**53
     assert np.all(scaled % 2 == 1)
 
@@ -79,6 +80,7 @@ def test_neighbours_are_independent(other):
     table, _, _ = np.histogram2d(uniforms(key(7, 1), pixels), other(pixels), bins=16)
     assert stats.chisquare(table.reshape(-1)).pvalue > 1e-3
     correlation = np.corrcoef(uniforms(key(7, 1), pixels), other(pixels))[0, 1]
+    # Five standard errors of a correlation of independent numbers.
     assert abs(correlation) < 5 / math.sqrt(len(pixels))
 
 

@@ -68,6 +68,7 @@ def test_answers_turn_where_the_light_comes_to_the_level() -> None:
     """Of a pixel that is not reset, at every look: 45 % of a well, rounded to a step of IN."""
     container = nscc.compile(ROOT / "examples/float_pixel.nsl", level=0).container
     level = round(0.45 * 127) / 127
+    # By slot n of 256 a pixel has n / 256 of the frame's light.
     expected = [(n, level * 256 / n) for n in (1, 2, 4, 8, 16, 32, 64, 128)]
     assert thresholds(container) == pytest.approx([at for _, at in expected])
     wells = np.geomspace(0.1, 300, 2000)
@@ -97,4 +98,5 @@ def test_view_draws_them(tmp_path: Path) -> None:
         (tmp_path / "dark.png").write_bytes(sheet.png_of(course_sheet, container, program.name))
     dark = np.asarray(Image.open(tmp_path / "dark.png").convert("RGB"))
     assert dark.shape == light.shape
+    # The background in the corner is white or nearly black.
     assert light[0, 0].mean() > 240 > 60 > dark[0, 0].mean()

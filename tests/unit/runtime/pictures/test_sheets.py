@@ -314,6 +314,7 @@ def test_long_titles_do_not_widen_the_picture() -> None:
         figure.draw_without_rendering()
         assert figure.get_tightbbox().width < 1.05 * sheet.WIDTH
         text = "".join(text.get_text() for text in figure.texts)
+        # The title is broken into lines, and nothing of it is lost.
         assert text.replace("\n", "").count("/a_folder") == 20
 
 
@@ -425,6 +426,7 @@ def test_looks_differ_in_colours_only() -> None:
 
 @pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
 def test_series_differ_in_colour_or_marker(chosen: Theme) -> None:
+    # Seven colours and six markers: 42 pairs before one repeats.
     looks = [tuple(chosen.of(i).values()) for i in range(42)]
     assert len(set(looks)) == 42
 

@@ -75,6 +75,7 @@ def test_frames_that_differ_from_the_loop_break_the_promise(mid: Setting) -> Non
     assert shifted.path_e == pytest.approx(7.0, rel=0.15)
     assert shifted.bias_e == pytest.approx(7.0, rel=0.05)
     noisier = in_distribution(report, 100 + (own - 100) * 1.1, loop)
+    # Noise 1.1 times as large: its square, 400, grows by 0.21 times.
     assert noisier.path_e == pytest.approx((0.21 * 400) ** 0.5, rel=0.15)
     assert noisier.std_ratio == pytest.approx(1.1, rel=0.01)
     for found in (shifted, noisier):

@@ -47,6 +47,7 @@ def test_frames_that_begin_in_other_states_keep_the_promise(frame_e: float) -> N
         same &= planned.told[name] == exact.told[name]
     assert same.mean() > 0.99
     square = np.where(same[:, None], (planned.exposure_e - exact.exposure_e) ** 2, 0.0)
+    # The tolerance of 5 electrons, with the slack of an audit.
     assert np.sqrt(square.mean(axis=(1, 2, 3))).max() <= 1.1 * 5.0
 
 

@@ -93,6 +93,7 @@ def test_a_part_of_no_signal_is_refused_and_electrons_are_offered(signal_e: floa
 def test_a_signal_is_the_mean_size_within_the_well() -> None:
     full_e = SENSOR.values["full_well_e"]
     found = mean_signal_e(np.array([[100.0, -300.0, math.inf], [10 * full_e, math.nan, 0]]), SENSOR)
+    # Five values count, because NaN does not; two are cut off at a full well.
     assert found == pytest.approx((100 + 300 + 2 * full_e) / 5)
     assert mean_signal_e(np.full((1, 2), math.nan), SENSOR) == 0.0
 
@@ -100,6 +101,7 @@ def test_a_signal_is_the_mean_size_within_the_well() -> None:
 @pytest.mark.parametrize("text", ["5e", "5.e", ".5e1e", "5e0e", "05e", "1e2lsb", "5E0e", "5e1%"])
 def test_tolerances_with_every_unit_are_read(text: str) -> None:
     [unit] = [unit for unit in ("lsb", "%", "e") if text.endswith(unit)]
+    # A code is 100 electrons here, and a percent of 700 electrons is 7.
     size = {"e": 1.0, "lsb": 100.0, "%": 7.0}[unit]
     assert tolerance(text, 700.0).electrons == float(text.removesuffix(unit)) * size
 
@@ -166,6 +168,7 @@ def test_invalid_tolerances_are_refused(text: str | float) -> None:
         tolerance(text, 700.0)
     [said] = caught.value.diagnostics
     assert (said.code, caught.value.status) == ("NS0746", 2)
+    # Long texts are cut.
     assert len(said.message) < 120
 
 

@@ -137,6 +137,7 @@ def test_clips_that_are_compared_have_the_bound_of_arrays(
         for _ in range(5):
             file.write(SMALL[..., 0])
     assert read_picture_or_clip(tmp_path / "a.tiff").shape == (5, 20, 30)
+    # Three of the five frames of 600 bytes.
     monkeypatch.setattr("nscc_training.array_files._MOST_BYTES", 3 * 600)
     with pytest.raises(Rejected, match="NS0801"):
         read_picture_or_clip(tmp_path / "a.tiff")

@@ -17,6 +17,7 @@ def test_hdr_spans_five_decades_at_any_size() -> None:
         total = light.total_e()
         assert total.shape == shape
         assert total.max() / total.min() >= 1e5
+        # The default exposure of builtin scenes, 30000@99.
         assert np.percentile(total, 99) == pytest.approx(30000.0, rel=1e-6)
 
 
@@ -25,6 +26,7 @@ def test_motion_fills_any_number_of_slots(slots: int) -> None:
     light = load_scene("builtin:motion", slot_us=(10.0,) * slots, rows=24, cols=32)
     assert light.slots == slots
     assert len(light.frames) <= 256
+    # The default exposure of builtin scenes, 30000@99.
     assert np.percentile(light.total_e(), 99) == pytest.approx(30000.0, rel=1e-5)
 
 

@@ -162,6 +162,7 @@ def test_curves_of_profiles_are_applied_in_16_bits(
     np.testing.assert_allclose(light[0], expected(values / 65535.0), atol=2e-5)
     assert light[0, 4] == pytest.approx(float(expected(values[4] / 65535.0)), rel=1e-3)
     chosen, said = luminance(path, transfer="srgb")
+    # Half of white on the sRGB curve is 0.2140 of its light.
     assert chosen[0, 4] == pytest.approx(0.2140, rel=1e-3)
     assert not any("profile" in note.message for note in said)
 
@@ -183,6 +184,7 @@ def test_numbers_precede_profile_precedes_gamma(tmp_path: Path) -> None:
     icc = {b"iCCP": b"icc\0\0" + zlib.compress(profile(LINEAR, grey=True))}
     gamma = {b"gAMA": struct.pack(">I", 55556)}
     numbers = {b"cICP": bytes([1, 13, 0, 1])}
+    # Light of half of white: sRGB, linear, the power 1 / 0.55556 = 1.8, and sRGB by default.
     for chunks, half in (
         (gamma | icc | numbers, 0.214),
         (gamma | icc, 0.5),
@@ -199,6 +201,7 @@ def test_a_damaged_profile_is_named_and_not_used(tmp_path: Path, icc: bytes) -> 
     picture[0, 0] = 65535
     tifffile.imwrite(tmp_path / "a.tif", picture, photometric="rgb", iccprofile=icc)
     light, said = luminance(tmp_path / "a.tif")
+    # Half of white on the sRGB curve, as without a profile.
     assert light[1, 1] == pytest.approx(0.214, rel=1e-3)
     assert ["damaged colour profile" in note.message for note in said] == [True]
 
@@ -258,6 +261,7 @@ def test_an_avif_without_a_profile_is_linearised_by_its_numbers(tmp_path: Path) 
     data[at : at + 4] = struct.pack(">HH", 1, 16)
     (tmp_path / "a.avif").write_bytes(data)
     light, _ = load_scene_with_notes(tmp_path / "a.avif", (64, 64))
+    # 0.508 on the PQ curve is 1 % of its peak; lossy coding leaves a few percent.
     assert light[32, 48] / light[32, 16] == pytest.approx(0.01, rel=0.05)
 
 

@@ -211,6 +211,7 @@ def test_videos_give_their_frames_to_the_slots(tmp_path: Path) -> None:
     light = load(tmp_path / "v.avi", exposure=ExposureLevel(100.0))
     ratio = light.slot(2)[8, 12] / light.slot(0)[8, 12]
     known = srgb(np.array([220, 40]) / 255.0)
+    # MJPG is lossy.
     assert ratio == pytest.approx(known[0] / known[1], rel=0.1)
     assert (
         rejection(tmp_path / "v.avi", exposure=ExposureLevel(1.0), slot_us=(1.0,) * 4).code
@@ -291,6 +292,7 @@ def test_infinite_light_of_any_width_is_counted(dtype: type, tmp_path: Path) -> 
 def test_float64_beyond_float32_is_too_large(tmp_path: Path) -> None:
     np.savez(tmp_path / "a.npz", light=np.full((3, ROWS, COLS), 1e39))
     assert rejection(tmp_path / "a.npz").code == "NS0736"
+    # A still is in electrons a second: 2 s make 6e38, above float32's 3.4e38.
     np.savez(tmp_path / "b.npz", light=np.full((ROWS, COLS), 3e38))
     assert rejection(tmp_path / "b.npz", slot_us=(2e6,)).code == "NS0736"
 

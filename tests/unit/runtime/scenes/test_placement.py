@@ -68,12 +68,14 @@ def test_scaled_pictures_are_means_of_areas(photo: Path) -> None:
 def test_the_rest_of_the_array_sees_a_mirror(photo: Path) -> None:
     found, _ = laid(photo, rows=25, fit="scale")
     total = found.light.total_e()
+    # Columns 24 to 31 show columns 23 to 16.
     assert np.allclose(total[:, 24:], total[:, 23:15:-1])
 
 
 def test_pieces_put_together_are_the_picture(photo: Path) -> None:
     found, _ = laid(photo, fit="tiles")
     where = found.placement
+    # 100 x 96 pixels need 5 x 3 arrays of 24 x 32.
     assert (where.size, where.arrays) == ((100, 96), (5, 3))
     pieces = [piece.total_e() for piece in where.pieces(found.light)]
     assert {piece.shape for piece in pieces} == {(24, 32)}
@@ -83,6 +85,7 @@ def test_pieces_put_together_are_the_picture(photo: Path) -> None:
 
 
 def test_small_and_thin_pictures_are_scaled_up(tmp_path: Path) -> None:
+    # The aspect is kept, but no side is below a pixel. The array is 24 x 32.
     for shape, size in (((3, 4), (24, 32)), ((1, 200), (1, 32)), ((500, 2), (24, 1))):
         Image.fromarray(np.full(shape, 128, np.uint8)).save(tmp_path / "small.png")
         found, _ = laid(tmp_path / "small.png", fit="scale")
