@@ -266,6 +266,8 @@ class _Moment:
         if opens.all():
             self.emitted.append(running)
             return
+        # Pixels in which the bucket is closed keep this; the others add their light where FLAG is
+        # 1.
         self.emitted.append(self.plan.register_to_scratch(register))
         if opens.any():
             sequence = self.contents.shortest_gates_to_flag(vector(np.flatnonzero(opens)))
@@ -296,6 +298,7 @@ class _Moment:
                 if sequence is not None:
                     contents.take(sequence, (name, v))
         sequence = contents.shortest_gates_to_flag(v)
+        # The copy of FLAG occupies a scratch register, so the gates are then chosen again.
         if sequence and sequence.gates and self._save_flag(later, sequence.scratch):
             sequence = contents.shortest_gates_to_flag(v)
         if sequence is None:

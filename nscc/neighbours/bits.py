@@ -9,7 +9,9 @@ from nscc.operations import STEERING, Phase, WordEffect, op, pair
 from nscc.words import pictures as p
 
 _OF_STEP = {step: name for name, step in STEERING.items()}
+"""The register of R1 to R4 that chooses a nearest neighbour, by the neighbour's offset."""
 Offset = tuple[int, int]
+"""An offset: columns to the right and rows down."""
 Kept = tuple[str, str | None]
 """A register that holds a bit, and the plane it belongs to, or None for an intermediate result."""
 

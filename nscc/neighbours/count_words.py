@@ -28,6 +28,7 @@ MOST_IMAGES = 4
 """Largest number of images that are counted in one walk."""
 
 Place = tuple[p.Condition, Offset]
+"""A plane, and the offset of the pixel whose bit is counted."""
 Direction = tuple[Fraction, ...]
 """The factor of an accumulator in each image of a walk."""
 

@@ -22,6 +22,7 @@ from nscc.neighbours.table import ROWS, WordForms
 from nscc.record import Record
 
 Key = frozenset[tuple[Offset, int]]
+"""A convolution kernel as pairs (offset, nonzero weight in units of 1 / UNIT)."""
 
 
 @cache

@@ -375,6 +375,7 @@ class Lowering(RegisterEmitter):
         by_news = bool(inverted) or steps[1] is not None
         if by_news:
             self.everywhere()
+            # More than four are refused below.
             read = [v.register for v in inverted[:4]] + ["IN"] * (steps[1] is not None)
             self.word(op("bus", ["NEWS"], read), steps[1])
         sources = [*(v.register for v in direct), *(["NEWS"] if by_news else [])]
@@ -498,9 +499,9 @@ class Lowering(RegisterEmitter):
         """Emit a choice between two images by a condition, as version 4 does, and return its
         register.
 
-        The register of the image for the condition 0 (`otherwise`) is used if nothing reads that
-        image later. A level needs no register, and the answer of a comparison stays in FLAG (the
-        bit that lets a pixel act). FLAG is 1 in all pixels afterwards. Raises PictureRefused if
+        The register of the image that is chosen where FLAG (the bit that lets a pixel act) is 0 is
+        used if nothing reads that image later. A level needs no register, and the answer of a
+        comparison stays in FLAG. FLAG is 1 in all pixels afterwards. Raises PictureRefused if
         registers run out."""
         then, otherwise = self._value_or_level(node.then), self._value_or_level(node.otherwise)
         condition, compared, bit = node.condition, None, None

@@ -14,11 +14,13 @@ from typing import NamedTuple, TypeVar
 from nscc.operations import NEIGHBOURS, STEPS
 
 Offset = tuple[int, int]
+"""An offset: columns to the right and rows down."""
 UNIT = 1 << 40
 """Weights are multiples of 1 / UNIT, which is exact because all divisors are powers of two."""
 Taps = Mapping[Offset, int]
 """A convolution kernel: offset (columns right, rows down) to weight; a missing offset weighs 0."""
 Polynomial = dict[Offset, int]
+"""A convolution kernel as in `Taps`, without weights of 0, that a function may change."""
 Weight = TypeVar("Weight", int, Fraction)
 
 
@@ -39,6 +41,7 @@ Program = tuple[BusWord, ...]
 """Words in order; the first destination of the last word holds the result."""
 
 IDENTITY: Taps = {(0, 0): UNIT}
+"""The convolution kernel that changes nothing."""
 
 
 def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:

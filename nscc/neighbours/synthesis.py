@@ -51,7 +51,9 @@ _LEAST_WOVEN = 5
 """Least number of weights of a kernel for which a search weaves the pixel's own multiple in."""
 
 _NEWS = {"NEWS", *NEIGHBOURS}
+"""NEWS of the pixel itself, and of each neighbour."""
 _HALVE: Program = (BusWord(("h", "NEWS"), ("x",)),)
+"""The program of minus half the input: a second destination makes a word halve."""
 _NEGATE: Program = (BusWord(("m",), ("x",)),)
 
 

@@ -60,6 +60,7 @@ def read_time_us(text: str) -> float | None:
     The grammar has checked that it is a number with the unit ns, us, ms or s."""
     from decimal import Decimal
 
+    # The units consist of these letters, and numbers have none of them.
     number = text.rstrip("nums")
     # Decimal moves the point exactly; a product of floats would round twice.
     value = float(Decimal(number).scaleb(_POWER[text[len(number) :]]))

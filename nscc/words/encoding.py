@@ -71,6 +71,7 @@ def _raised(lines: Iterable[int]) -> int:
 
 
 _INDEX = sum(index << (32 * index + 16) for index in range(5))
+"""The indices of the five integers, which every word has in bits 16-18 of each."""
 _CLOCK = 7 << _CLOCK_SHIFT
 """The bits of the clock."""
 _READ = {name: _raised(lines) for name, lines in (READ_LINES | NEIGHBOURS).items()}

@@ -42,10 +42,12 @@ from nscc.words.stored_machine import StoredMachine, stored_machine
 from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
+"""The first bytes of every file."""
 VERSIONS = (1, 2, 3, 4, 5)
 """File versions: fixed shutters, pixels that look, chips without logic, programs with images, and
 those with parameters, input planes, kept or repeated images."""
 _PREAMBLE = Struct("<8sIIQ")
+"""Magic, version, length of the header, and length of the file, before the header."""
 _DIGEST = 32
 """Bytes of the SHA-256 digest that ends a file."""
 LARGEST_FILE = 1 << 31

@@ -555,6 +555,7 @@ class Pictures:
 
         `params` has values of parameters by name; None stands for the largest number of steps of
         each loop."""
+        # `at` is the first launch that is not yielded yet.
         level_of, at = {level.launch: level for level in self.levels_of}, 0
 
         def run(end: int, times: Times | None, step: int) -> Iterator[SteeredLaunch]:
@@ -567,6 +568,7 @@ class Pictures:
         for loop in self.loops:
             yield from run(loop.first, None, 0)
             at, times = loop.first, loop.times
+            # Without a parameter, the number of steps is constant, and no step can be left out.
             is_set = bool(times.param)
             for step in range(times.most if is_set and params is None else times.at(params or {})):
                 yield from run(at + loop.launches, times if is_set else None, step)
@@ -652,8 +654,8 @@ class Pictures:
 
     @property
     def images_sent(self) -> tuple[str, ...]:
-        """Return the names of the images that a device sends: those that are read out, and those
-        whose sum the host computes."""
+        """The names of the images that a device sends, each once: those that are read out, then
+        those whose sum the host computes."""
         summed = (report.plane for report in self.reports if report.kind == "sum")
         return (
             *self.images_read,
@@ -683,6 +685,7 @@ def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
     itself is not changed."""
     if isinstance(node, Sum):
         return Sum(tuple((factor, change(value)) for factor, value in node.terms))
+    # A node is made from its fields in order.
     make: Any = type(node)
     changed: Node = make(*(change(v) if isinstance(v, Node) else v for v in vars(node).values()))
     return changed

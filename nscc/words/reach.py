@@ -112,6 +112,7 @@ class RegisterReaches:
         for name in op.destinations:
             self._constant.pop(name, None)
             if effect is WordEffect.DIGITAL and phase is Phase.WHOLE and not op.sources:
+                # SET is the inverse of an OR of nothing, CLR the OR itself.
                 self._constant[name] = op.operation.inverted
             written = reach
             if name in NEIGHBOURS:
