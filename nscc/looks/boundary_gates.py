@@ -324,8 +324,8 @@ def _ordered(
     """Return the contents after writing all new values, one after the other, in the order of fewest
     words.
 
-    `new_values` are truth vectors by register. Return `best`, the contents that an earlier attempt
-    reached or None, if no order takes fewer words than that, or none works."""
+    `new_values` are truth vectors by register. `best` are the contents that an earlier attempt
+    reached, or None. Return `best` if no order takes fewer words, or if none works."""
     if best is not None and contents.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:

@@ -47,9 +47,9 @@ class LookingReplay(ReplayPixels):
     These pixels are called lanes. Arrays with one row per lane: `node` int64 (lanes,) is the node
     of the state machine. Bit c of `outcome`, int64 (lanes,), is the answer of comparison c of the
     current look. `due` (lanes, buckets) are the exposures that the program requires, and `since`
-    (lanes,) is the light since the last reset, in electrons. `exact` is bool (lanes,), see the
-    module. `pending` are the indices of the comparisons that words still have to make at this
-    boundary."""
+    (lanes,) is the light since the last reset, in electrons. `exact`, bool (lanes,), tells whether
+    all histories that were merged in a lane had equal exposures. `pending` are the indices of the
+    comparisons that words still have to make at this boundary."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         """Begin with a lane (simulated pixel) for each initial node of the state machine, at the

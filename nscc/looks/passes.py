@@ -100,8 +100,9 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     """Return whether a write to the masked register destroys a value that is read later; False if
     one of both registers is unused.
 
-    The chip changes that register only in pixels whose mask register is 1. So the words first set
-    the mask to 1, which overwrites what it holds."""
+    `allocation` says which value is in which register of the chip. The chip changes the masked
+    register only in pixels whose mask register is 1. So the words first set the mask to 1, which
+    overwrites what it holds."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
@@ -245,10 +246,10 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """Return the analog steps of a moment, for reports: comparisons, then for each bucket its
-    closing and opening, then a reset.
+    """Return the analog steps of a moment of the plan, for reports: comparisons, then for each
+    bucket its closing and opening, then a reset.
 
-    A step has the words that do it if they share nothing with other steps."""
+    A step has the words that it would need alone; the program may share words between steps."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))

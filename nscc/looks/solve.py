@@ -164,8 +164,10 @@ class _Moment:
     must write, by register."""
 
     def __init__(self, solver: Solver, moment: Moment) -> None:
-        """Compute the register contents before the boundary, and the new values that its gates must
-        write."""
+        """Compute the register contents before the boundary of `moment`, and the new values that
+        its gates must write.
+
+        `solver` has the plan and the registers of codes and states."""
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
         self.contents = RegisterContents(

@@ -124,9 +124,9 @@ def _predecessors(
     """Return all ways to put one more word before the words of an unfinished order, each as the new
     order and the word.
 
-    A `_Node` describes an unfinished order: its cost, the neighbours left, the content of NEWS (the
+    `node` describes the unfinished order: its cost, the neighbours left, the content of NEWS (the
     register that neighbours can read), the multiples used, and the number of words. `weights` are
-    the integer weights by offset."""
+    the integer weights by offset. `forms` are the words that the chip allows."""
     cost, left, content, used, follow = node
     # Every word inverts the sum so far, so the sign of a weight depends on how many words follow.
     sign = -1 if follow % 2 else 1

@@ -18,8 +18,8 @@ _REPORT = LazyFunctions("nscc.neighbours.picture_report")
 class Images(ProgramKind):
     """What the compiler does for a program with images or planes.
 
-    The exposure before them is that of another kind, whose class comes next in the order of
-    methods."""
+    The exposure before them belongs to a program of another kind. A class inherits from this one
+    first, then from that kind, so that `super()` is that kind."""
 
     has_simpler_programs = False
 
@@ -35,23 +35,25 @@ class Images(ProgramKind):
         return container, [*found, *errors]
 
     def after_frame(self, container: Container) -> Failure | None:
-        """Return the failure of the proof of the words after the frame, or None.
+        """Return the failure of the proof of the words after the frame; None if they are proved.
 
-        The other kind's failure comes first, then that of images and planes."""
+        What the kind of the exposure checks comes first, then images and planes."""
         from nscc.neighbours.pictures_proof import pictures_failure
 
         return super().after_frame(container) or pictures_failure(container)
 
     def report(self, compiled: Compiled) -> dict[str, Any]:
-        """Return the build report of the other kind (keys and JSON values) with what images and
-        planes cost.
+        """Return the build report of the exposure (JSON values by key) with what images and planes
+        cost.
 
         Their time is added to `frame_us`."""
         report: dict[str, Any] = _REPORT.with_pictures(super().report(compiled), compiled.container)
         return report
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:
-        """Return the rows (label, text) of the summary, those of images and planes first; [] if the
-        other kind has no summary."""
+        """Return the rows (label, text) of the summary: those of images and planes, then those of
+        the exposure.
+
+        Return [] if the exposure has no rows."""
         rows = super().rows(compiled)
         return [*_REPORT.picture_rows(compiled.container), *rows] if rows else rows

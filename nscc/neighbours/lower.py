@@ -434,13 +434,13 @@ class Lowering(RegisterEmitter):
         return Held(register, sign=-1, low=value.low, high=value.high, variance=variance)
 
     def larger(self, first: Held, second: Held) -> Held:
-        """Emit the larger one of two values, and return its register: the second, overwritten where
-        the first is larger.
+        """Emit the larger one of two values at each pixel, and return its register: the second
+        value, overwritten where the first is larger.
 
-        Both values have then been read. The register of the second is overwritten if it holds the
-        negative, and nothing reads it later; otherwise a copy is. Of two negatives, NEWS (the
-        register that neighbours can read) has the first with its own sign. Raises PictureRefused if
-        no register is free."""
+        Both values have then been read, and may be exchanged before. The register of the second is
+        overwritten if it holds the negative, and nothing reads it later; otherwise a copy is. Of
+        two negatives, NEWS (the register that neighbours can read) has the first with its own sign.
+        Raises PictureRefused if no register is free."""
         negative = first.sign == second.sign < 0
         # Either may be the second: the one that holds the negative or, of two negatives, one that
         # nothing reads later.

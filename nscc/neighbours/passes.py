@@ -127,7 +127,7 @@ def _shortest(
     """Return the lowering with the fewest words among several forms of the images and several
     `searches` for kernels.
 
-    `level` is that of `-O`. From `_LEVEL_OF_ALTERNATIVES` on, equivalent forms of the images are
+    From the level of optimisation `_LEVEL_OF_ALTERNATIVES` on, equivalent forms of the images are
     tried as well. If no form fits the registers, the images are computed in another order. Raises
     PictureRefused, with the reason of the first form, if this does not fit either, or if values
     exceed the range."""
@@ -391,8 +391,8 @@ def _refusal(
     """Return the error for images that do not fit (NS0535), or whose values leave the range
     (NS0540).
 
-    `refused` says what is lacking; a refusal because a search ran out of steps must not come here.
-    `level` is that of `-O`."""
+    `refused` says what is lacking; it must not be of the kind "steps" (a search that ran out of
+    steps). `level` is the level of optimisation, 0 to 3."""
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":

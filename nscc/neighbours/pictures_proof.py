@@ -117,8 +117,9 @@ def _check_steps(
 ) -> None:
     """Compare the register of each name that a loop repeats with an expression of that name.
 
-    `expected` chooses the expression: the initial value or the step. `compare` compares one
-    register with it. Raises PictureReplayError for a difference, also in the number of steps."""
+    `meaning` has the images and planes of the program. `expected` chooses the expression: the
+    initial value or the step. `compare` compares one register with it. Raises PictureReplayError
+    for a difference, also in the number of steps."""
     for value in loop.values:
         node = meaning.pictures.repeated[value.name]
         if node.times != loop.times:
@@ -132,9 +133,9 @@ def _compare(
     """Raise PictureReplayError unless a register holds the expression `node`, times the sign of
     `value`, in every pixel.
 
-    `value` has the register. Pixels that depend on pixels beyond the array are skipped, except
-    `middle` (column, row), which must not. Raises AlwaysEqual if the expression compares equal
-    values."""
+    `value` has the register, `replay` the contents of registers now; `meaning` gives what `node`
+    must be at a pixel. Pixels that depend on pixels beyond the array are skipped, except `middle`
+    (column, row), which must not. Raises AlwaysEqual if the expression compares equal values."""
     name = value.name
     if meaning.forms.compares_equal(meaning.of(node, middle)):
         raise AlwaysEqual(name)

@@ -165,8 +165,10 @@ def turned_taps(taps: Taps, turn: int) -> Polynomial:
 
 
 def turned(program: Program, turn: int) -> Program:
-    """Return the program of a rotated or mirrored convolution kernel, as `turned_taps` returns
-    that; `turn` is one of `TURNS`."""
+    """Return the program of a convolution kernel that is rotated or mirrored, from the program of
+    the kernel itself.
+
+    `turn` is one of `TURNS`, of which 0 changes nothing."""
     a, b, c, d = _TURNS[turn]  # the matrix ((a, b), (c, d)) of the rotation or reflection
     names = {name: OF_STEP[a * x + b * y, c * x + d * y] for name, (x, y) in STEPS.items()}
 

@@ -254,8 +254,10 @@ class RegisterEmitter(CountEmitter):
         return self.negated(value) if value.sign < 0 else value
 
     def reuse_of(self, program: Program, value: Held) -> Reuse:
-        """Return which words of a program must run on `value`, because registers still hold the
-        results of the others."""
+        """Return which words of a program must run on `value`.
+
+        A word need not run if a register still holds its result from an earlier program on the same
+        value."""
         base = f"{value.name or self._written(value.register)} {value.sign}"
         return reuse(program, base, self.contents, self.free, self.target.news_read_keeps)
 

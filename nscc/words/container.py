@@ -30,8 +30,8 @@ class StoredKernel(Record):
 
 
 class Launch(Record):
-    """The start of a kernel (list of words) at boundary `instant`, 0..N: before the light of that
-    slot, or at N after that of the last.
+    """The start of a kernel (list of words) at boundary `instant`: 0 is the start of the frame, n
+    the boundary before slot n, and N the end of the last slot.
 
     `kernel` is the kernel's index in the container. IN, the value that all pixels receive, is set
     to `level` steps before; None leaves it unchanged."""

@@ -39,10 +39,11 @@ class FrameCost(Record):
 
 
 def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
-    """Return number and time of words, without the time of a launch (start of a kernel).
+    """Return number and time of words on `target`, without the time of a launch (start of a
+    kernel).
 
-    A word is five integers of 32 bits; it need not be valid. Words that only the target has may
-    have a time of their own."""
+    Each of `words` is five integers of 32 bits; it need not be valid. Words that only the target
+    has may have a time of their own."""
     analog = digital = 0
     own_us = []
     for word in words:

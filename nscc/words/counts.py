@@ -134,10 +134,11 @@ class CountUnit(Record):
 
 
 def count_unit(pictures: p.Pictures, target: Target) -> CountUnit | None:
-    """Return how a program's counts are represented; None for a program without counts.
+    """Return how the counts of the images `pictures` are represented on `target`; None for a
+    program without counts.
 
     The largest count must fit the registers and IN (the level sent to all pixels), and levels and
-    factors must be whole steps. If they do not fit, the `steps` of the result are 0."""
+    factors must be whole steps. If the counts do not fit, `steps` of the result is 0."""
     known, weights = counts_by_name(pictures), pictures.weights_by_name
     # The largest count with the item in which it occurs, and the fewest steps of IN for a count.
     peak, name, least = Fraction(0), "", 1

@@ -176,8 +176,11 @@ class Directive:
 def _block(
     attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
 ) -> TextBlock:
-    """Begin a block of lines, which is stored in `attribute` of the draft, and return it; report a
-    second such block, which replaces the first."""
+    """Begin a block of lines for the directive `head`, store it in `attribute` of the draft (such
+    as "source"), and return it.
+
+    `tokens` are the directive's arguments. A second such block is reported, and replaces the first.
+    """
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} appears twice", head.span)
     block = TextBlock(head, tuple(tokens))
@@ -195,9 +198,9 @@ def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> T
 
 
 def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a note to the draft; report a second one with the same key, which is left out.
+    """Add a note to the draft.
 
-    `tokens` are its key and its text."""
+    `tokens` are its key and its text. A second note with the same key is reported, and left out."""
     key, text = tokens
     if key.text in draft.notes:
         faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
@@ -208,9 +211,9 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     """Add slot lengths, in microseconds, to the draft.
 
-    A token is a time such as `125us`, or such as `x64`, which repeats the slot before it so that
-    there are 64 of them. An invalid length or too many slots are reported; the rest of the line is
-    then ignored."""
+    Each of `tokens` is a time such as `125us`, or a number such as `x64`, which repeats the slot
+    before it so that there are 64 of them. An invalid length or too many slots are reported; the
+    rest of the line is then ignored."""
     for token in tokens:
         if token.text.startswith("x"):  # the number of slots, starting with the previous slot
             repeats = int(token.text[1:]) - 1
@@ -238,8 +241,10 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
 
 
 def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a word that is given as five integers, decimal or hexadecimal after `0x`; report integers
-    of more than 32 bits, and leave the word out."""
+    """Add a word to the last kernel of the draft.
+
+    `tokens` are its five integers, decimal or hexadecimal after `0x`. Integers of more than 32 bits
+    are reported, and the word is left out."""
     a, b, c, d, e = (int(t.text, 16 if t.text[:2] in ("0x", "0X") else 10) for t in tokens)
     span = head.span.to(tokens[-1].span)
     if max(a, b, c, d, e) >= 1 << 32:
@@ -249,7 +254,7 @@ def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a line that starts kernels (lists of words) at ranges of boundaries.
+    """Add to the draft a line that starts kernels (lists of words) at ranges of boundaries.
 
     `tokens` are the ranges, such as `0..15,31`, then the names of kernels in order. An invalid
     range is reported, and the line left out."""
@@ -263,7 +268,7 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add the readout of a register.
+    """Add the readout of a register to the draft.
 
     `tokens` are the register and perhaps its bucket and its gain (by default 1). An invalid gain is
     reported, and the line left out."""

@@ -211,8 +211,8 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
 def read_container(path: Path) -> Container:
     """Return the container in the file `path`.
 
-    Raises Rejected: NS0709 (status 2) if the file cannot be read, otherwise as `from_bytes` does.
-    """
+    Raises Rejected: NS0709 (status 2) if the file cannot be read. For a file that is no container,
+    is damaged or has another version, it is NS0702 or NS0704 to NS0707 (status 1)."""
     try:
         with open(path, "rb") as file:
             data = file.read(_CHUNK)
@@ -269,8 +269,9 @@ def _check_frame(data: bytes, name: str) -> int:
     """Check magic, version, length and checksum of a file, and return the length of its header in
     bytes.
 
-    Raises Rejected, which names the file `name`: NS0702, NS0704 to NS0706 as `from_bytes` does, and
-    NS0707 for a header that is longer than the file."""
+    Raises Rejected (status 1), which names the file `name`: NS0702 for another magic, NS0704 for an
+    unknown version, NS0705 for another length than the file states, NS0706 for a wrong checksum,
+    and NS0707 for a header that is longer than the file."""
     if not data.startswith(MAGIC):
         reason = "it is empty" if not data else "it is not a container of instruction words (.icw)"
         raise _rejected("NS0702", name, reason)

@@ -81,8 +81,8 @@ def picture_kernels(container: Container) -> tuple[tuple[Op, ...], ...]:
     """Return the operations of every kernel (list of words) of images and planes, in order; ()
     without images and planes.
 
-    Raises Rejected with the errors of the first ten invalid words, as `decoded` does; these words
-    may reach neighbours."""
+    These words may reach neighbours. Raises Rejected (NS0701, NS0703, NS0708) with the errors of
+    the first ten invalid words."""
     kernels = container.pictures.kernels
     named = ((f"{number} of the images", words) for number, words in enumerate(kernels))
     return _decoded(named, container.target, picture_fault)
@@ -95,7 +95,8 @@ def picture_words(
     in steps).
 
     The value of IN (the level sent to all pixels) is None if it is not set. `params` has values of
-    parameters by name, by default their starts. Raises Rejected as `decoded` does."""
+    parameters by name, by default their starts. Raises Rejected (NS0701, NS0703, NS0708) with the
+    errors of the first ten invalid words."""
     kernels = picture_kernels(container)
     launches = container.pictures.executed(params)
     return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]

@@ -197,10 +197,10 @@ def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int
 
 
 def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
-    """Return the index of each name, in order; report a name that occurs twice (NS0719), which gets
-    no second index.
+    """Return the index of each of the names `tokens`, in order.
 
-    `kind` names in the message what is defined, such as "bucket"."""
+    A name that occurs twice is reported in `faults` (NS0719), and gets no second index. `kind`
+    names in the message what is defined, such as "bucket"."""
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
@@ -210,11 +210,11 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """Return the starts of kernels (lists of words), by boundary, and at one boundary in the order
-    of the text.
+    """Return the starts of kernels (lists of words) that the draft's `.slot` lines state, by
+    boundary, and at one boundary in the order of the text.
 
-    Unknown kernels and boundaries beyond the frame are reported; after an error the result must not
-    be used."""
+    Unknown kernels and boundaries beyond the frame are reported in `faults`; after an error the
+    result must not be used."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -238,10 +238,11 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
 def _readouts(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[Readout, ...]:
-    """Return the readouts, in the order of the text; `buckets` are the names of all buckets.
+    """Return the readouts of the draft, in the order of the text; `buckets` are the names of all
+    buckets.
 
-    Unknown registers and buckets, and a bucket that is not read exactly once, are reported; after
-    an error the result must not be used."""
+    Unknown registers and buckets, and a bucket that is not read exactly once, are reported in
+    `faults`; after an error the result must not be used."""
     registers = {name: i for i, name in enumerate(target.analog_registers)}
     known = {name: i for i, name in enumerate(buckets)}
     readouts, read = [], set()
@@ -360,10 +361,11 @@ def _table(
 
 
 def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray[np.int32] | None:
-    """Return the code of every pixel, int32 (rows, cols), from a tile or the whole array.
+    """Return the code of every pixel, int32 (rows, cols), from the `.pixels` block of the draft: a
+    tile or the whole array.
 
-    A tile is repeated, and cut at the ends of the array. Return None without a `.pixels` block, and
-    after reporting an error (NS0714). `codes` is the number of codes."""
+    A tile is repeated, and cut at the ends of the array. Return None without such a block, and
+    after reporting an error (NS0714) in `faults`. `codes` is the number of codes."""
     block = draft.pixels
     if block is None:
         return None

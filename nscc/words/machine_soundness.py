@@ -81,7 +81,8 @@ def faults(container: Container) -> Iterator[str]:
 
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
-    """Yield the errors of the states: their names, ranges, and the registers that hold their bits.
+    """Yield the errors of the states of `machine`: their names, ranges, and the registers of the
+    container that hold their bits.
 
     Each is the end of a sentence about the container."""
     names = [state.name for state in machine.states]

@@ -73,8 +73,10 @@ class RegisterReaches:
         bits_known: bool = False,
         before: Mapping[str, Reach] = MappingProxyType({}),
     ) -> None:
-        """Compute the reach of all registers of `target` after `words`; the other arguments are
-        described with the class."""
+        """Compute the reach of all registers of `target` after `words` have run, in order.
+
+        `before` has the reach of registers before, by name; others have none. With `bits_known`,
+        bits beyond the array are known constants."""
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
         # Registers that a word without sources wrote: 1 in all pixels (SET) or 0 (CLR).
@@ -197,10 +199,11 @@ def reaches_of_frames(
 
 
 def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
-    """Return `beyond_reaches` of consecutive frames, up to the frame from which they stay the same:
-    the last entry holds for all later frames.
+    """Return how far each output and state depends on values outside the array, by name, in
+    consecutive frames.
 
-    Return None if they grow with every further frame. Parameters have their starts."""
+    The list ends with the frame from which this stays the same, so the last entry holds for all
+    later frames. Return None if it grows with every further frame. Parameters have their starts."""
     film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
     kept = len(container.pictures.stepping)
