@@ -227,6 +227,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
             most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, least=1, ceiling=most)
         case "e":
             rule, kept_shutters = bits_rule(), "every shutter"
+            # n slots have 2^n shutters.
             most = min(most, registers)
         case "codebook":
             return

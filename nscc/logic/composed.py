@@ -174,9 +174,11 @@ class _Writer:
                 if only_opens(~rule.open if closes else rule.open):
                     return self._state(rule, closes, inverse)
             return self._covered(columns(rule.open), self._part_planes(rule))
+        # An `and` is the NOR of its parts' inverses, an `or` the OR of their values.
         if rule.operator != "xor":
             inverse = rule.operator == "and"
         first, second = self._planned(rule.first, inverse), self._planned(rule.second, inverse)
+        # The masked register can hold the exclusive or of its state and a part of cubes.
         if not (self.kept and rule.operator == "xor" and isinstance(first, _State)):
             return rule.operator, first, second
         alone = first.masked and first.second is None
@@ -310,11 +312,13 @@ class _Writer:
                 (self.gates.nor if inverse else self.gates.or_)(
                     MASK, self._cubes(step, index, inverse)
                 )
+                # A masked NOT inverts the state where the value of the cubes changes.
                 self.gates.nor(state.register, [state.register], masked=True)
                 self._end_segment()
         if index not in state.changes:
             return
         number = state.changes[index]
+        # Where the low bits begin again at 0, the high bits count on: one bit of their Gray code.
         if number and not number & (1 << state.low_bits) - 1:
             high = number >> state.low_bits
             # The Gray codes of `high` - 1 and `high` differ in the bit of the lowest 1 of `high`.
@@ -401,6 +405,8 @@ class _Writer:
             return [name] if planned.positive != inverse else [self._joined("NOR", [name])]
         operator, first, second = planned
         if operator == "xor":
+            # Each part is read as its value or its inverse, whichever takes fewer gates; every
+            # inverse inverts the exclusive or.
             directs = self._direct(first, index), self._direct(second, index)
             a, b = (
                 self._sources(part, index, direct)
@@ -410,6 +416,7 @@ class _Writer:
             # `only_a` needs a register, and no source gives one back: `neither` leaves its own.
             if not self.free and not any(name[0] == "t" for name in b):
                 neither = self._in_flag(neither)
+            # `neither` is 1 where both are 0, so this is 1 where only the first is 1.
             only_a = self._joined("NOR", [*neither, *b], kept=neither)
             only_b = self._joined("NOR", [*neither, *a])
             joined, direct = [only_a, only_b], directs[0] ^ directs[1]
@@ -478,6 +485,7 @@ class _Writer:
             if names and not self.free:
                 names = self._in_flag(names)
             names.append(self._joined("NOR", [f"p{plane}" for plane, _ in cube]))
+            # Joined at once, which frees a register for the next cube.
             names = [self._joined("OR", names)] if len(names) > 1 else names
         return names if low == inverse else [self._joined("NOR", names)]
 

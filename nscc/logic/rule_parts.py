@@ -130,6 +130,7 @@ def _splits(
         a, b = pairs[:, 0][first], (pairs[0] ^ pairs[0, :1])[second]
         if np.array_equal(a ^ b, is_open):
             constants = [a[first == number][:1] for number in (first.max(), 0)]
+            # Of the constants, one with which the first part only opens or closes is best.
             nested = [c for c in constants if only_opens(a ^ c) or only_opens(~(a ^ c))]
             constant = nested[0] if nested else constants[0]
             yield "xor", a ^ constant, b ^ constant

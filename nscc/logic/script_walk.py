@@ -208,6 +208,7 @@ class _Walker:
             choices += self._covers(names, None, ahead, against)
             if choices and min(c.price for c in choices) <= _GOOD_PRICE:
                 break
+        # An inverted value takes a register, and so does a cube or a complement.
         if self.scratch > 1 and min((c.price for c in choices), default=_DEAR) >= _DEAR:
             for name in steady:
                 choices += self._covers(steady, name, ahead, against)

@@ -351,6 +351,8 @@ class _Builder:
         open shutter, and reset it before the next."""
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
+            # The setup resets PIX for slot 0; for a slot in which no shutter is open nobody reads
+            # it.
             if slot and any(lit):
                 self.steps.append(
                     PlanStep(boundary=slot, role="reset", bucket=-1, predicate=None, words=RESET)

@@ -90,6 +90,7 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
     words = lowered.words_per_boundary
+    # Of equally full boundaries the first.
     worst = max(lowered.overfull, key=lambda n: (words[n], -n))
     certain = _nothing_untried(choice) and all(
         any(_analog_words(candidate, n) > allowed for n in candidate.overfull)

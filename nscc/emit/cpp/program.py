@@ -105,6 +105,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
     film = film_reaches(exposure) if exposure.pictures.reports else []
     follow = any(loop.times.param for loop in exposure.pictures.loops)
+    # Margins are constant tables in C++; `film` is None if they grow with every frame.
     if film is None or (film and follow):
         way_out = "read the plane instead of reporting it"
         reason = MARGINS_FOLLOW if film else MARGINS_GROW
@@ -346,6 +347,7 @@ def _kernels(
                 raise ValueError(
                     f"calls with few sources do not implement the program: {proof.failure}"
                 )
+            # The kernels of images and planes follow, and stay as they are.
             narrow += kernels[len(narrow) :]
         if devkit.tables:
             yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]

@@ -127,7 +127,8 @@ class FrameContext:
 
     def legal(self, item: GateOp) -> bool:
         """Return whether the machine has a word, or a pair of words, for the operation `item`: few
-        enough sources, a WHERE that is no NOR, and a mask for the masked register."""
+        enough sources, a WHERE that is no NOR, a mask for the masked register, and no copy of a
+        register to itself."""
         count = len(item.sources)
         if item.destination == self.flag:
             limit = self.machine.where_sources
@@ -270,6 +271,7 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
         if item.destination == frame.flag:
             gate = Gate("WHERE", "FLAG", sources)
         else:
+            # By the number of sources: none, one, more.
             kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
             gate = Gate(kinds[min(len(sources), 2)], names[item.destination], sources)
             if item.destination == frame.masked:

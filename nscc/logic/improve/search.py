@@ -244,6 +244,7 @@ def balance(
             for n in [n for n, words in enumerate(loads.words) if words >= most]
         ):
             pass
+    # Compared with the gates where they were before.
     if max(loads.words) >= max(loads.counted(items)):
         return solution
     return settled(frame, run.items, as_long=True)
@@ -295,6 +296,7 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue
+        # FLAG must be loaded where it is needed, and a masked write overwrites its mask.
         if item.destination in (run.frame.flag, run.frame.masked):
             continue
         for start, place, segment in _earlier(run, k, loads, most):
@@ -318,6 +320,7 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
     for at in islice(checks, REACH):
         item = run.items[at]
         boundary = loads.boundary(item.place)
+        # An operation takes at least one word.
         if boundary == own_boundary or loads.words[boundary] + 1 >= most:
             continue
         before = run.items[at - 1] if at else item

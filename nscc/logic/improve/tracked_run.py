@@ -159,6 +159,8 @@ class TrackedRun:
         assert not isinstance(source, Check)
         written = before[k + 1][source.destination]
         assert written is not None
+        # The registers that would hold something else if the result were complemented, with that
+        # content.
         flipped: dict[int, int] = {source.destination: written ^ everything}
         touched = 1 << source.destination
         matters = 0
