@@ -32,8 +32,9 @@ Planes = Mapping[str, NDArray[np.bool_]]
 def next_planes(
     container: Container, loaded: Planes, final_planes: Planes
 ) -> dict[str, NDArray[np.bool_]]:
-    """Return the registers (rows, cols) at the start of the next frame, by name. Kept states are
-    taken from the `final_planes` of this frame, everything else from `loaded`."""
+    """Return the digital registers at the start of the next frame, bits (rows, cols) by name. Kept
+    states are taken from `final_planes`, the registers at the end of this frame; everything else
+    from `loaded`, those at its start."""
     machine = container.machine
     names = (state.name for state in machine.states if state.is_kept)
     kept_registers = {
@@ -46,7 +47,8 @@ def next_planes(
 
 
 Exposing = Callable[[Planes, int], Executed]
-"""A function of (loaded registers, frame number) that exposes one frame."""
+"""A function of (loaded registers, frame number) that exposes one frame; registers are bits (rows,
+cols) by name."""
 
 
 def exposing(
@@ -58,10 +60,11 @@ def exposing(
     threads: int,
     by_words: bool = False,
 ) -> Exposing:
-    """Return a function that exposes frames of one light.
+    """Return a function that exposes frames of one light, prepared once.
 
-    `seeds`: noise seed, device seed. `by_words`: use the reference, as for effects and programs
-    that the block loop does not support."""
+    `seeds`: noise seed, device seed. Results do not depend on `threads`. `by_words`: use the
+    reference, which is also used for effects and programs that the block loop does not support.
+    Raises Rejected if a word is no operation of the chip."""
     if by_words or lacks(container, sensor, effects):
         reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
         return lambda loaded, number: reference.execute(
@@ -74,7 +77,8 @@ def exposing(
     assert not isinstance(paths, str)  # `lacks` says so
 
     def expose(loaded: Planes, number: int) -> Executed:
-        """Expose frame `number`, in which registers begin with the bits `loaded`."""
+        """Expose frame `number`, in which registers begin with the bits `loaded` (rows, cols), by
+        name. Raises ValueError for bits that no code and no kept state has."""
         begins = paths.begins(loaded, shape).reshape(-1)
         pixels = expose_pixels(block, seeds[0], number, threads, begins)
         whole = len(pixels.exposure_e), *shape
@@ -99,10 +103,12 @@ def frames(
     threads: int | None = None,
     by_words: bool = False,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1 of `light`; kept states continue from frame to frame.
+    """Return an iterator over frames 0 to `count` - 1 of `light`; kept states continue from frame
+    to frame.
 
-    `by_words`: use the reference. Results do not depend on `threads` (None: all processors). Raises
-    Rejected, before the first frame, for programs and light that cannot run."""
+    `seed`: of the noise. `device_seed`: of the fixed patterns. `by_words`: use the reference.
+    Results do not depend on `threads` (None: all processors). Raises Rejected at the call, not at
+    the first frame, for programs and light that do not fit."""
     check(container, light)
     check_adc(container.target)
     seeds = seed, device_seed
@@ -118,8 +124,9 @@ def _film(
     seeds: tuple[int, int],
     count: int,
 ) -> Iterator[Frame]:
-    """Yield frames 0 to `count` - 1, each exposed by `expose` with the states that the frame
-    before it kept."""
+    """Yield frames 0 to `count` - 1, each exposed by `expose` with the states that the frame before
+    it kept, and converted with the readout effects of `effects`. `seeds`: noise seed, device
+    seed."""
     loaded: Planes = container.planes()
     for number in range(count):
         executed = expose(loaded, number)

@@ -47,8 +47,9 @@ def looked_response(
 
 
 def _paths_by_outcome(container: Container, paths: Paths) -> dict[tuple[int, ...], list[int]]:
-    """Return for each end of a frame (see `looked_response`) the numbers of the segments in `paths`
-    of one path to it."""
+    """Return for each end of a frame, a tuple of the behaviour's number and the values of the
+    states that are read, the numbers of the segments in `paths` of one path to it, last segment
+    first. Of several paths to an end, the first that is found stands for all."""
     machine = container.machine
     bits = start_bits(container)
     nodes = int(machine.first[1])
@@ -70,7 +71,9 @@ def _paths_by_outcome(container: Container, paths: Paths) -> dict[tuple[int, ...
 
 
 def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
-    """Return for each ending that `first` leads to the segments of one path, last segment first."""
+    """Return for each ending that can be reached from the segment number `first` the segments of
+    one path to it, last segment first. If `first` is -1 - e, the only ending is e, without
+    segments."""
     if first < 0:
         return {-1 - first: []}
     before, path_by_ending = {first: -1}, {}
@@ -90,7 +93,8 @@ def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
 
 
 def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
-    """Return the bus and reset words of a frame; lanes are the ends whose paths contain them."""
+    """Return the bus and reset words of a frame in order, each with the lanes in which it acts.
+    Lane k is the k-th end, and `by_end` has the segments of its path, in any order."""
     acts = np.zeros((len(paths.words), len(by_end)), np.bool_)
     for end, path in enumerate(by_end):
         for segment in path:
@@ -105,13 +109,16 @@ def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
 def row_of(
     rows: NDArray[np.int64], columns: Sequence[NDArray[np.integer]]
 ) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-    """Return the index of the row of `rows` (R, K) that equals the values of K arrays, and where it
-    exists.
+    """Return for each pixel the index of the row of `rows` (R, K) that equals its values in the K
+    arrays `columns` of equal shape, and where such a row exists.
 
-    Both results have the shape of the arrays; the index is arbitrary where no row matches."""
+    Both results have the shape of these arrays. Of equal rows it is the first; where no row
+    matches, the index is that of any row. R and K are at least 1."""
     number = np.zeros(len(rows), np.int64)
     row_number = np.zeros(columns[0].shape, np.int64)
     is_present = np.ones(row_number.shape, np.bool_)
+    # After k columns, rows and pixels have a number for their first k values. Numbers are made
+    # consecutive for each column, so that products stay small.
     for column, values in zip(rows.T, columns, strict=True):
         low, span = int(column.min()), int(np.ptp(column)) + 1
         known, number = np.unique(number * span + column - low, return_inverse=True)
@@ -141,7 +148,9 @@ def told_by(
     """Return the arrays of a frame file that follow from the digital `planes` of one frame.
 
     These are `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows,
-    cols), and the light (see `light_of`)."""
+    cols), and the light and its standard deviation, `light_e_per_s` and `light_sd_e_per_s`
+    (buckets, rows, cols). `planes`: bits (rows, cols) by digital register; those of the states that
+    are read are needed. `effects`: those that the simulation had; all for a chip."""
     machine = container.machine
     assert container.pixel_codes is not None
     state_values = {
@@ -160,8 +169,9 @@ def told_by(
 def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) -> Values:
     """Return the open time of each bucket of a pixel in microseconds, (buckets, rows, cols).
 
-    It follows from the states in the arrays of `told_by`; -1 where no pixel can end in these
-    states."""
+    It follows from `told_arrays`, of which the arrays `states_NAME` (rows, cols) of all states that
+    are read are used; -1 where no pixel can end in these states. Raises KeyError if one is
+    missing."""
     assert container.pixel_codes is not None
     behaviour = container.table.shutter_of_code[container.pixel_codes]
     prefix = "states_"
@@ -175,8 +185,8 @@ def open_times(
     """Return the number of open slots and the open time in microseconds, both (buckets, rows,
     cols).
 
-    They follow from the behaviour of each pixel and the states that were read; -1 where no pixel
-    can end in these states."""
+    They follow from the number `behaviour` (rows, cols) of each pixel's behaviour and the values
+    (rows, cols) of the states that were read, by name; both are -1 where no pixel can end so."""
     last = machine.nodes(machine.stages - 1)
     read = [k for k, state in enumerate(machine.states) if state.read]
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
@@ -230,8 +240,9 @@ def light_of(
 
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
-    """Return the charge before soft saturation of two registers in a row; `read_e` is the charge
-    read out."""
+    """Return the charge before soft saturation of two registers in a row: `read_e`, in electrons of
+    any shape, passed through both. Charge in the linear range, and all charge if registers do not
+    saturate, stays as it is; the result is at most twice the linear range."""
     soft = effects.find_part(Soft)
     if soft is None:
         return read_e
@@ -244,8 +255,11 @@ def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
 
 
 def merged_image(light: Values, deviation: Values) -> Values:
-    """Return one light (rows, cols) from all buckets, weighted by inverse variance; the largest
-    value where every bucket was full."""
+    """Return one light (rows, cols) from all buckets, weighted by inverse variance. Where every
+    bucket was full or unknown, it is the largest of their values, or 0 if all are NaN.
+
+    `light`, `deviation` (buckets, rows, cols): electrons per second and their standard deviation,
+    which is infinite where a pixel was full and NaN where it is unknown."""
     with np.errstate(divide="ignore", invalid="ignore"):
         weight = np.nan_to_num(1.0 / deviation**2, nan=0.0, posinf=0.0)
     known = weight.sum(axis=0)

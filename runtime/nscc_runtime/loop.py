@@ -80,7 +80,8 @@ def record(cls: type[_T]) -> type[_T]:
     fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
 
     def init(self: Any, **values: Any) -> None:
-        """Set all fields; raise TypeError for missing or unknown ones."""
+        """Set all fields from `values` by name; raise TypeError for missing or unknown names, or
+        values that are not numbers."""
         if values.keys() != fields.keys():
             raise TypeError(f"{cls.__name__}: {_unlike(fields, values)}")
         ctypes.Structure.__init__(self, **values)
@@ -95,22 +96,26 @@ def record(cls: type[_T]) -> type[_T]:
 
 
 def compiled(function: _F) -> _F:
-    """Mark a function that compiled loops may call."""
+    """Mark a function that compiled loops may call. Called from Python, it compiles itself first,
+    which takes a moment and needs numba."""
     return cast(_F, _LoopFunction(cast(FunctionType, function), _jitted))
 
 
 def inlined(function: _F) -> _F:
-    """Mark a function that is inlined into loops, because LLVM vectorises only inlined calls."""
+    """Mark a function that is inlined into loops, because LLVM vectorises only inlined calls;
+    otherwise it is as `compiled`."""
     return cast(_F, _LoopFunction(cast(FunctionType, function), partial(_jitted, forceinline=True)))
 
 
 def table(make: Callable[[], _T]) -> _T:
-    """Declare an array of constants for loops. `make` is called when a loop with it compiles."""
+    """Declare an array of constants for loops: `make` returns it. It is called when a loop that
+    names the array is compiled, so its values become part of the machine code."""
     return cast(_T, _LoopFunction(cast(FunctionType, make), lambda function: function()))
 
 
 def loop(function: Callable[_P, None]) -> Loop[_P]:
-    """Declare a compiled loop, which becomes part of the object file of its module."""
+    """Declare a compiled loop, which becomes part of the object file of its module. `function` must
+    fulfil the conditions of this module's docstring; they are checked when the loop is compiled."""
     return Loop(cast(FunctionType, function))
 
 
@@ -118,13 +123,15 @@ class Loop(Generic[_P]):
     """A loop as machine code, read from its module's object file or compiled on first use."""
 
     def __init__(self, function: FunctionType) -> None:
-        """Add a function to those that are compiled with its module."""
+        """Add `function` to the loops of its module, which are compiled together."""
         self.function, self.__doc__ = function, function.__doc__
         self.name, self.module = function.__name__, function.__module__
         object_file(self.module).loops.append(self)
 
     def __call__(self, *args: _P.args, **values: _P.kwargs) -> None:
-        """Run the loop without the GIL. Raises TypeError for arguments that do not match."""
+        """Run the loop without the GIL, with all arguments by name. Raises TypeError for
+        positional, missing or unknown arguments, and for arrays of another type or shape than
+        declared."""
         if args:
             raise TypeError(f"{self.name} takes what it is given by name")
         if values.keys() != self.parameters.keys():
@@ -132,6 +139,7 @@ class Loop(Generic[_P]):
         axes: dict[str, int] = {}
         if machine_code.IN_WEB:
             values.update({n: p.widened(values[n]) for n, p in self.parameters.items()})
+        # Arrays that share names of axes are checked against each other by way of `axes`.
         self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
 
     def is_compiled(self) -> bool:
@@ -155,12 +163,13 @@ class Loop(Generic[_P]):
         )
 
     def load(self) -> None:
-        """Load the machine code, compiling it if necessary."""
+        """Load the machine code of all loops of the module, compiling it if necessary, so that the
+        first call does not have to wait."""
         object_file(self.module).linked  # noqa: B018  # computes the cached property
 
     @cached_property
     def parameters(self) -> dict[str, LoopParameter | ArrayGroup]:
-        """The declared parameters by name, in order."""
+        """The declared parameters by name, in the order of the function's arguments."""
         hints = get_type_hints(self.function, include_extras=True)
         parameters = [parameter_of(name, hints[name]) for name in hints if name != "return"]
         axes = {
@@ -173,7 +182,8 @@ class Loop(Generic[_P]):
 
     @cached_property
     def entry(self) -> Callable[..., None]:
-        """The machine code as a function of addresses; it checks nothing."""
+        """The machine code as a function of the addresses of all arrays and records, in the order
+        of `parameters`; it checks nothing."""
         return object_file(self.module).linked[self.name]
 
 
@@ -188,12 +198,14 @@ class ObjectFile:
     loops: list[Loop[Any]] = field(default_factory=list)
 
     def code(self) -> bytes:
-        """Return the object code, read from a file or compiled."""
+        """Return the object code, read from a file or, if no folder has an intact one, compiled and
+        stored."""
         return machine_code.object_code(self.name, self.folders, self.build)
 
     def build(self, for_web: bool = False) -> bytes:
-        """Compile the loops to object code for this processor, or with `for_web` for
-        WebAssembly."""
+        """Compile the loops to object code for this processor, or with `for_web` for WebAssembly,
+        and return it. Raises RuntimeError if a loop calls a function that is neither compiled nor
+        inlined."""
         from nscc_runtime.loop_types import signature
 
         loops = (
@@ -226,7 +238,7 @@ class ObjectFile:
 
     @property
     def folders(self) -> tuple[Path, ...]:
-        """The folders in which the file may be, in order of preference."""
+        """The folders in which the file may be, in order of preference; they need not exist."""
         return machine_code.folders(cast(str, sys.modules[self.module].__file__))
 
 
@@ -234,7 +246,8 @@ _FILES: dict[str, ObjectFile] = {}
 
 
 def object_file(module: str) -> ObjectFile:
-    """Return the object file of an imported module."""
+    """Return the object file of the module with the full name `module`, the same for each call. It
+    has the loops that the module has declared so far."""
     return _FILES.setdefault(module, ObjectFile(module))
 
 
@@ -247,23 +260,25 @@ class _LoopFunction:
 
     @cached_property
     def for_numba(self) -> Any:
-        """The function for numba."""
+        """The form of the function, or the array, that numba's code uses; made once."""
         return self.for_loops(self.function)
 
     def __call__(self, *values: Any) -> Any:
-        """Call the function."""
+        """Call the function from Python, compiled; a table cannot be called."""
         return self.for_numba(*values)
 
 
 def _jitted(function: FunctionType, **options: Any) -> Any:
-    """Return a function that numba compiles when it is called first."""
+    """Return `function` as one that numba compiles when it is called first, without the GIL and
+    with numpy's rules for division by 0. `options` are numba's."""
     import numba
 
     return numba.njit(nogil=True, error_model="numpy", **options)(_for_numba(function))
 
 
 def _for_numba(function: FunctionType) -> FunctionType:
-    """Return a copy of a function whose globals are replaced by their forms for numba."""
+    """Return a copy of `function` in which those globals that are `compiled`, `inlined` or a
+    `table` are replaced by their forms for numba."""
     names, code = function.__globals__, function.__code__
     loop_globals = {
         name: value.for_numba
@@ -274,10 +289,12 @@ def _for_numba(function: FunctionType) -> FunctionType:
 
 
 def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
-    """Add to `known` all code, constants and functions that a function's machine code needs."""
+    """Add to `known`, by function, a text of all code and constants on which the machine code of
+    `function` depends, and the same for all functions that it calls. Those in `known` are
+    skipped."""
     if function in known:
         return
-    known[function] = ""
+    known[function] = ""  # a mark, so that functions that call each other end
     texts = []
     for code in _codes(function.__code__):
         plain = [value for value in code.co_consts if not isinstance(value, CodeType)]
@@ -296,7 +313,8 @@ def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
 
 
 def _codes(code: CodeType) -> Iterator[CodeType]:
-    """Yield a code object and all those nested in it."""
+    """Yield the code object `code` and all those nested in it, such as that of an expression with
+    `for`."""
     yield code
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
@@ -304,8 +322,8 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
 
 
 def _unlike(names_expected: Iterable[str], names_given: Iterable[str]) -> str:
-    """Return as text which expected names are missing and which given names are unknown; "" if
-    they agree."""
+    """Return the difference of expected and given names as text, such as "lacks a, b; does not take
+    c"; "" if they agree."""
     names_by_problem = {
         "lacks": {*names_expected} - {*names_given},
         "does not take": {*names_given} - {*names_expected},

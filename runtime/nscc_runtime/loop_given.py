@@ -35,7 +35,9 @@ class LoopParameter:
 
     @classmethod
     def of(cls, name: str, hint: Any) -> LoopParameter:
-        """Return the parameter that the annotation `hint` declares."""
+        """Return the parameter called `name` that the annotation `hint` declares: a record's class;
+        or an array's type, alone or `Annotated` with a record's class, WRITTEN, and a text with the
+        names of its axes such as "buckets pixels+1"."""
         hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
         if not get_origin(hint):
             return cls(name, np.dtype(hint), hint)
@@ -54,12 +56,16 @@ class LoopParameter:
         return (self,)
 
     def sized(self, axes: set[str]) -> LoopParameter:
-        """Return the parameter with `lengths`: fields of its record that are named in `axes`."""
+        """Return the parameter with `lengths`: those fields of its record that `axes`, the names of
+        axes of all arrays of the loop, contains."""
         return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
 
     def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
-        """Return the address of an argument. Raises TypeError if it does not match the declaration.
-        `axes`: the lengths known so far; new lengths are added."""
+        """Return the address of the argument `value`, as the only member of a tuple.
+
+        `axes`: the lengths of axes known so far, by name; those of this argument are added. Raises
+        TypeError for another type, an array that is not contiguous or may not be written but is to
+        be, and for other numbers or lengths of axes."""
         if self.record is not None:
             if type(value) is not self.record:
                 raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
@@ -85,13 +91,16 @@ class LoopParameter:
         return (ctypes.c_void_p.from_address(id(value) + _DATA).value or 0,)
 
     def widened(self, value: Any) -> Any:
-        """Return an argument with indices as int64: those of numpy have 32 bits in WebAssembly."""
+        """Return the argument `value`; an array of numpy's indices as int64 if the parameter is of
+        this type, because they have 32 bits in WebAssembly. An array that the loop modifies is not
+        copied, so `addresses` refuses it."""
         is_index = isinstance(value, np.ndarray) and value.dtype == np.intp
         wide = is_index and self.kind == np.int64 and not self.written
         return value.astype(np.int64, copy=False) if wide else value
 
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
-        """Return the error for an array whose `axis` has another length than in other arrays."""
+        """Return the error, for the caller to raise, for an argument whose `axis` has the `length`,
+        but another one, axes[axis], in an earlier argument."""
         return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
 
 
@@ -105,7 +114,7 @@ class ArrayGroup:
     arrays: tuple[LoopParameter, ...]
 
     def sized(self, _axes: set[str]) -> ArrayGroup:
-        """Return the group unchanged: arrays contain no lengths of axes."""
+        """Return the group unchanged: only records contain lengths of axes."""
         return self
 
     def widened(self, value: Any) -> Any:
@@ -114,11 +123,10 @@ class ArrayGroup:
         return self.kind(*(parameter.widened(array) for parameter, array in arrays))
 
     def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
-        """Return the addresses of all arrays of the record `value`; raise TypeError for another
-        record.
+        """Return the addresses of all arrays of the NamedTuple `value`, in order.
 
-        `axes` maps names of axes to their lengths, and gains those that this record declares (see
-        `LoopParameter.addresses`)."""
+        `axes`: the lengths of axes known so far, by name; those of these arrays are added. Raises
+        TypeError for an object of another class, or an array that does not match."""
         if type(value) is not self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
         return [
@@ -129,8 +137,8 @@ class ArrayGroup:
 
 
 def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
-    """Return the parameter `name` that the annotation `hint` declares: one array or number, or a
-    record of arrays."""
+    """Return the parameter `name` that the annotation `hint` declares: an array or a record, or a
+    group of arrays if it is a NamedTuple's class."""
     if not (isinstance(hint, type) and issubclass(hint, tuple)):
         return LoopParameter.of(name, hint)
     fields = get_type_hints(hint, include_extras=True).items()
@@ -140,7 +148,8 @@ def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
 
 
 def _axis(text: str) -> tuple[str, int]:
-    """Parse an axis, such as `slots` or `slots+1`, to its name and surplus."""
+    """Parse an axis, such as `slots` or `slots+1`, to its name and surplus (0 without one). Raises
+    ValueError if the surplus is no number."""
     name, _, extra = text.partition("+")
     return name, int(extra or 0)
 

@@ -24,7 +24,8 @@ extending.register_model(Records)(extending.models.PointerModel)
 
 
 def _record(_context: Any, builder: Any, _signature: Any, values: tuple[Any, Any]) -> Any:
-    """Return the address of a record, which represents the record in numba."""
+    """Return the address of an element of an array of records, which represents the record in
+    numba. `values`: the array's address and the index; `builder` makes LLVM code."""
     return builder.gep(values[0], [values[1]])
 
 
@@ -32,7 +33,8 @@ extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
 def signature(parameters: Iterable[LoopParameter | ArrayGroup]) -> Any:
-    """Return the numba signature of a loop with these `parameters`, which returns nothing."""
+    """Return the numba signature of a loop with these `parameters`, in order, which returns
+    nothing. A group of arrays becomes one NamedTuple."""
     parameter_types = []
     for parameter in parameters:
         kinds = [_type(array.kind, array.record is not None) for array in parameter.arrays]

@@ -33,18 +33,22 @@ _COMPILE_S: list[float] = []
 
 
 def working_s() -> float:
-    """Return a clock in seconds that stops while loops are compiled."""
+    """Return the time in seconds of a clock that stops while loops are compiled; only differences
+    have a meaning."""
     return perf_counter() - sum(_COMPILE_S)
 
 
 def folders(module: str) -> tuple[Path, ...]:
-    """Return the folders for the machine code of a module's file, in order of preference."""
+    """Return the folders for the machine code of a module, in order of preference: `__pycache__`
+    beside it, then the user's cache folder if there is one. `module`: path of the module's
+    file."""
     user = cache_folder()
     return Path(module).parent / _BESIDE, *(() if user is None else (user,))
 
 
 def can_keep(folders: Sequence[Path]) -> bool:
-    """Return whether object files can be stored in at least one of `folders`."""
+    """Return whether object files can be stored in at least one of `folders`. A cache folder counts
+    as writable without a check; False without folders."""
     return any(
         folder.name != _BESIDE or os.access(folder if folder.exists() else folder.parent, os.W_OK)
         for folder in folders
@@ -52,8 +56,9 @@ def can_keep(folders: Sequence[Path]) -> bool:
 
 
 def object_code(name: str, folders: Sequence[Path], build: Callable[[], bytes]) -> bytes:
-    """Return the object code `name` from the first folder with an intact copy, else build it and
-    store it."""
+    """Return the object code `name`, a file name, from the first of `folders` with an intact copy;
+    else `build()` it and store it in the first folder that can be written. If none can, it is not
+    stored; that is no error."""
     stored = read_object_file(name, folders)
     if stored is not None:
         return stored
@@ -89,8 +94,9 @@ def read_object_file(name: str, folders: Sequence[Path]) -> bytes | None:
 
 
 def build(loops: Iterable[tuple[Callable[..., None], Any]], for_web: bool = False) -> bytes:
-    """Compile functions, each with its numba signature, to one object file for this processor, or
-    for WebAssembly. Raises RuntimeError if they call foreign functions."""
+    """Compile `loops`, pairs of a function and its numba signature, to one object file for this
+    processor, or with `for_web` for WebAssembly, and return its bytes. Entries have the names of
+    the functions. Raises RuntimeError, naming them, if they call functions that are not in it."""
     import llvmlite.binding as llvm
     import numba
 
@@ -120,8 +126,9 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]], for_web: bool = Fals
 
 
 def link_for_web(objects: Sequence[Path], entries: Iterable[str], out: Path) -> None:
-    """Link object files for WebAssembly to a library with the functions `entries`, which Python in
-    a web page loads with ctypes. Raises CalledProcessError if the linker of `ziglang` fails."""
+    """Link the object files `objects` for WebAssembly to the library `out` with the functions
+    `entries` (names), which Python in a web page loads with ctypes. Raises CalledProcessError if
+    the linker of the package `ziglang` fails or is not installed."""
     linker = [
         sys.executable,
         "-m",
@@ -138,8 +145,9 @@ def link_for_web(objects: Sequence[Path], entries: Iterable[str], out: Path) -> 
 
 
 def load_in_web(parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
-    """Return the functions of the WebAssembly library by name; `parameters` gives how many
-    pointers each takes."""
+    """Return the functions of the WebAssembly library by name. `parameters`: by name, how many
+    addresses each takes. Raises OSError if there is no library, AttributeError if it lacks a
+    function."""
     library = ctypes.CDLL(str(WEB_LIBRARY))
     functions: dict[str, Callable[..., None]] = {}
     for entry, count in parameters.items():
@@ -150,8 +158,8 @@ def load_in_web(parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]
 
 
 def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
-    """Link an object file into this process and return its functions, which run without the GIL.
-    `parameters`: number of addresses that each entry takes."""
+    """Link the object file `code` into this process and return its functions by name, which run
+    without the GIL. `parameters`: by name, how many addresses each takes."""
     import llvmlite.binding as llvm
 
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine(llvm))
@@ -167,7 +175,8 @@ def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., 
 
 
 def name(stem: str, sources: Iterable[str]) -> str:
-    """Return the object file's name, with a digest of the sources, LLVM and the processor."""
+    """Return the name of an object file: `stem`, and a digest of the `sources` in order, of LLVM's
+    version and of the processor."""
     import llvmlite
     import llvmlite.binding as llvm
 
@@ -185,7 +194,7 @@ def name(stem: str, sources: Iterable[str]) -> str:
 
 def _own_root(text: str) -> str:
     """Return the LLVM code `text` with calls of the C library's square root replaced by the
-    processor's."""
+    processor's: object files must not need a C library."""
     for name, kind, intrinsic in (("sqrt", "double", "f64"), ("sqrtf", "float", "f32")):
         text, calls = re.subn(rf"^declare {kind} @{name}\(.*\n", "", text, flags=re.MULTILINE)
         declared = f"declare {kind} @llvm.sqrt.{intrinsic}({kind}"

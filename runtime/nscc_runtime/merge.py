@@ -30,10 +30,11 @@ _LARGEST_TILE = 16
 class BucketReadout:
     """One bucket as it was read out; arrays are (rows, cols).
 
-    `frame` uint8: codes. `saturated` bool. `light_e`: electrons that were collected while each
-    pixel was open, estimated from its code. `most_e`: the same for the last code. `open_s`: open
-    time in seconds. `window` (rows, cols): size of a neighbourhood that contains pixels of every
-    code."""
+    `name`: that of the bucket. `frame` uint8: codes. `saturated` bool: True where light was lost.
+    `light_e`: electrons that were collected while each pixel was open, estimated from its code.
+    `most_e`: the same for the last code. `open_s`: open time in seconds, 0 where never open.
+    `window`: numbers of rows and columns of a neighbourhood that contains pixels of every code, at
+    most those of the array."""
 
     name: str
     frame: NDArray[np.uint8]
@@ -45,10 +46,11 @@ class BucketReadout:
 
 
 def readouts(container: Container, frame: Frame, response: Response) -> list[BucketReadout]:
-    """Return each bucket of a frame with everything that merging needs: codes, open times, window,
-    response.
+    """Return each bucket of a frame, in the container's order, with everything that merging needs.
 
-    Raises Rejected for programs with images or planes."""
+    `frame`: a single frame, without repeats. `response`: that of the sensor with which it was
+    exposed. If pixels looked, their own open times are known, and the window is one pixel. Raises
+    Rejected for programs with images or planes, and ValueError for a container without pixels."""
     refuse_pictures(
         container,
         "merging does not apply to a program with images or planes",
@@ -85,7 +87,8 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
 
     The estimate is the sum of electrons divided by the sum of open times, which is optimal for pure
     shot noise. If all open neighbours are saturated, it is the largest light that one of them can
-    represent. If pixels do not use neighbours, it is a lower bound from the pixel itself.
+    represent. If pixels do not use neighbours (a window of one pixel), it is a lower bound from the
+    pixel itself. Without an open pixel around, the mask is False and the light 0.
 
     Two neighbours that are open for 1 s and 3 s of a frame of four slots of 1 s collect 10 e and 40
     e, which together are 12.5 e/s. If the second is saturated, the first alone counts:
@@ -120,7 +123,8 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
 
 
 def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
-    """Return for each pixel the sum of `values` over the window around it, (rows, cols)."""
+    """Return for each pixel the sum of `values` (rows, cols) over the window around it; near the
+    border, over the nearest complete window."""
     total = np.asarray(values, np.float64)
     for axis, width in enumerate(readout.window):
         pad = [(0, 0), (0, 0)]
@@ -133,8 +137,9 @@ def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
 
 
 def _spread(inside: Field, readout: BucketReadout) -> Field:
-    """Return for each pixel the value of its window in `readout`, from the values `inside` of all
-    complete windows; pixels at the edge use the nearest window."""
+    """Return for each pixel, (rows, cols), the value of the window around it, from the values
+    `inside` of all complete windows by their first row and column; pixels at the border use the
+    nearest window."""
     for axis, width in enumerate(readout.window):
         first = np.arange(readout.frame.shape[axis]) - width // 2
         inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)

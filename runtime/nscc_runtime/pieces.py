@@ -125,7 +125,10 @@ def simulate_scene(
 def _joined(
     pieces: Sequence[Simulated], container: Container, placement: Placement, colours: int
 ) -> Simulated:
-    """Return the joined result of all pieces of a scene with `colours` colours."""
+    """Return the joined result of all `pieces` of a scene with `colours` colours: all pieces of the
+    first colour, then those of the next. Several colours become a leading axis. Plan and audit are
+    those of the piece with the largest predicted error, `broken` is that of the first piece that
+    has one."""
     frames, piece_count = [piece.frame for piece in pieces], len(pieces) // colours
     frames = [
         joined(frames[k : k + piece_count], placement.joined)
@@ -142,8 +145,11 @@ def _joined(
 def _for_all(
     container: Container, lights: Sequence[Light], sensor: Sensor, request: Request
 ) -> Request:
-    """Return the request with one tolerance for all lights, which have equal sizes. A fraction of
-    the noise is converted to electrons only for an audit: measuring it takes as long as a frame."""
+    """Return `request` with one tolerance in electrons for all `lights`, which have equal sizes;
+    unchanged if nothing is planned.
+
+    A fraction of the noise is converted to electrons only for an audit, because measuring it takes
+    as long as a frame. Raises Rejected if a light does not fit the program."""
     if not request.planned or KINDS.of(container).without_plan:
         return request
     from nscc_runtime.emulator.capture import check
@@ -154,17 +160,17 @@ def _for_all(
         """A scene of all lights, for relative tolerances."""
 
         def pieces(self) -> Iterator[PlannedScene]:
-            """Yield what is planned for each part of the array; only one is in memory."""
+            """Yield what is planned for each light in turn; only one is in memory."""
             for light in lights:
                 check(container, light)
                 yield planning_of(container, sensor, light, request.device_seed)
 
         def signal_e(self) -> float:
-            """Return the mean signal of the parts."""
+            """Return the mean signal of all lights in electrons."""
             return sum(piece.signal_e() for piece in self.pieces()) / len(lights)
 
         def noise_e(self) -> float:
-            """Return the root mean square noise of the parts."""
+            """Return the root mean square noise of all lights in electrons."""
             return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
 
     if unit_of(request.tolerance) == "noise" and not request.audit:
@@ -173,9 +179,11 @@ def _for_all(
 
 
 def overlapping(container: Container, placement: Placement) -> Placement:
-    """Return the placement whose arrays overlap by the reach of the program's outputs.
+    """Return `placement` with arrays that overlap by the reach of the program's outputs; unchanged
+    for one array, or if outputs depend on no neighbours.
 
-    Raises Rejected (NS0542) if the parts cannot be joined to the images of one large array."""
+    Raises Rejected (NS0542) if the parts cannot be joined to the images of one large array: if
+    codes differ between pixels, or the reach is as large as the array."""
     pictures, codes = container.pictures, container.pixel_codes
     words = (op for op, _ in picture_words(container))
     reaches = RegisterReaches(container.target, words)
@@ -200,8 +208,8 @@ def overlapping(container: Container, placement: Placement) -> Placement:
 
 
 def with_planes_for_reports(container: Container) -> Container:
-    """Return the program with its reported planes read out instead of its reports, because
-    reports of pieces cannot be joined."""
+    """Return the program with its reported planes and images read out instead of its reports,
+    because reports of pieces cannot be joined; unchanged without reports."""
     pictures = container.pictures
     if not pictures.reports:
         return container
@@ -209,7 +217,9 @@ def with_planes_for_reports(container: Container) -> Container:
 
 
 def with_reports(frame: Frame, container: Container, placement: Placement) -> Frame:
-    """Return the joined frame of `with_planes_for_reports` as a frame of `container`.
+    """Return the joined `frame` of the program of `with_planes_for_reports` as a frame of
+    `container`: with the reports, computed from the joined planes without their margin, and without
+    planes that the program only reports.
 
     The arrays of the frame have the size of the picture, and repeats a leading axis."""
     pictures = container.pictures

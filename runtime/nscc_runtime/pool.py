@@ -22,13 +22,14 @@ def processors() -> int:
 
 
 def threads_of(threads: int | None) -> int:
-    """Return `threads`, or the number of processors if it is None."""
+    """Return `threads`, or the number of processors if it is None; `threads` is not checked."""
     return processors() if threads is None else threads
 
 
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
-    """Return the pool of this many threads; cached."""
+    """Return the pool of `threads` threads, the same for each call; it lives as long as the
+    process."""
     from concurrent.futures import ThreadPoolExecutor  # commands that list effects start none
 
     return ThreadPoolExecutor(threads, thread_name_prefix=THREADS)
@@ -45,12 +46,14 @@ after_fork(_pool.cache_clear)
 
 
 def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
-    """Call `run(begin, end)` for parts of 0 .. `count`, `threads` at a time.
+    """Call `run(begin, end)`, for the numbers from `begin` up to before `end`, for parts of the
+    numbers below `count`, `threads` at a time; return when all are done. An error of a part is
+    raised here.
 
-    Parts begin at multiples of `multiple`. If it is called from a thread of a pool itself, that
-    thread runs all parts. `run` must not wait for such threads. Before Python 3.12, threads wait
-    for each other's `cached_property` of one object, so compute those that use `in_parts` before.
-    """
+    Parts begin at multiples of `multiple`. For 0 numbers, `run(0, 0)` is called. If it is called
+    from a thread of a pool itself, that thread runs all as one part. `run` must not wait for such
+    threads. Before Python 3.12, threads wait for each other's `cached_property` of one object, so
+    compute those that use `in_parts` before."""
     name = threading.current_thread().name
     blocks = -(-count // multiple)
     threads = min(threads, blocks)
@@ -66,13 +69,14 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
 
 
 def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int) -> None:
-    """Call `run(strip)` for consecutive strips of rows, `threads` at a time. All strips in work
-    together have at most `most` rows, or one row each."""
+    """Call `run(strip)` for consecutive strips of `rows`, `threads` at a time; return when all are
+    done. All strips in work together have at most `most` rows, or one row each if `most` is less
+    than `threads`. Without rows it is not called."""
     strip_rows = max(1, min(most // threads, -(-len(rows) // threads)))
     strips = [rows[first : first + strip_rows] for first in range(0, len(rows), strip_rows)]
 
     def run_strips(begin: int, end: int) -> None:
-        """Run some of the strips."""
+        """Run the strips from `begin` up to before `end`, one after the other."""
         for strip in strips[begin:end]:
             run(strip)
 

@@ -54,7 +54,8 @@ SensorLike = Sensor | Mapping[str, float] | str | os.PathLike[str] | None
 
 
 def container_of(call: str, program: object) -> Container:
-    """Return the container of a program. Raises WrongArgument for any other object."""
+    """Return the container of `program`: itself, or its attribute `container`. Raises WrongArgument
+    for any other object, also for the path of a program. `call` names the function in errors."""
     container = _container(program)
     if container is not None:
         return container
@@ -103,14 +104,18 @@ def laid_of(
 
 @remembered
 def _check_values(light: Light) -> None:
-    """Raise NS0736 for negative light. Frames mark pixels without finite light as invalid."""
+    """Raise Rejected (NS0736) for negative light; remembered for each light. Light that is NaN or
+    infinite is allowed: frames mark such pixels as invalid."""
     if (light.frames < 0).any():
         refuse_no_light(np.where(np.isfinite(light.frames), light.frames, 0), "the light")
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
-    """Return a sensor, from its file, or from values by name; other values have their defaults.
-    Raises WrongArgument for other objects, and Rejected like `load_sensor`."""
+    """Return `sensor` itself, the one of a sensor file (a path), or the one of `target` with other
+    values by name; None is the default of `target`.
+
+    Raises WrongArgument for other objects, and Rejected for a file or values that are invalid
+    (NS0751 to NS0754). `call` names the function in errors."""
     if isinstance(sensor, Sensor):
         return sensor
     if sensor is None:
@@ -126,7 +131,8 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
 
 
 def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
-    """Return values by name as floats. Raises WrongArgument for other values."""
+    """Return `values` by name of a parameter as floats; names and ranges are not checked here.
+    Raises WrongArgument for values that are no numbers; `call` names the function in it."""
     changes = {}
     for name, value in values.items():
         # The sensor's own error names the range, also for NaN and infinity.
@@ -136,7 +142,8 @@ def changes_of(call: str, values: Mapping[str, float]) -> dict[str, float]:
 
 
 def _container(value: object) -> Container | None:
-    """Return a container, or that of a program; None for other values."""
+    """Return `value` if it is a container, or its attribute `container` if that is one; None for
+    anything else."""
     container = value if isinstance(value, Container) else getattr(value, "container", None)
     return container if isinstance(container, Container) else None
 
@@ -163,7 +170,8 @@ _REMOVED = {
 
 
 def refuse_removed(function: Callable[P, R]) -> Callable[P, R]:
-    """Return the function with a WrongArgument for each argument that earlier versions had."""
+    """Return a function that calls `function`, and raises WrongArgument first if a keyword argument
+    is given that only earlier versions had (`_REMOVED`)."""
 
     @wraps(function)
     def call(*arguments: P.args, **named: P.kwargs) -> R:

@@ -9,7 +9,8 @@ from nscc_runtime.loop import Floats, Written, loop, record
 
 @record
 class NoiseSizes:
-    """Sizes for `add_noise`: the numbers of `pixels`, of columns, and of weights."""
+    """Sizes for `add_noise`: the numbers of pixels, of columns (a row), and of weights, which is
+    6."""
 
     pixels: int
     cols: int
@@ -24,8 +25,11 @@ def add_noise(
     pattern: Annotated[Floats, "pixels"],
     out: Written[Annotated[Floats, "pixels"]],
 ) -> None:
-    """Set out[p] to pattern[p] plus the weighted sum of the normal numbers of pixel p and of those
-    below it."""
+    """Set out[p] to pattern[p] plus the weighted sum of the normal numbers of pixel p and of the
+    five pixels below it in its column.
+
+    Pixels are in the order of places, row after row. `normals` has five rows of pixels more than
+    the array, so that all pixels have five below them."""
     own, one, two = weights[0], weights[1], weights[2]
     three, four, five = weights[3], weights[4], weights[5]
     cols = sizes.cols

@@ -23,10 +23,11 @@ WEIGHTS = 6
 class ReadoutNoise:
     """The errors of a chip's readout under some effects.
 
-    `sigma_lsb`: standard deviation of a code's noise. `weights`: those of the noise of a pixel and
-    of the pixels below it. `pattern_lsb` (rows, cols): fixed errors. `common_lsb`: standard
-    deviation of an error of all codes. `streams`: random streams of noise and of the common error.
-    """
+    All are in converter codes. `sigma_lsb`: standard deviation of a code's noise. `weights` (6,):
+    those of the noise of a pixel and of the five pixels below it, whose squares add up to 1.
+    `pattern_lsb` (rows, cols): fixed errors. `common_lsb`: standard deviation of an error that all
+    codes of a bucket share. Numbers are 0 for effects that are off. `streams`: random streams of
+    noise and of the common error."""
 
     sigma_lsb: float
     weights: Values
@@ -38,11 +39,14 @@ class ReadoutNoise:
     def of(
         cls, sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
     ) -> ReadoutNoise:
-        """Return the errors of a readout; the last results are cached with their patterns."""
+        """Return the errors that `effects` cause in a readout of an array of `shape` (rows, cols)
+        on the chip with the seed `device_seed`; the last eight results are cached."""
         return _readout_noise(sensor, effects, device_seed, shape)
 
     def codes(self, seed: int, frame: int, buckets: int) -> Values:
-        """Return the errors (buckets, rows, cols) of frame number `frame` in codes."""
+        """Return the errors of all codes of frame number `frame`, in codes before rounding, shape
+        (buckets, rows, cols). `seed`: of the noise. Buckets are independent but for the
+        pattern."""
         from nscc_runtime.readout_loop import NoiseSizes, add_noise
 
         rows, cols = self.pattern_lsb.shape
@@ -70,8 +74,8 @@ class ReadoutNoise:
 def _readout_noise(
     sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
 ) -> ReadoutNoise:
-    """Return the errors of a readout of `shape` (rows, cols) that these `effects` cause, in
-    converter codes: noise, its weights down a column, fixed pattern and common noise."""
+    """Return the errors that `effects` cause in a readout of an array of `shape` (rows, cols) on
+    the chip with the seed `device_seed`; cached."""
     noisy, common = effects.acting("converter"), effects.acting("common")
     weights = np.eye(1, WEIGHTS)[0]
     for shared in effects.at("columns"):

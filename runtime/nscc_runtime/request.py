@@ -33,8 +33,9 @@ class Request:
     file, or made now; if `plan` names a file that does not exist, its text is returned. Otherwise
     words are executed one by one, without effects or with all of `effects` exactly. `audit`
     measures the error of a plan on all pixels, in the loop over words. With a `turn`, the plan of
-    an earlier scene is reused if it covers this scene. `repeat`: number of frames, None for a
-    single frame. Results do not depend on `threads` (None: all processors)."""
+    an earlier scene is reused if it is valid for this scene. `repeat`: number of frames, None for a
+    single frame without an axis of repeats. `params`, `inputs`: what the user gave; `settings` is
+    what follows from them. Results do not depend on `threads` (None: all processors)."""
 
     effects: Selection = key(
         Instance(
@@ -106,12 +107,13 @@ class Request:
         mark: str = "",
         **options: Any,
     ) -> Request:
-        """Return the request for a user's options: no effects, or `auto` if a plan or a tolerance
-        is requested.
+        """Return the request for a user's options. `effects` None means no effects, or "auto" if a
+        plan, an audit or a tolerance is requested.
 
-        `fidelity` "reference" simulates `effects` slot by slot. `mark`: prefix of option names in
-        messages. Raises Rejected: NS0739 (status 2) for options that exclude each other, NS0756 for
-        unknown effects."""
+        `plan`: a plan, or the path of a plan file, which need not exist. `fidelity` "reference"
+        simulates `effects` slot by slot. `mark`: prefix of option names in messages, such as "--".
+        `options`: further fields. Raises Rejected: NS0739 (status 2) for options that exclude each
+        other, NS0756 for unknown effects."""
         from nscc_runtime.effects import selected
 
         given_options = {
@@ -147,7 +149,8 @@ class Request:
 
 
 def _contradiction(options: str, note: str, help_text: str) -> Rejected:
-    """Return the error (NS0739) for options that exclude each other."""
+    """Return the error NS0739, for the caller to raise, for options that exclude each other.
+    `options`: their names as a clause, such as "--audit with --fidelity reference"."""
     return rejected(
         "NS0739", f"{options}: these options exclude each other", notes=(note,), helps=(help_text,)
     )

@@ -20,8 +20,10 @@ from nscc_runtime.sensor import Sensor
 class Sent(Record):
     """What a chip sends beside converter codes.
 
-    `exact`: it sent the electrons before the converter, too. `planes`: bits (rows, cols) by digital
-    register. `reaches`, `summaries`: see `told_of_planes`."""
+    `sensor`: the one that is assumed. `exact`: it sent the electrons before the converter, too.
+    `planes`: bits (rows, cols) by digital register. `reaches`: by name, how far around a pixel an
+    output depends on values outside the array (None: as in a first frame). `summaries`: by digital
+    register, the summary of a plane that is only reported."""
 
     sensor: Sensor
     exact: bool
@@ -33,8 +35,9 @@ class Sent(Record):
 class Exposing(Record):
     """How frames are exposed without a plan.
 
-    `run()` returns frames one after the other, or one frame with all repeats without effects.
-    `loop` is the compiled loop that it waits for, and `subject` names it in a message."""
+    `run()` returns an iterator over frames, or one `Frame` with all repeats. `loop` is the compiled
+    loop that it waits for (None: nothing is said about it), and `subject` names its user in a
+    message."""
 
     run: Callable[[], Any]
     loop: Any = None
@@ -59,15 +62,18 @@ class RunKind:
     """Whether each frame of a film may have its own light."""
 
     def absent_effects(self, container: Container, effects: Any) -> Mapping[str, str]:
-        """Return why the chip does not have some of the requested effects, by effect."""
+        """Return why the chip does not have some of the requested `effects` (a `Selection`), by
+        name; here it has all."""
         return {}
 
     def exposing(
         self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
     ) -> Exposing:
-        """Return how frames are exposed slot by slot: without effects, or with the reference.
+        """Return how frames of `light` (a `Light`) are exposed slot by slot: without effects, or
+        with the reference.
 
-        `effects`: the requested effects that the chip has."""
+        `effects`: the requested effects that the chip has (a `Selection`). `request`: the other
+        options (a `Request`)."""
         exposing: Exposing = LazyFunctions("nscc_runtime.runs.fixed_run").exposing(
             container, light, sensor, effects, request
         )
@@ -78,16 +84,19 @@ class RunKind:
         return LazyFunctions("nscc_runtime.pictures.shutter_sheet").shutter_sheet(container, title)
 
     def flow(self, container: Container, width: float) -> Any:
-        """Return the `DataFlow` below the shutters, or None."""
+        """Return the `DataFlow`, `width` wide, that is drawn below the shutters; None for programs
+        without images and planes, as here."""
         return None
 
     def frame_sheet(self, container: Container, frame: Any, response: Any, title: str) -> Any:
-        """Return the figure of a frame; `response()` is its sensor response."""
+        """Return the figure of `frame`, a single frame, with `title`. `response()` computes its
+        sensor response; it is called only if the figure needs it."""
         readouts = LazyFunctions("nscc_runtime.merge").readouts(container, frame, response())
         return LazyFunctions("nscc_runtime.pictures.images").frame_sheet(readouts, title)
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
-        """Return the frame with what a chip sent beside it."""
+        """Return `frame` with what a chip `sent` beside it: here, saturation marks that follow from
+        its codes."""
         return LazyFunctions("nscc_runtime.full_codes").marked_frame(container, frame, sent)
 
 

@@ -40,9 +40,10 @@ def eaten(frame: Frame) -> Diagnostic | None:
 
 
 def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
-    """Return the warning (NS0749) that a plan exceeds the tolerance; `breach` says by how much.
+    """Return the warning NS0749, for the caller to show, that a plan exceeds the tolerance.
 
-    The cause is the given plan (`plan_given`), or effects that the user turned off."""
+    `breach`: a sentence that says by how much. The cause is a plan that the user gave
+    (`plan_given`), or effects that the user turned off."""
     forced = [name for name in plan.names("dropped") if name in plan.kept.forced]
     why = (
         "the plan was made for another scene" if plan_given else f"turned off: {', '.join(forced)}"
@@ -62,15 +63,17 @@ def over(plan: Plan, breach: str, plan_given: bool) -> Diagnostic:
 
 
 def _instead(plan_given: bool) -> str:
-    """Return what helps if a plan leaves out effects, given or made."""
+    """Return what helps, as text, if a plan leaves out too many effects: one that the user gave
+    (`plan_given`), or one that was made here."""
     if plan_given:
         return "make a new plan for this scene"
     return "let the planner decide on these effects"
 
 
 def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
-    """Return the error (NS0749, status 1) for an audit whose error exceeds what the plan
-    promised, with what to do."""
+    """Return the error NS0749 (status 1), for the caller to raise, for an audit `report` whose
+    error exceeds what `plan` promised, with what to do. `plan_given`: whether the user gave the
+    plan."""
     if plan.breach is not None:
         advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:
@@ -97,7 +100,8 @@ def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
-    """Return a summary, one line per bucket, of a frame or of the first of several frames."""
+    """Return a summary of a frame, or of the first of several frames: one line for each bucket that
+    is read, then those of images, planes and reports."""
     width = max((len(name) for name in container.buckets_read), default=0)
     lines, first = [], frame.first
     for b, name in enumerate(container.buckets_read):
@@ -112,7 +116,8 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
 
 
 def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
-    """Return a summary of the images, planes and reports of a frame, one line each."""
+    """Return a summary of the images, planes, reports and the margin of a single frame, one line
+    each; empty for programs without them."""
     told_arrays, lines = frame.told, []
     for name in pictures.reads:
         if f"image_{name}" in told_arrays:
@@ -147,7 +152,8 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
 
 
 def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
-    """Return how many pixels of `saturated_by` are saturated, and by what, as text."""
+    """Return how many pixels of `saturated_by` (any shape) are saturated, and by what, as text such
+    as "3 of 64 pixels saturated (well 2, converter 3)". A pixel may have several causes."""
     text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
     counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
     named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)

@@ -73,14 +73,17 @@ def simulate(
     request: Request,
     listener: Listener | None = None,
 ) -> Simulated:
-    """Expose the scene as `request` says, by a plan if the program has one.
+    """Expose `light` as `request` says, by a plan if the program supports plans and effects are
+    wanted.
 
-    `listener` receives messages, progress and timings. Raises Rejected if the program, the scene or
-    the plan is unsuitable."""
+    `listener` (None: nobody listens) receives messages, progress, timings, and a warning about
+    black suns. Raises Rejected if the program, the light or the plan is unsuitable; a failed audit
+    is not raised but returned as `broken`."""
     listener = listener or Listener()
     try:
         simulated = _simulated(container, light, sensor, request, listener)
     finally:
+        # Also after an error, because scenes with higher numbers wait.
         if request.turn is not None:
             request.turn.plans.passed(request.turn.number)
     eaten = run_messages.eaten(simulated.frame)
@@ -92,15 +95,17 @@ def simulate(
 def _simulated(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """Expose frames of a scene by a plan, or with the selected effects if the program has none.
+    """Expose frames of `light` by a plan, or with the selected effects if the program supports no
+    plan or none is wanted.
 
-    `listener` receives messages and timings. Raises Rejected for settings that the kind of program
-    does not have."""
+    `listener` receives messages and timings. Raises Rejected (NS0750) for a plan or an audit of a
+    program without plans, and as `simulate`."""
     if request.plan is not None or request.audit:
         refuse_planless(container, "--plan" if request.plan is not None else "--audit")
     kind = KINDS.of(container)
     reason = kind.without_plan
     if reason:
+        # The tolerance is not used, but a wrong one is still an error.
         check_tolerance(request.tolerance, sensor)
     if request.planned and not reason:
         return _planned(container, light, sensor, request, listener)
@@ -135,7 +140,8 @@ def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
     """Simulate `light` by a plan that is made here, read from a file, or passed in the `request`.
-    Tells `listener` the timings, progress and warnings."""
+    Tell `listener` the timings, progress and warnings. If the audit exceeds its limit, the result
+    has the error as `broken`; if `request.plan` names a new file, it has the file's text."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.execution.block_loop import run_blocks
     from nscc_runtime.planning.audit import audit
@@ -181,8 +187,12 @@ def _planned(
 
 
 def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: bool) -> Plan:
-    """Return the plan of a request: given and measured on this scene, made for this scene, or made
-    for an earlier scene and valid here. A plan for a file or an audit has every figure."""
+    """Return the plan of a request for `scene`: the one that the user gave (`plan_given`), with its
+    error measured on this scene; one made for this scene; or, with a turn and automatic effects,
+    one made for an earlier scene and valid here.
+
+    `digest`: that of the program, which a plan file must have. A plan for a file or an audit has
+    every figure. Raises Rejected for a plan file that is invalid or of another program."""
     from nscc_runtime.planning.make import make_plan, measured_again, served_plan
     from nscc_runtime.planning.plan_file import read_plan
     from nscc_runtime.planning.plan_request import PlanRequest
@@ -207,8 +217,9 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
-    """Return the only frame of `frames_made`, or all `repeat` frames as one with a leading axis.
-    Reports progress to `listener`."""
+    """Return the only frame of `frames_made` if `repeat` is None, else all `repeat` frames as one
+    with a leading axis, also if it is 1. Report progress to `listener`. The number of frames must
+    be right."""
     frames = listener.progress(frames_made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
@@ -222,7 +233,8 @@ digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest(
 
 
 def _say_compiling(listener: Listener, loop: Loop[Any], subject: str) -> None:
-    """Tell the listener that loops are compiled first, if they are not compiled yet."""
+    """Tell the listener, once, that loops are compiled first, if `loop` is not compiled yet.
+    `subject`: who needs them, such as "planner"."""
     if listener.say is not None and not loop.is_compiled():
         _say_once(listener, loop.compiling(f"the {subject}'s loops"))
 

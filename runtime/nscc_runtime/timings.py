@@ -20,7 +20,8 @@ class Timings:
 
     @contextmanager
     def measure(self, name: str) -> Iterator[None]:
-        """Add the time of a with block, in seconds of work, to the entry `name`."""
+        """Add the seconds that a with block takes to the entry `name` (ending in `_s`), also after
+        an error. Time in which loops are compiled does not count."""
         begin = working_s()
         try:
             yield
@@ -33,5 +34,6 @@ class Timings:
         return sum(self.seconds.get(f"{name}_s", 0.0) for name in _EMULATION)
 
     def json(self) -> bytes:
-        """Return the content of the file of --timings."""
+        """Return the content of the file of --timings: the seconds of each part by name, as
+        JSON."""
         return (json.dumps(self.seconds, indent=2) + "\n").encode()

@@ -29,12 +29,15 @@ _FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
 
 @record
 class ArrayShape:
-    """The array: `rows`, `cols`, the `length` of a row of values, 64-bit words of a row of a plane.
+    """The array: `rows`, `cols`, the `length` of a row of values, and `plane_words`, the number of
+    64-bit words of a row of a plane.
 
     `count`: number of words of `run_array_words`. `total`, `part`: indices of two rows of values
     for intermediate sums. `flag` to `masked` are numbers of planes: `bus`, of half-word pairs;
-    `zero`, of zeros; `mask` is -1 on a chip without a masked register. Values outside `lowest` to
-    `highest` (electrons) get the mark `range_bit`; 0 to record no marks."""
+    `zero`, of zeros; `mask` and `masked`, of the mask and of the register that it guards, are -1 on
+    a chip without a masked register. `obeys_flag`: 1 if a comparison only clears FLAG, 0 if it sets
+    it anew. Values outside `lowest` to `highest` (electrons) get the saturation mark `range_bit`; 0
+    to record no marks."""
 
     rows: int
     cols: int
@@ -56,10 +59,13 @@ class ArrayShape:
 
 @record
 class ArrayWord:
-    """A word. Its operands begin at index `operands`, sources first.
+    """A word. `kind`: BUS, COMPARE, BITS, NEIGHBOURS or PROPAGATION. Its operands begin at index
+    `operands`, first as many as `sources`, then as many as `destinations`.
 
-    It runs `lag` rows behind the first word. `everywhere`: whether an analog word acts where FLAG
-    is 0, too. `in_e`: the value of IN in electrons if the word reads IN, else 0."""
+    `divisor`: of the result; for a propagation, the largest number of steps. `inverted`: whether
+    bits are inverted, or the bits beyond the array that neighbours read are 1. It runs `lag` rows
+    behind the first word. `everywhere`: whether an analog word acts where FLAG is 0, too. `in_e`:
+    the value of IN in electrons if the word reads IN, else 0."""
 
     kind: int
     operands: int
@@ -77,19 +83,21 @@ OfArrayWords = Annotated[NDArray[Any], ArrayWord]
 
 @inlined
 def row_of(shape: ArrayShape, register: int, y: int) -> int:
-    """Return the index where row y of an analog register begins."""
+    """Return the index in the values where row y of analog register number `register` begins. Rows
+    -1 and shape.rows, beyond the array, are rows of zeros."""
     return (register * (shape.rows + 1) + y + 1) * shape.length
 
 
 @inlined
 def plane_of(shape: ArrayShape, register: int, y: int) -> int:
-    """Return the index where row y of a plane begins."""
+    """Return the index in the planes where row y of plane number `register` begins."""
     return (register * shape.rows + y) * shape.plane_words
 
 
 @inlined
 def _inside(shape: ArrayShape, g: int) -> np.uint64:
-    """Return the mask of the pixels of word g that belong to the array."""
+    """Return the mask of those pixels of the 64-bit word number g of a row of a plane that belong
+    to the array; no bit beyond its last column."""
     pixels = shape.cols - 64 * g
     if pixels >= 64:
         return _FULL
@@ -98,7 +106,7 @@ def _inside(shape: ArrayShape, g: int) -> np.uint64:
 
 @compiled
 def clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
-    """Set FLAG to 0 beyond the array, in row y."""
+    """Set FLAG to 0 in row y of `planes` in the bits beyond the last column."""
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.cols // 64, shape.plane_words):
         planes[flag + g] &= _inside(shape, g)
@@ -134,7 +142,11 @@ def _add(
     flag: int,
     state: int,
 ) -> None:
-    """Set the row at `out` to `factor` * (`initial_e` + the rows at a and b) where FLAG is 1.
+    """Set the row that begins at values[out] to `factor` * (`initial_e` + the rows that begin at
+    values[a] and values[b]) where FLAG is 1.
+
+    A `b` of 0 stands for a row of zeros. `flag`: index in `planes` of the row of FLAG. `state`: in
+    which pixels FLAG is 1 (`_flagged`); with `_ALL` it is not read, with `_NONE` nothing changes.
 
     Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which
     changes at most the sign of a zero. Choosing between two computed values becomes a blend and a
@@ -148,6 +160,7 @@ def _add(
         for x in range(shape.cols):
             values[out + x] = factor * (initial_e + values[a + x] + values[b + x])
     elif state == _SOME:
+        # The last group of 64 may reach beyond the row: FLAG is 0 there, so values stay.
         for g in range(shape.plane_words):
             word = planes[flag + g]
             if word == _ZERO:
@@ -160,8 +173,9 @@ def _add(
 
 @inlined
 def _source(shape: ArrayShape, word: ArrayWord, operands: Ints, y: int, s: int) -> int:
-    """Return the index where the row begins that row y reads from source number s; for a missing
-    source that of a row of zeros."""
+    """Return the index in the values where the row begins that row y reads from source number s of
+    `word`: that of the pixel itself or of a neighbour. For a missing source it is 0, a row of
+    zeros."""
     if s >= word.sources:
         return 0
     at = word.operands + 3 * s
@@ -201,8 +215,11 @@ def _mark(
     result: int,
     marked: Ints,
 ) -> None:
-    """Set the marks at `shape.total` to those of a word's sources in row y, with
-    `range_bit` where the row at `result` is beyond the range."""
+    """Set the row of `marks` at `shape.total` to the OR of the saturation marks of a word's sources
+    in row y, with `range_bit` where the row of `values` at `result` is beyond the range.
+
+    `marked`: one number, which becomes 1 when the first value of the array is beyond the range;
+    while it is 0, there are no marks and none are set."""
     outside = 0
     for x in range(result, result + shape.cols):
         outside |= (values[x] < shape.lowest) | (values[x] > shape.highest)
@@ -231,7 +248,8 @@ def _store_marks(
     planes: Words,
     marks: Bytes,
 ) -> None:
-    """Set the marks of the row at `out` to those of the row at `source` where FLAG is 1."""
+    """Set the row of `marks` at index `out` to the row at `source` where FLAG is 1, or everywhere
+    if `word` acts everywhere. `flag`: index in `planes` of the row of FLAG."""
     for x in range(shape.cols):
         if word.everywhere or (planes[flag + x // 64] >> np.uint64(x % 64)) & _ONE:
             marks[out + x] = marks[source + x]
@@ -249,8 +267,9 @@ def _store(
     planes: Words,
     marked: Ints,
 ) -> None:
-    """Set row `y` of `register` to the row that starts at `source` in `values`, where FLAG is 1.
-    Copy the saturation marks too, if `marked[0]` says that there are any."""
+    """Set row `y` of analog register number `register` to the row that begins at values[source],
+    where FLAG is 1 or `word` acts everywhere. Copy the saturation marks in the same way, if
+    marked[0] says that there are any in the array."""
     out, flag = row_of(shape, register, y), plane_of(shape, shape.flag, y)
     state = _ALL if word.everywhere else _flagged(shape, planes, y)
     _add(shape, values, out, source, 0, 1.0, 0.0, planes, flag, state)
@@ -269,8 +288,11 @@ def _bus(
     y: int,
     marked: Ints,
 ) -> None:
-    """Write minus the sum of the sources in row `y`, over the divisor, to the destinations where
-    FLAG is 1, with saturation marks."""
+    """Run the bus word `word` for row `y` of its sources: write minus their sum, over the divisor,
+    to the destinations where FLAG is 1, with saturation marks if these are recorded.
+
+    A destination may be in a neighbouring row; a row whose neighbour is beyond the array gets 0.
+    `marked`: one number, 1 once a value has a mark."""
     first, total = word.operands + 3 * word.sources, shape.total
     halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
     flag, state = plane_of(shape, shape.flag, y), _ALL
@@ -310,8 +332,8 @@ def _bus(
 def _compare(
     shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
 ) -> None:
-    """Set FLAG in row `y` of `planes` to 1 where the sum of the sources is above 0; with
-    `shape.obeys_flag`, only where FLAG was 1."""
+    """Set FLAG in row `y` of `planes` to 1 where the sum of the sources of `word` is above 0, else
+    to 0 (also for NaN); with `shape.obeys_flag`, also to 0 where FLAG was 0."""
     a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.plane_words):
@@ -325,8 +347,8 @@ def _compare(
 
 @compiled
 def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
-    """Write the OR of the sources in row `y` of `planes`, or its inverse, to the destinations. The
-    masked register changes only where its mask is 1."""
+    """Write the OR of the sources in row `y` of `planes`, or its inverse, to the destinations;
+    without sources the OR is 0. The masked register changes only where its mask is 1."""
     first, bus = word.operands, plane_of(shape, shape.bus, y)
     flip = _FULL if word.inverted else _ZERO
     a = plane_of(shape, operands[first] if word.sources else shape.zero, y)
@@ -355,9 +377,11 @@ def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Word
 
 @compiled
 def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
-    """Write the OR of the bits of those neighbours that the steering registers choose.
+    """Write, in row `y`, the OR of the bits of those neighbours that the steering registers choose;
+    0 for pixels that choose none. Bits beyond the array are 1 if `word` is inverted, else 0.
 
-    The first operand is the destination, the second the source. All further operands steer."""
+    The first operand is the destination, the second the source. All further operands steer: a
+    register, and the step to the neighbour that it chooses where it is 1."""
     first, bus, last = word.operands, plane_of(shape, shape.bus, y), shape.cols - 1
     for g in range(shape.plane_words):
         planes[bus + g] = _ZERO
@@ -390,9 +414,11 @@ def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: 
 
 @compiled
 def _propagate(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words) -> None:
-    """Set bits in the mask that are connected with a 1 by at most `divisor` steps.
+    """Set those bits of the word's register, within the mask, that a 1 reaches in at most
+    `word.divisor` steps; each step goes to neighbours as the steering registers choose.
 
-    The operands are those of `_look`, which writes to the bus, and the mask."""
+    The operands are the bus, the register and the steering registers, as for `_look`, then the
+    mask."""
     for _ in range(word.divisor):
         for y in range(shape.rows):
             _look(shape, word, operands, planes, y)
@@ -421,8 +447,9 @@ def _run_rows(
     planes: Words,
     marked: Ints,
 ) -> None:
-    """Run words `first` to `stop` - 1, which contain no propagation, row by row: each word runs
-    `lag` rows behind the first one, so that rows stay in the cache."""
+    """Run the words `first` to `stop` - 1, which contain no propagation, row by row: each word runs
+    `lag` rows behind the first one, so that rows stay in the cache. Without words nothing happens.
+    The arrays are those of `run_words`."""
     for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
         for w in range(first, stop):
             word = words[w]
@@ -451,7 +478,13 @@ def run_words(
     planes: Words,
     marked: Ints,
 ) -> None:
-    """Run the words `first` to `stop` - 1 in their order.
+    """Run the words `first` to `stop` - 1 in their order, and change `values` and `planes` as they
+    do.
+
+    `operands`: three integers each: a register, columns to the right, rows down. `values`:
+    electrons of all analog registers. `marks`: their saturation marks, in the same order; may be
+    empty if `shape.range_bit` is 0. `planes`: the digital registers, 64 pixels a number. `marked`:
+    one number, 1 if any value has a mark; it is set to 1 with the first one.
 
     A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
     word: the neighbouring rows that it reads are then complete, and no earlier word still needs the
@@ -475,5 +508,9 @@ def run_array_words(
     planes: Written[Words],
     marked: Written[Ints],
 ) -> None:
-    """Run all words on the array. marked[0] is 1 once any value has a saturation mark."""
+    """Run all words on the array, and change the electrons of analog registers (`values`), their
+    saturation marks (`marks`, in the same order) and the digital registers (`planes`). The layout
+    of these is that of this module's docstring. `operands`: three integers each. `marked`: one
+    number, which the caller sets to 1 if a value has a mark at the start, and which is 1 once any
+    value has."""
     run_words(shape, words, 0, shape.count, operands, values, marks, planes, marked)

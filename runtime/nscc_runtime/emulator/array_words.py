@@ -30,9 +30,9 @@ Operand = tuple[int, int, int]
 class ArrayWords:
     """Words of a target as the loop reads them.
 
-    `analog`, `digital`: the numbers of registers by name. The last two analog registers are PIX
-    and minus its reset level. SELECT contains zeros, because no address matches.
-    `reaches_neighbours`: whether a word does."""
+    `analog`, `digital`: the numbers of registers by name. The last two analog registers are PIX and
+    minus its reset level. SELECT contains zeros, because no address matches. `reaches_neighbours`:
+    whether any word reads or writes a register of another pixel."""
 
     def __init__(self, target: Target) -> None:
         """Number the registers of a target, and begin an empty table of words."""
@@ -47,7 +47,9 @@ class ArrayWords:
         self.reaches_neighbours = False
 
     def append(self, words: Iterable[tuple[Op, float]]) -> int:
-        """Append words, each with the value of IN in electrons. Return the number of all words."""
+        """Append words, each with the value of IN in electrons, in the order of execution; words
+        without effect are left out. Return the number of all words so far. The words of one call
+        are run together: only among these a word may run some rows behind another."""
         lag, vertical = 0, False
         for op, in_e in words:
             if op.operation.effect is WordEffect.NONE:
@@ -70,8 +72,12 @@ class ArrayWords:
     def shape(
         self, rows: int, cols: int, length: int, registers: int, range_bit: int = 0
     ) -> loop.ArrayShape:
-        """Return the shape of an array of the first `registers` analog registers; `length` and
-        `range_bit`: see `ArrayShape`."""
+        """Return the shape of an array with values of the first `registers` analog registers.
+
+        `length`: numbers in a row of values, more than `cols` if words reach neighbours.
+        `range_bit`: saturation mark of values beyond the range, 0 to record none. The values need
+        (registers * (rows + 1) + 5) * length + 64 numbers: rows for two sums, each between rows of
+        zeros, follow the registers, and groups of 64 pixels may extend beyond the last row."""
         target, last = self.target, registers * (rows + 1)
         guarded = None not in (target.mask_register, target.masked_register)
         return loop.ArrayShape(
@@ -94,8 +100,8 @@ class ArrayWords:
         )
 
     def _translated(self, op: Op) -> tuple[int, ...]:
-        """Return the columns of a word from `kind` to `everywhere`, and whether it reaches another
-        row; append its operands."""
+        """Append the operands of the word `op`, and return the fields of its `ArrayWord` from
+        `kind` to `everywhere`, then whether it reads or writes another row."""
         row, effect = op.operation, op.operation.effect
         sources, destinations = self._of_effect(op)
         first = 3 * len(self._operands)
@@ -117,8 +123,9 @@ class ArrayWords:
         )
 
     def _of_effect(self, op: Op) -> tuple[list[Operand], list[Operand]]:
-        """Return the sources and the destinations of a word, each as register number and offset
-        of the pixel (right, down)."""
+        """Return the sources and the destinations of the word `op` in the order in which the loop
+        expects them for its kind. Each is the number of a register and the step to the pixel:
+        columns to the right, rows down."""
         effect, phase = op.operation.effect, op.operation.phase
         if effect is WordEffect.RESET_PIX:
             return [(self.analog["level"], 0, 0)], [(self.analog["PIX"], 0, 0)]
@@ -142,19 +149,21 @@ class ArrayWords:
         )
 
     def _analog(self, name: str) -> Operand:
-        """Return the number of an analog register and the offset of the pixel whose register is
-        read."""
+        """Return the number of the analog register `name` and the step to the pixel whose register
+        it is: columns to the right, rows down. The bus of a neighbour is that pixel's NEWS; all
+        others are of the pixel itself."""
         if name in NEIGHBOURS:
             return (self.analog["NEWS"], *STEPS[name])
         return self.analog[name], 0, 0
 
     def _digital(self, names: Iterable[str]) -> list[Operand]:
-        """Return the numbers of digital registers, of the pixel itself."""
+        """Return operands for the digital registers `names` of the pixel itself, in this order."""
         return [(self.digital[name], 0, 0) for name in names]
 
 
 def packed(planes: NDArray[np.bool_]) -> NDArray[np.uint64]:
-    """Return planes (.., cols) as 64-bit words: pixel x is bit x % 64 of word x // 64."""
+    """Return planes (.., cols) as 64-bit words (.., ceil(cols / 64)): pixel x is bit x % 64 of word
+    x // 64. Bits beyond the last pixel are 0."""
     octets = np.packbits(planes, axis=-1, bitorder="little")
     words = np.zeros((*planes.shape[:-1], -(-planes.shape[-1] // 64) * 8), np.uint8)
     words[..., : octets.shape[-1]] = octets
@@ -162,6 +171,6 @@ def packed(planes: NDArray[np.bool_]) -> NDArray[np.uint64]:
 
 
 def unpacked(words: NDArray[np.uint64], cols: int) -> NDArray[np.bool_]:
-    """Return the planes (.., `cols`) of 64-bit words."""
+    """Return the planes (.., cols) that `packed` has turned into `words` (.., ceil(cols / 64))."""
     octets = words.astype("<u8").view(np.uint8)
     return np.unpackbits(octets, axis=-1, count=cols, bitorder="little").view(np.bool_)

@@ -65,7 +65,9 @@ def _sorted_light(container: Container, light: Light) -> Exposure:
 
 @OfContainer
 def _chip_program(container: Container) -> ChipProgram:
-    """Return the program of a container, whose schedule must be sound (`nscc.words.soundness`)."""
+    """Return the program of `container` for the emulator; cached with it. The caller has checked
+    that the schedule is sound (`nscc.words.soundness`). Raises Rejected for words that are no
+    operations of the chip."""
     launches = sorted(container.launches, key=lambda launch: launch.instant)
     kernels, planes = decoded(container), container.planes()
     return ChipProgram(container.target, container.slots, kernels, launches, planes)
@@ -75,13 +77,16 @@ _faults = OfContainer(faults)
 
 
 def check(container: Container, light: Light) -> None:
-    """Raise like `check_program` and `check_size` for a program or light that cannot run."""
+    """Check that the program of `container` can run over `light`. Raises Rejected if it has no
+    pixel codes (NS0741) or the light has another size (NS0734), and ValueError for an inconsistent
+    container."""
     check_program(container)
     check_size(container, light)
 
 
 def check_program(container: Container) -> None:
-    """Raise NS0741 for a program without pixel codes, ValueError for an inconsistent container."""
+    """Raise Rejected (NS0741) for a program without pixel codes, and ValueError, with the first
+    fault, for an inconsistent container."""
     check_codes(container)
     unsound = _faults(container)
     if unsound:

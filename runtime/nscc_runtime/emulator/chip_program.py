@@ -45,9 +45,10 @@ BLOCK = 8192
 class ChipProgram:
     """A program as a chip executes it.
 
-    `kernels`: their words. `launches`: of these kernels, in order of the boundaries. `planes`:
-    digital registers (rows, cols) that are loaded before the frame, by name. `kept`: electrons
-    (rows, cols) of analog registers that the previous frame left, by name."""
+    `slots`: N, the number of slots. `kernels`: the words of each. `launches`: of these kernels by
+    number, in the order of execution, at boundaries 0 to N. `planes`: digital registers (rows,
+    cols) that are loaded before the frame, by name. `kept`: electrons (rows, cols) of analog
+    registers that the previous frame left, by name; the others begin with arbitrary values."""
 
     def __init__(
         self,
@@ -64,7 +65,8 @@ class ChipProgram:
 
     @cached_property
     def _words(self) -> tuple[ArrayWords, EmulatedWords]:
-        """The words as arrays for the loop. A kernel occurs once for each value of IN."""
+        """The words as a table, and as arrays for the loop. A kernel occurs once for each value of
+        IN with which it is launched, because each word has its own value."""
         from nscc_runtime.emulator.loops import EmulatedWords
 
         table, kernel_start, in_e = ArrayWords(self.target), [0], 0.0
@@ -129,6 +131,8 @@ class ChipProgram:
         if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
             raise ValueError("the light's matrix names a frame that does not exist")
         (table, words), (rows, cols), pixels = self._words, light.shape, light.frames[0].size
+        # If pixels depend on each other, the whole array is one block, with a column of zeros at
+        # the end of each row; otherwise blocks are pieces of one long row.
         if table.reaches_neighbours:
             block, length = (rows, cols), cols + 1
         else:
@@ -160,8 +164,8 @@ class ChipProgram:
         }
 
         def fill(begin: int, end: int) -> None:
-            """Run the program on pixels `begin` to `end` and write their results into the shared
-            arrays."""
+            """Run the program on the pixels from `begin` up to before `end`, and write their
+            results into the shared arrays."""
             chosen = PixelRange(
                 slots=self.slots,
                 pixels=pixels,

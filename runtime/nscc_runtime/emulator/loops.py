@@ -40,7 +40,8 @@ _MOST_START_E = 1e38
 
 @compiled
 def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
-    """Return a 64-bit hash of (seed, stream, counter): two rounds of splitmix64's finaliser."""
+    """Return a 64-bit hash of (seed, stream, counter), each at least 0: two rounds of splitmix64's
+    finaliser. Arithmetic is modulo 2**64."""
     z = seed + np.uint64(stream + 1) * np.uint64(0x9E37_79B9_7F4A_7C15)
     for step in range(2):
         z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58_476D_1CE4_E5B9)
@@ -91,7 +92,8 @@ def _start(
 
 @compiled
 def _same_light(light: LightMatrix, slot: int) -> bool:
-    """Return whether a slot has the light of the slot before it."""
+    """Return whether slot number `slot` has the same entries of `light`, frames and weights, as the
+    slot before it; False for slot 0."""
     if slot == 0:
         return False
     before, start = light.row_start[slot - 1], light.row_start[slot]
@@ -110,7 +112,8 @@ def _same_light(light: LightMatrix, slot: int) -> bool:
 def _add_frame(
     values: Floats, out: int, frames: Floats32, frame: int, length: int, factor: float
 ) -> None:
-    """Add `factor` times the pixels of a frame to the row at `out`."""
+    """Add `factor` times `length` pixels of light, from frames[frame] on, to the row that begins at
+    values[out]."""
     for i in range(length):
         values[out + i] += factor * frames[frame + i]
 
@@ -127,8 +130,9 @@ class EmulatedWords(NamedTuple):
 
 
 class RegisterBits(NamedTuple):
-    """Rows of bits of digital registers. `loaded`: initial values of the planes numbered
-    `loaded_numbers`. `read`: final values of the planes numbered `read_numbers`."""
+    """Rows of bits of digital registers, 64 pixels a number. `loaded`: initial values of the
+    registers with the numbers `loaded_numbers`. `read`: gets the final values of the registers with
+    the numbers `read_numbers`. Either may be empty."""
 
     loaded: Annotated[Words, "loads block_rows row_words"]
     loaded_numbers: Annotated[Ints, "loads"]
@@ -137,7 +141,8 @@ class RegisterBits(NamedTuple):
 
 
 class KeptValues(NamedTuple):
-    """Analog registers that begin with the values that the previous frame left, by number."""
+    """Analog registers that begin with the values that the previous frame left: electrons `kept` of
+    the registers with the numbers `kept_numbers`; possibly none."""
 
     kept: Annotated[Floats, "keeps pixels"]
     kept_numbers: Annotated[Ints, "keeps"]
@@ -146,8 +151,10 @@ class KeptValues(NamedTuple):
 @record
 class PixelRange:
     """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
-    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `RegisterBits`. `pix`:
-    the number of the register PIX."""
+    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `RegisterBits`.
+    `frames`: frames of light. `loads`, `reads`: digital registers that are loaded and read.
+    `registers`: analog registers that are read. `keeps`: those that keep values. `seed`: of the
+    arbitrary values. `pix`: the number of the register PIX."""
 
     slots: int
     pixels: int
@@ -175,8 +182,12 @@ def _add_slot(
     values: Floats,
     charge: Floats32,
 ) -> None:
-    """Add the light of slot n to PIX. The light of the last slot with other light is in `charge`,
-    row after row."""
+    """Add the light of slot n to PIX of the block that begins with pixel number `first`, `length`
+    pixels of each row.
+
+    `charge`: the light of the last weighted slot in this block, row after row; it is computed anew
+    only if the slot's light differs from that of the slot before. The row at `shape.total` of
+    `values` is overwritten."""
     start, stop, total = light.row_start[n], light.row_start[n + 1], shape.total
     is_same, is_frame = _same_light(light, n), stop - start == 1 and light.weight[start] == 1.0
     for y in range(shape.rows):
@@ -215,8 +226,13 @@ def _expose_block(
     marked: Ints,
     charge: Floats32,
 ) -> None:
-    """Expose the block that begins with pixel number `first`: run the words of all slots. `length`:
-    number of pixels of a row of the block."""
+    """Expose the block that begins with pixel number `first`: set its registers as at the start of
+    a frame, run the words of all boundaries, add the light of the slots in between, and copy the
+    digital registers that are read into `bits.read`. Analog registers stay in `values`.
+
+    `length`: number of pixels of a row of the block, at most `shape.cols`. `frame_weight`: weight
+    of each frame of light in all slots together. `planes`, `values` and `charge` are working
+    memory."""
     words, total = (length + 63) // 64, shape.total
     for y in range(shape.rows):
         for i in range(shape.cols):
@@ -276,8 +292,12 @@ def expose_pixels(
     charge: Written[Floats32],
     contents: Written[Annotated[Floats, "registers pixels"]],
 ) -> None:
-    """Expose pixels, and write the `contents` of registers, in electrons, and the bits that are
-    read. `planes`, `values` and `charge` are working memory for a block."""
+    """Expose the pixels of `chosen`, block by block, and write the final `contents`, in electrons,
+    of the analog registers with the numbers `register_numbers`, and the bits `bits.read`.
+
+    `frame_weight`: weight of each frame of light in all slots together. `planes`, `values` (0 at
+    the start) and `charge` are working memory for a block. `marks` may be empty and marked[0] is
+    0, because no saturation is recorded here."""
     first = chosen.begin
     while first < chosen.end:
         length = min(shape.cols, chosen.end - first)

@@ -17,8 +17,9 @@ RATE_CAP = 1e12
 
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
-    """Return one uniform number inside (0, 1) for each of these `pixels`, an odd multiple of 2**-53
-    that depends on `key` and the pixel's place only."""
+    """Return one uniform number inside (0, 1) for each of `pixels`, places of any shape, in this
+    shape. It is an odd multiple of 2**-53 that depends on `key` and the pixel's place only, so
+    equal places have equal numbers."""
     from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -27,9 +28,10 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
 
 
 def normals(key: np.uint64, pixels: Pixels, *, single: bool = False) -> Floats:
-    """Return standard normal numbers: the normal quantiles of `uniforms` of the same key and pixel.
-    The relative error is below 1e-12 within +-8.21, and numbers are monotonic in `uniforms`. With
-    `single`, the error is below 2e-6, and drawing takes a third of the time."""
+    """Return one standard normal number for each of `pixels`, places of any shape, in this shape:
+    the normal quantiles of `uniforms` of the same key and pixel. The relative error is below 1e-12
+    within +-8.21, and numbers are monotonic in `uniforms`. With `single`, the error is below 2e-6,
+    and drawing takes a third of the time."""
     from nscc_runtime.noise.noise_loops import NormalDraws, fill_normals
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -59,10 +61,12 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArr
 
 
 def _places(pixels: Pixels) -> Pixels:
-    """Return the numbers of pixels as one contiguous list."""
+    """Return `pixels` of any shape as a contiguous int64 array (count,), without a copy if it is
+    one already."""
     return np.require(pixels, np.int64, ["C", "A"]).reshape(-1)
 
 
 def _floats(values: Floats) -> Floats:
-    """Return an array in the form that loops take."""
+    """Return `values` as a contiguous float64 array of the same shape, without a copy if it is one
+    already."""
     return np.require(values, np.float64, ["C", "A"])

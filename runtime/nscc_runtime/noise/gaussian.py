@@ -18,7 +18,9 @@ from numpy.typing import NDArray
 from nscc_runtime.loop import inlined, table
 
 _TERMS = 8
+"""Number of Taylor coefficients of a cell; with them the relative error is below 1e-12."""
 _CELL_BITS = 5
+"""Number of bits of the fraction of v that select a cell: 32 cells per octave."""
 _SHIFT = np.int64(52 - _CELL_BITS)
 _FIRST = np.int64(1023 - 53) << np.int64(_CELL_BITS)
 _CELLS = 52 << _CELL_BITS
@@ -26,7 +28,9 @@ _LAST = np.int64(_CELLS - 1)
 
 
 def taylor(z: float) -> list[float]:
-    """Return Taylor coefficients of the quantile about the probability at which it is z >= 0."""
+    """Return `_TERMS` Taylor coefficients of the quantile, in ascending powers, about the
+    probability at which it is `z`, at least 0. Their variable is the distance of v = min(u, 1 - u)
+    towards 0, in which all coefficients are positive."""
     density = math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
     terms = [z]
     # The n-th derivative is polynomial(z) / density**n.
@@ -40,7 +44,8 @@ def taylor(z: float) -> list[float]:
 
 
 def _table() -> NDArray[np.float64]:
-    """Return `_TERMS` Taylor coefficients of the quantile for each cell of arguments, flattened."""
+    """Return the Taylor coefficients of the quantile about the upper end of each cell of v, in
+    ascending order of v: (cells, _TERMS), flattened."""
     width = 2.0**-_CELL_BITS
     cells = np.empty((_CELLS, _TERMS))
     below = 0.0
@@ -49,6 +54,7 @@ def _table() -> NDArray[np.float64]:
         size = 2.0 ** (octave - 53)
         upper = size * (1 + (step + 1) * width)
         terms = taylor(-NormalDist().inv_cdf(upper) if upper < 0.5 else 0.0)
+        # Not below the end of the cell before, despite rounding: the quantile must not decrease.
         terms[0] = max(terms[0], below)
         cells[cell] = terms
         below = 0.0
@@ -88,7 +94,8 @@ _LOWER = np.uint64(0xFFFF_FFFF)
 
 
 def _cells() -> NDArray[np.float32]:
-    """Return three coefficients (cells, 3) of each cell: constant, slope, bend."""
+    """Return float32 (cells, 3): constant, slope and bend of the parabola about the middle of each
+    cell of v, in ascending order of v."""
     cells = np.zeros((_FAST_CELLS, 3))
     for cell in range(_FAST_CELLS - 1):
         octave, step = divmod(cell, 1 << _CELL_BITS)
@@ -96,7 +103,7 @@ def _cells() -> NDArray[np.float32]:
         # `taylor` expands in the distance towards 0.
         value, slope, bend = taylor(-NormalDist().inv_cdf(middle))[:3]
         cells[cell] = value, -slope, bend
-    # The last cell contains only 1/2.
+    # The last cell contains only 1/2, whose quantile is 0.
     return cells.astype(np.float32)
 
 
@@ -107,7 +114,8 @@ _SLOPES_AND_BENDS = table(lambda: np.ascontiguousarray(_cells()[:, 1:]).view(np.
 
 @inlined
 def normal_fast(u: float) -> np.float32:
-    """Return the quantile in single precision, for plans: a parabola about the middle of each cell.
+    """Return the normal quantile of u in [2**-53, 1 - 2**-53] in single precision, by a parabola
+    about the middle of each cell.
 
     The table is small enough for the fastest cache. The error is below 2e-6 for |z| < 6."""
     v = np.float32(u if u < 0.5 else 1.0 - u)

@@ -26,7 +26,8 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 
 @inlined
 def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
-    """Return 64 random bits of a key and a pixel. `lane`: 0, 1, .. for several results."""
+    """Return 64 random bits that depend on `key`, the place `pixel` (at least 0) and `lane` only.
+    `lane`: 0, 1, .. for several independent results at one pixel; not a lane of codes."""
     place = np.uint64(pixel)
     a, b = place & _MASK, place >> _HALF
     c, d = lane & _MASK, lane >> _HALF
@@ -83,8 +84,9 @@ def base(seed: int, effect: int, source: int = 0) -> np.uint64:
 
 
 def philox(counter: tuple[int, int, int, int], key: tuple[int, int]) -> tuple[int, int, int, int]:
-    """Return four 32-bit words from a counter and a key, by Philox4x32-10. Reference: Salmon,
-    Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC 2011."""
+    """Return four random 32-bit numbers from a counter (four 32-bit numbers) and a key (two), by
+    Philox4x32-10. Reference: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1,
+    2, 3", SC 2011."""
     a, b, c, d = counter
     k, m = key
     for _ in range(_ROUNDS):
@@ -95,5 +97,5 @@ def philox(counter: tuple[int, int, int, int], key: tuple[int, int]) -> tuple[in
 
 
 def _halves(value: int) -> tuple[int, int]:
-    """Return the low and the high 32 bits."""
+    """Return the low and the high 32 bits of `value`, which lies in 0 .. 2**64 - 1."""
     return value & _MASK_32, value >> 32

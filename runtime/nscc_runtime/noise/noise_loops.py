@@ -27,13 +27,13 @@ _FIRST_LANE = np.uint64(0)
 
 @inlined
 def uniform(key: np.uint64, pixel: int) -> float:
-    """Return the first uniform number of a key at a pixel."""
+    """Return the first uniform number, inside (0, 1), of `key` at the place `pixel`."""
     return unit(bits(key, pixel, _FIRST_LANE))
 
 
 @compiled
 def _drawable(rate: float, cap: float) -> float:
-    """Return the rate clipped to [0, cap], 0 for NaN."""
+    """Return `rate` clipped to 0..`cap`; 0 for NaN, whose count the caller marks as invalid."""
     if rate > 0.0:
         return rate if rate < cap else cap
     return 0.0
@@ -41,7 +41,7 @@ def _drawable(rate: float, cap: float) -> float:
 
 @record
 class Draws:
-    """The number of draws and their key."""
+    """The number of draws, and their random key (`nscc_runtime.noise.keys.key`)."""
 
     count: int
     key: np.uint64
@@ -56,7 +56,8 @@ def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
 
 @record
 class NormalDraws:
-    """The number of draws, their key, and whether single precision suffices."""
+    """The number of draws, their random key, and whether single precision suffices (1) or not
+    (0)."""
 
     count: int
     key: np.uint64
@@ -65,7 +66,8 @@ class NormalDraws:
 
 @loop
 def fill_normals(draws: NormalDraws, pixels: _Places, out: _Drawn) -> None:
-    """Set out[i] to the standard normal number of the key at pixels[i]."""
+    """Set out[i] to the standard normal number of the key at the place pixels[i], in single or
+    double precision as `draws.single` says."""
     for i in range(draws.count):
         out[i] = uniform(draws.key, pixels[i])
     if draws.single:
@@ -78,7 +80,8 @@ def fill_normals(draws: NormalDraws, pixels: _Places, out: _Drawn) -> None:
 
 @record
 class Counts:
-    """Options of `fill_poisson`: rates above `cap` count as `cap`."""
+    """Options of `fill_poisson`: the number of draws, their random key, and the rate `cap` to which
+    larger rates are clipped."""
 
     count: int
     key: np.uint64
@@ -93,8 +96,9 @@ def fill_poisson(
     out: _Drawn,
     valid: Written[Annotated[Bytes, "count"]],
 ) -> None:
-    """Set out[i] to a Poisson count of rate[i], drawn at pixels[i], and valid[i] to whether rate[i]
-    is a number."""
+    """Set out[i] to a Poisson count of mean rate[i], drawn at the place pixels[i], and valid[i] to
+    1 if rate[i] is a number, 0 if it is NaN; the count is then 0. Rates are clipped to
+    0..`counts.cap`."""
     for i in range(counts.count):
         out[i] = uniform(counts.key, pixels[i])
     for i in range(counts.count):

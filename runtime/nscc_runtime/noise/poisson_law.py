@@ -64,7 +64,8 @@ def deviance(x: float, mean: float) -> float:
 
 @compiled
 def _mass(k: float, rate: float) -> float:
-    """Return the probability of k by Loader's saddle-point expansion (2000)."""
+    """Return the Poisson probability of the whole number k >= 0 at the mean `rate` above 0, by
+    Loader's saddle-point expansion (2000)."""
     if k == 0.0:
         return math.exp(-rate)
     scale = math.sqrt(2.0 * np.pi * k)
@@ -73,7 +74,8 @@ def _mass(k: float, rate: float) -> float:
 
 @compiled
 def _up_to(k: float, rate: float, mass: float) -> float:
-    """Return the probability of at most k from the probability `mass` of k."""
+    """Return the Poisson probability of at most k, a whole number, at the mean `rate`. `mass`: the
+    probability of k itself. Terms too small to change the sum are left out."""
     total, term, j = mass, mass, k
     while j > 0.0 and term > 1e-17 * total:
         term *= j / rate
@@ -84,7 +86,8 @@ def _up_to(k: float, rate: float, mass: float) -> float:
 
 @compiled
 def _above(k: float, rate: float, mass: float) -> float:
-    """Return the probability of more than k from the probability `mass` of k."""
+    """Return the Poisson probability of more than k, a whole number, at the mean `rate`. `mass`:
+    the probability of k itself. Terms too small to change the sum are left out."""
     j = k + 1.0
     term = mass * rate / j
     total = term
@@ -107,7 +110,7 @@ def search(u: float, rate: float) -> float:
     while u > total and k < SEARCHED - 1:
         mass *= rate * INVERSE[k + 1]
         if total + mass == total:
-            break
+            break  # rounding keeps the sum below u: no further count would reach it
         total += mass
         k += 1
     return float(k)
@@ -115,8 +118,9 @@ def search(u: float, rate: float) -> float:
 
 @compiled
 def _walk(u: float, rate: float, start: float) -> float:
-    """Return the smallest count whose distribution function reaches u, searching from `start`. The
-    smaller tail is added up, so that both tails are as accurate as the middle."""
+    """Return the smallest count whose Poisson distribution function at the mean `rate` reaches u in
+    (0, 1). `start`: a whole number near it, with which the search begins. The smaller tail is added
+    up, so that both tails are as accurate as the middle."""
     k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:
@@ -161,7 +165,8 @@ def quantile(z: float, rate: float) -> float:
 
 @compiled
 def poisson_exact(u: float, rate: float) -> float:
-    """Return the count of the reference: the smallest count whose distribution function reaches u.
+    """Return the count that the reference draws: the smallest whose Poisson distribution function
+    at the mean `rate` reaches u in (0, 1).
 
     Below SEARCH_BELOW it is searched from 0. Above, it is `quantile` rounded down; if that is so
     close to a whole number that its error may matter, the distribution function decides. From

@@ -79,8 +79,11 @@ class Audit:
         return f"{text}; {self.samples} samples: {verdict}"
 
     def breach(self, plan: Plan) -> str | None:
-        """Return a sentence about the first measured error that exceeds its limit in `plan`; None
-        if all errors are within their limits."""
+        """Return a clause about the first measured error that exceeds its limit in `plan`: of the
+        loop, of the frames' distribution, or of states. None if all are within their limits.
+
+        Errors are reduced by their uncertainty. A plan without a tolerance in electrons limits only
+        the states."""
         if plan.tolerance_e is not None:
             limit_e = SLACK * plan.tolerance_e
             more_than = f"more than {SLACK} times the tolerance of {plan.tolerance_e:.4g} e"
@@ -98,8 +101,9 @@ class Audit:
 
 
 def audit(scene: PlannedScene, plan: Plan) -> Audit:
-    """Measure the errors of a plan on all pixels of a scene, and compare its frames with those
-    of the word loop in distribution."""
+    """Measure the errors of `plan` on all pixels of `scene` in the loop over words. Unless pixels
+    look, also compare its own frames with those of the loop in distribution. Nothing is raised if a
+    limit is exceeded: `holds` is then False."""
     repeats = min(-(-_POOLED // scene.pixels), _MOST_POOLED)
     trial = trial_of(scene, scene.pixels, repeats)
     errors = trial.between(trial.exposures(plan.kept), trial.truth)
@@ -122,11 +126,12 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
 
 
 def in_distribution(report: Audit, own_e: Values, loop_e: Values) -> Audit:
-    """Return the audit with the difference in distribution of two series of independent frames, of
-    the worst bucket.
+    """Return `report` with the difference in distribution of two series of independent frames, of
+    the bucket in which it is largest.
 
-    Both are exposures in electrons, (buckets, frames, pixels): the run's own simulation and the
-    loop over words."""
+    `own_e`, `loop_e`: exposures in electrons, (buckets, frames, pixels), at least two frames, of
+    the run's own simulation and of the loop over words. Pixels with values that are not finite
+    count as equal."""
     own_variance, loop_variance = own_e.var(axis=1, ddof=1), loop_e.var(axis=1, ddof=1)
     difference = own_e.mean(axis=1) - loop_e.mean(axis=1)
     known = np.isfinite(difference + own_variance + loop_variance)

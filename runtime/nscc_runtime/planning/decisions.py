@@ -43,8 +43,8 @@ class EffectChoice:
 
 
 def plan_of(choice: EffectChoice) -> Plan:
-    """Return the plan that a choice of effects makes: its errors, its decisions with reasons,
-    and its predicted time."""
+    """Return the plan that `choice` makes: its errors, a decision on every effect with its reason,
+    and its predicted time. Errors are None if nothing was measured."""
     work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
     effects, scene = request.requested.without(*choice.dropped), choice.work.scene
     reasons = scene.needs_reference(effects)
@@ -119,8 +119,10 @@ def _reason(
     alone: SampledErrors | None,
     then: SampledErrors | None,
 ) -> str:
-    """Return the reason for simulating or dropping (`off`) an effect. `alone`: the error of
-    dropping it alone; `then`: the error of the plan without the effect."""
+    """Return, as text, the reason why the planner simulates an effect or drops it (`off`).
+
+    `saved_ms`: milliseconds saved by dropping it. `alone`: the error of dropping it alone. `then`:
+    the error of the plan without the effect. Both are None if they were not measured."""
     if off:
         return ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
     if choice.together is None:
@@ -135,8 +137,9 @@ def _reason(
 
 
 def _after_exposure(effect: Effect, choice: EffectChoice) -> Decision:
-    """Return the decision on an effect of the readout. It is simulated unless the user forces it
-    off, and the tolerance does not include its error."""
+    """Return the decision on an effect of the readout. It is simulated if the user selects it, or
+    with automatic effects unless the user turns it off. The tolerance does not include its error,
+    which is None for effects that have no size of their own."""
     request, sensor = choice.request, choice.work.scene.sensor
     forced = not effect.always and effect.name in request.forced
     code_e = everything().require_part(Codes).electrons(sensor)

@@ -53,10 +53,12 @@ _QUICK = SAMPLED // 4
 
 
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
-    """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
+    """Return the fastest plan found whose error, measured on a sample of the scene, is within the
+    tolerance of `request`.
 
-    If measuring would take longer than it saves, the plan simulates every requested effect. Raises
-    Rejected (NS0746) for an invalid tolerance."""
+    If measuring would take longer than it saves, the plan simulates every requested effect. The
+    errors of effects that the user turned off do not restrict the choice of others; `Plan.breach`
+    tells if they exceed the tolerance. Raises Rejected (NS0746) for an invalid tolerance."""
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
@@ -87,9 +89,12 @@ def measured_again(
     figures: bool = False,
     tolerance: ToleranceInput | None = None,
 ) -> Plan:
-    """Return a plan that was made for another scene, with its error and its relative tolerance
-    measured on this scene. `figures`: also measure each effect alone, on more pixels. `tolerance`:
-    replaces the plan's, for instance the electrons that a percentage has over several scenes."""
+    """Return `plan`, which was made for another scene, with its error and its relative tolerance
+    measured on this scene; its choice of effects stays, even if the error is too large here.
+
+    `figures`: also measure each effect alone, on more pixels. `tolerance`: replaces the plan's, for
+    instance the electrons that a percentage has over several scenes; None keeps it. If the plan
+    drops nothing and no figures are wanted, nothing is measured."""
     work, absent = Work.of(scene), absent_effects(scene)
     allowed = plan.tolerance_input if tolerance is None else tolerance
     request = PlanRequest(plan.requested_effects, allowed, figures=figures)
@@ -109,8 +114,9 @@ def measured_again(
 
 
 def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> Plan | None:
-    """Return a plan of an earlier scene with its error on this scene; None if the error is too
-    large here for the requested `tolerance`."""
+    """Return `plan`, made for an earlier scene, with its error measured on this scene; None if the
+    error, its bound or the fraction of pixels in other states is too large here for `tolerance`. A
+    plan that drops nothing always fits."""
     plan = measured_again(scene, plan, tolerance=tolerance)
     tolerance_e = plan.tolerance_e or 0.0
     fits = not plan.measured or (
@@ -122,8 +128,9 @@ def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> P
 
 
 def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
-    """Return the plan that simulates every requested effect, without measured errors. A tolerance
-    that is a fraction of the noise stays unknown."""
+    """Return the plan that simulates every requested effect, without measured errors. `absent`:
+    effects that change nothing here. A tolerance that is a fraction of the noise is not converted
+    to electrons, because that takes as long as measuring."""
     scene = work.scene
     allowed = None
     if unit_of(request.tolerance) != "noise":
@@ -132,7 +139,9 @@ def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
 
 
 def absent_effects(scene: PlannedScene) -> Names:
-    """Return the names of the effects of the exposure that certainly change nothing on a scene."""
+    """Return the names of the effects of the exposure that certainly change nothing on `scene`:
+    motion of still light, comparators if no pixel compares, saturation if no pixel comes near
+    it."""
     all_effects, names = everything(), frozenset[str]()
     if scene.light.motion is None:
         names |= all_effects.names(Moving)
@@ -145,10 +154,11 @@ def absent_effects(scene: PlannedScene) -> Names:
 
 def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float]:
     """Return the sets of effects that may be dropped together, and the milliseconds that each saves
-    of all requested frames; those that save most first.
+    of all requested frames; those that save most first, and none that saves nothing.
 
-    These are single effects and the groups whose effects share work. Without figures, effects that
-    are certainly too large are left out."""
+    These are single effects and the groups whose effects share work. Effects that the user decided
+    on and `absent` ones are not in them. Without figures, effects that are certainly too large are
+    left out."""
     all_effects = everything()
     # Noise may drive any pixel near saturation beyond a limit, in few frames: too rare to measure.
     free = frozenset(e.name for e in effects_of_exposure()) - all_effects.names(Saturates)
@@ -171,8 +181,8 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 
 
 def _too_large(scene: PlannedScene, allowed: Tolerance) -> Names:
-    """Return the effects whose noise alone certainly exceeds the tolerance, so that dropping
-    them need not be measured. `allowed` is the tolerance."""
+    """Return the names of the effects whose noise alone certainly exceeds the tolerance `allowed`,
+    so that dropping them need not be measured."""
     all_effects, full_e = everything(), scene.sensor.full_well_e
     least_e = {
         effect.name: part.sigma_e(scene.sensor)
@@ -194,8 +204,8 @@ class _Measuring:
     not force off: the planner's own choice has to keep the tolerance relative to these."""
 
     def __init__(self, scene: PlannedScene, request: PlanRequest) -> None:
-        """Expose a sample of the scene with all requested effects, and convert the tolerance to
-        electrons."""
+        """Expose a sample of `scene` with every effect and, if the user turned some off, also
+        without these, and convert the tolerance to electrons. With figures the sample is larger."""
         self.requested = request.requested
         self.trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
         self.base = self.trial.truth
@@ -204,8 +214,9 @@ class _Measuring:
         self.allowed = tolerance_of(request.tolerance, scene.sensor, self.trial)
 
     def drop_each(self, absent: Names) -> dict[Names, SampledErrors]:
-        """Return the error of dropping each effect that is not absent, while every other requested
-        effect is simulated."""
+        """Return the error of dropping each effect of the exposure that is not in `absent`, by a
+        set with its name alone, while every other requested effect is simulated. For an effect that
+        the user turned off, it is the error of not having it."""
         errors = {}
         for name in (e.name for e in effects_of_exposure() if e.name not in absent):
             if name in self.requested.on:
@@ -217,7 +228,8 @@ class _Measuring:
         return errors
 
     def fits(self, errors: SampledErrors) -> bool:
-        """Return whether errors are within the tolerance, with a margin for sampling errors."""
+        """Return whether `errors`, also with two standard errors added, and the fraction of pixels
+        in other states are within their limits, with a margin (`MARGIN`, `_SURE`)."""
         tolerance_e = self.allowed.electrons
         return (
             errors.square_e2() <= (MARGIN * tolerance_e) ** 2
@@ -226,8 +238,9 @@ class _Measuring:
         )
 
     def drop_together(self, dropped: Names) -> tuple[SampledErrors, SampledErrors]:
-        """Return the errors of dropping these effects at once: relative to all effects, and
-        relative to those that the user did not turn off."""
+        """Return the errors of dropping the effects `dropped` at once, besides those that the user
+        turned off: relative to all effects, and relative to those that the user did not turn
+        off."""
         effects = self.requested.without(*dropped)
         exposed = self.trial.exposures(effects) if dropped else self.base
         together = self.trial.between(exposed, self.trial.truth)

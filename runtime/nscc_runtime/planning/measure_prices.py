@@ -44,7 +44,8 @@ class Price:
 
 
 def measure_prices() -> list[Price]:
-    """Measure each price on this machine, in several seconds, as the fastest of some rounds."""
+    """Measure each price on this machine, as the processor time of the fastest of some rounds, and
+    return them with the shipped ones. It takes several seconds of one core."""
     container = nscc.compile(_TEXT, level=1).container
     sensor = default_sensor(container.target)
     rows, cols = container.target.rows, container.target.cols
@@ -95,8 +96,8 @@ def measure_prices() -> list[Price]:
 
 
 def _of_sums(scene: PlannedScene) -> list[Price]:
-    """Return measured times of a first frame by sums: without effects, and what dropping each
-    effect saves."""
+    """Return the measured times of the first frame of `scene` by sums, per pixel: without effects,
+    and what dropping each effect saves, for effects that cost something there; at least 0."""
     all_effects = everything()
     every_ns = _frame_ns(scene, all_effects)
     bare_ns = _frame_ns(scene, selected("none"))
@@ -117,9 +118,8 @@ def _of_sums(scene: PlannedScene) -> list[Price]:
 
 
 def _frame_ns(scene: PlannedScene, effects: Selection) -> float:
-    """Return the time of a frame with these effects in nanoseconds per pixel on one core.
-
-    The light is copied, so that no cached property is reused."""
+    """Return the time of the first frame of `scene` with `effects`, in nanoseconds per pixel on one
+    core. The light is copied for each frame, so that none of its cached properties is reused."""
 
     def expose() -> None:
         """Expose one frame, without stored sums of its light."""

@@ -104,22 +104,26 @@ class Plan:
         Parameters
         ----------
         choice : {"kept", "dropped", "absent"}
+            The decision, see `Decision`.
 
         Returns
         -------
         list of str
+            In the order of the plan; empty if there is none.
         """
         return [decision.name for decision in self.decisions if decision.decision == choice]
 
     @property
     def kept(self) -> Selection:
-        """The effects that are simulated: all but the dropped ones."""
+        """The effects that are simulated: all but the dropped ones; those that change nothing here
+        ("absent") are on, too."""
         forced = frozenset(decision.name for decision in self.decisions if decision.forced)
         return Selection(everything().on.difference(self.names("dropped")), forced)
 
     @property
     def requested_effects(self) -> Selection:
-        """All effects except those that the user forced off, to be planned."""
+        """All effects except those that the user turned off, as a selection of which a planner
+        decides the rest."""
         forced = self.kept.forced
         return Selection(everything().on - forced.intersection(self.names("dropped")), forced, True)
 
@@ -138,7 +142,8 @@ class Plan:
 
     @property
     def tolerance_input(self) -> ToleranceInput:
-        """The tolerance as entered by the user; a relative one is text."""
+        """The tolerance as the user entered it: text if it is relative or unknown in electrons, so
+        that it is converted anew on another scene; else the `Tolerance`."""
         allowed = self.allowed
         return self.tolerance if allowed is None or allowed.follows else allowed
 
@@ -184,7 +189,7 @@ class Plan:
 
     @property
     def _error(self) -> str:
-        """The predicted error and the tolerance as text."""
+        """The predicted error and the tolerance as text; "no error measured" without one."""
         if self.predicted_e is None:
             return "no error measured"
         return f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
@@ -206,7 +211,8 @@ class Plan:
 
 
 def _table(plan: Plan) -> str:
-    """Return the plan as text: a row for each effect, then the errors and times."""
+    """Return the plan as text: a row for each effect, then the errors, why words run one by one,
+    and the times. Figures that were not measured are empty."""
     looks = plan.other_states is not None
     head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
     rows: list[tuple[str, ...]] = [(*head, "other states") if looks else head]

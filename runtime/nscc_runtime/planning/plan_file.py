@@ -32,16 +32,18 @@ _STORED = tuple(field.name for field in fields(StoredPlan))
 
 
 def plan_text(plan: Plan, program_sha256: str, sensor: Sensor) -> str:
-    """Return the JSON text of a plan file."""
+    """Return the JSON text of a plan file, with a final newline. `program_sha256`: digest of the
+    program's container."""
     stored = StoredPlan(program_sha256, sensor_sha256(sensor), plan)
     return to_json(stored, PLAN_SCHEMA) + "\n"
 
 
 def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
-    """Read a plan file for a given program and sensor.
+    """Return the plan in the plan file or frame file `path`, for a given program, whose container
+    has the digest `program_sha256`, and a given sensor.
 
-    Raises Rejected (status 2): NS0747 if the file does not contain a plan of this version, NS0748
-    if the plan was made for another program or sensor."""
+    Raises Rejected (status 2): NS0747 if the file cannot be read or contains no plan of this
+    version, NS0748 if the plan was made for another program or sensor."""
     stored = _read(path)
     for kind, plan_sha256, actual_sha256 in (
         ("program", stored.program_sha256, program_sha256),
@@ -61,13 +63,15 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
 
 
 def plan_of(path: Path) -> Plan:
-    """Return the plan in a plan file or a frame file. Raises NS0747 for any other file."""
+    """Return the plan in a plan file or a frame file (.npz), whatever its program. Raises Rejected
+    (NS0747) for any other file, and for a frame that was exposed without a plan."""
     return _read(path).plan
 
 
 def _read(path: Path) -> StoredPlan:
-    """Return the plan stored in a plan file or a frame file; raise Rejected if there is none, or
-    it names unknown effects."""
+    """Return the plan stored in a plan file or, if the name ends in .npz, in a frame file. Raises
+    Rejected (NS0747) if there is none, or it is damaged, names unknown effects, or has a tolerance
+    that cannot be read."""
     try:
         if path.suffix.lower() == ".npz":
             meta = read_frame_arrays(path, lambda _name: False)[1]

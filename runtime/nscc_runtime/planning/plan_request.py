@@ -15,7 +15,8 @@ MANY = 1000
 
 
 def effects_of_exposure() -> list[Effect]:
-    """Return the effects that act before the readout."""
+    """Return the effects that act before the readout, in the order of registration; only on these a
+    plan decides."""
     return [effect for effect in registered() if effect.kind != "after"]
 
 
@@ -34,7 +35,8 @@ class PlanRequest:
 
     @cached_property
     def forced(self) -> Names:
-        """Names of the effects that the user switched on or off, which a plan does not decide."""
+        """Names of the effects that the user switched on or off, on which a plan does not decide;
+        all effects unless the selection is automatic."""
         effects = self.effects
         return frozenset(
             e.name for e in registered() if not effects.auto or e.name in effects.forced
@@ -49,5 +51,5 @@ class PlanRequest:
 
     @property
     def requested(self) -> Selection:
-        """Every effect except those that the user switched off."""
+        """Every effect except those of the exposure that the user switched off."""
         return everything().without(*self.forced_off)

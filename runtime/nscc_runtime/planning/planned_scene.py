@@ -72,7 +72,8 @@ class PlannedScene:
         return self.light.shape[0] * self.light.shape[1]
 
     def ready(self) -> None:
-        """Analyse the program. Raises Rejected if it cannot be simulated."""
+        """Analyse the program, so that later steps are timed without it. Raises Rejected if its
+        words cannot be simulated."""
         if not self.needs_reference(everything()):
             block_program(self.container, retention_us(everything(), self.sensor))
 
@@ -85,14 +86,15 @@ class PlannedScene:
         return near_saturation(program, self.light, self.device_seed, effects)
 
     def needs_reference(self, effects: Selection) -> tuple[str, ...]:
-        """Return the reasons why only the reference simulates these effects; empty if the compiled
-        simulations do."""
+        """Return the reasons, each a text, why only the reference simulates `effects`; empty if the
+        compiled simulations do."""
         if self.looks:
             return lacks(self.container, self.sensor, effects)
         return tuple(f"{name}: only the reference has it" for name in slow_effects(effects))
 
     def frames(self, effects: Selection, seed: int, count: int) -> Iterable[Frame]:
-        """Return frames 0 to `count` - 1 with these effects, with converter codes."""
+        """Return an iterator over frames 0 to `count` - 1 with `effects` and the noise of `seed`,
+        with converter codes. `count` is at least 1."""
         if self.looks:
             return looked_frames(
                 self.container,
@@ -130,8 +132,9 @@ def planning_of(
     device_seed: int = 0,
     threads: int | None = None,
 ) -> PlannedScene:
-    """Return a program on a scene, to be planned. Raises Rejected for programs to which plans do
-    not apply (NS0750), and for light of another size."""
+    """Return a program on a scene, to be planned. `device_seed`: of the fixed patterns. `threads`:
+    None for all processors. Raises Rejected for programs to which plans do not apply (NS0750), and
+    for light of another size (NS0734)."""
     refuse_planless(container, "planning")
     check_size(container, light)
     return PlannedScene(container, sensor, light, device_seed, threads)
@@ -139,9 +142,12 @@ def planning_of(
 
 @dataclass(frozen=True, eq=False)
 class SampledExposures:
-    """Exposures of sampled pixels. `exposure_e` (outputs, frames, pixels) in electrons, see
-    `SampledErrors`. `endings`, of the same shape: the states in which each pixel ended, as the bits
-    of the state registers in alphabetical order."""
+    """Exposures of sampled pixels.
+
+    `exposure_e` (outputs, frames, pixels): electrons. An output is a bucket of one frame of a
+    series; `frames` are its repeats with other noise. `endings`, of the same shape: the states in
+    which each pixel ended, as a number whose bit k is that of the k-th state register in
+    alphabetical order; 0 without states."""
 
     exposure_e: Values
     endings: NDArray[np.int32]
@@ -173,39 +179,48 @@ class Trial:
     truth: SampledExposures
 
     def exposures(self, effects: Selection) -> SampledExposures:
-        """Return the exposures of the sampled pixels with these effects."""
+        """Return the exposures of the sampled pixels with `effects`, for all `begins` and
+        `repeats`, with the random numbers of `truth`."""
         expose = _sampled(self.scene, self.sample, effects)
         return _exposures(expose, self.begins, self.repeats)
 
     def frames(self, count: int, first_number: int = 0) -> SampledExposures:
-        """Return consecutive frames with every effect, which all begin with the states that the
-        program starts with."""
+        """Return `count` frames of the sample with every effect, numbered from `first_number`,
+        which selects their noise. All begin with the states that the program starts with."""
         return _exposures(self.expose_full, (None,), count, first_number)
 
     def between(self, exposed: SampledExposures, true: SampledExposures) -> SampledErrors:
-        """Return the differences between two exposures of the sample."""
+        """Return the differences of the exposures `exposed` from the exposures `true`, both of this
+        sample and of equal shape; pixels that ended in other states are not compared."""
         return SampledErrors.between(
             exposed.exposure_e, true.exposure_e, exposed.endings == true.endings, self.sample.weight
         )
 
     def signal_e(self) -> float:
-        """Return the mean signal of the scene (see `PlannedScene.signal_e`)."""
+        """Return the mean signal of a frame of the whole scene without effects, in electrons."""
         return self.scene.signal_e()
 
     def noise_e(self) -> float:
-        """Return the noise of a frame of the scene (see `PlannedScene.noise_e`)."""
+        """Return the noise of a frame with every effect, including readout and rounding, in
+        electrons: the standard deviation over frames, as a root mean square over the sample and the
+        buckets."""
         buckets, number = len(self.scene.container.buckets), len(self.begins) * self.repeats
         # The frames of the first entry of `begins` come first in `truth`. The second set has frame
         # numbers that `truth` does not use, and therefore independent noise.
         first = SampledExposures(self.truth.exposure_e[:buckets], self.truth.endings[:buckets])
         second = self.frames(self.repeats, number)
+        # The difference of two independent frames has twice the variance of one.
         mean_e2 = self.between(second, first).mean_square_e2 / 2.0
         return with_readout_e(math.sqrt(float(mean_e2.mean())), self.scene.sensor)
 
 
 def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None) -> Trial:
-    """Draw about `count` pixels of a scene, and expose them with every effect. `repeats`: number of
-    frames with other noise; by default more than one for small scenes."""
+    """Draw about `count` pixels of `scene` (all of a smaller scene), expose them with every effect,
+    and return the trial.
+
+    `repeats`: number of frames with other noise; None for more than one for small samples, else
+    one. For programs with kept states, further frames begin with the states that earlier ones left,
+    until hardly any new states occur or there are `_MOST_FRAMES`."""
     full_well_e, full = scene.sensor.full_well_e, everything()
     chance = drawing_chances(scene.light, full_well_e)
     sample = draw_sample(scene.near_pixels(full), full_well_e, count, chance)
@@ -228,8 +243,11 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
 
 
 def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
-    """Prepare the sampled pixels for exposing with these effects: by the loop over words, or if it
-    lacks an effect, always by the reference, whose random numbers are others."""
+    """Return a function that exposes the pixels of `sample` with `effects`: by the loop over words
+    or, if the loop lacks any effect at all, by the reference.
+
+    All sets of effects of a scene are exposed in the same way, because the two have different
+    random numbers."""
     container, sensor, threads = scene.container, scene.sensor, threads_of(scene.threads)
     if not scene.needs_reference(everything()):
         laid = lay_out(
@@ -261,8 +279,8 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
 
 
 def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
-    """Return a function that exposes the sampled pixels, which look, with the effects of the scene
-    `laid`.
+    """Return a function that exposes the pixels of `sample`, which look, with the effects of
+    `laid`, their prepared scene.
 
     Segments and endings are numbered differently for effects with other paths, so states are given
     and returned as bits."""
@@ -289,13 +307,14 @@ def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
 
 
 def _state_registers(container: Container) -> list[str]:
-    """Return the registers of all states in alphabetical order."""
+    """Return the names of the registers of all states in alphabetical order; empty without
+    states."""
     return sorted({name for planes in container.state_planes.values() for name in planes.registers})
 
 
 def _kept_bits(container: Container) -> int:
     """Return a mask of the bits of `SampledExposures.endings` that belong to states which
-    `container` keeps between frames."""
+    `container` keeps between frames; 0 without such states."""
     if not container.keeps_states:
         return 0
     names = {state.name for state in container.machine.states if state.is_kept}
@@ -306,8 +325,9 @@ def _kept_bits(container: Container) -> int:
 def _packed(
     container: Container, bits: Mapping[str, NDArray[Any]], count: int
 ) -> NDArray[np.int32]:
-    """Return `count` bits of each state register as numbers (see `SampledExposures.endings`);
-    registers without bits are 0."""
+    """Return the bits of state registers as numbers, (count,): bit k is that of the k-th state
+    register in alphabetical order. `bits`: arrays of `count` bits, of any shape, by register; a
+    register that is missing is 0."""
     numbers = np.zeros(count, np.int32)
     for k, name in enumerate(_state_registers(container)):
         if name in bits:
@@ -318,7 +338,10 @@ def _packed(
 def _exposures(
     expose: Expose, begins: Sequence[States | None], repeats: int, first_number: int = 0
 ) -> SampledExposures:
-    """Return `repeats` frames for each element of `begins`, numbered from `first_number`."""
+    """Return `repeats` frames for each element of `begins` (kept states, or None), at least one.
+
+    Frames are numbered from `first_number`, all repeats of an element one after the other. Outputs
+    are the buckets of the first element, then those of the next."""
     exposed = [
         [expose(first_number + series * repeats + turn, begin) for turn in range(repeats)]
         for series, begin in enumerate(begins)

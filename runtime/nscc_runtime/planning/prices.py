@@ -57,8 +57,9 @@ class Work:
 
     @classmethod
     def of(cls, scene: PlannedScene) -> Work:
-        """Return how much work a frame of a scene is: words and stretches a pixel, and pixels
-        near saturation."""
+        """Return how much work a frame of `scene` is: words and stretches per pixel, as a mean over
+        lanes (all words if pixels look), and pixels near saturation under every effect. If only the
+        reference simulates it, words and stretches are 0."""
         effects = everything()
         near = scene.pixels if scene.looks else len(scene.near_pixels(effects).places)
         if scene.needs_reference(effects):
@@ -69,14 +70,17 @@ class Work:
         return cls(scene, words, len(program.stretches.boundary) / lanes - 1.0, near)
 
     def loop_ns(self, effects: Selection) -> float:
-        """Return the nanoseconds of a pixel that runs through its words with these effects."""
+        """Return the predicted nanoseconds of one core for one pixel that runs through its words in
+        one frame with `effects`."""
+        # With exchange, the charge of neighbours is counted too: about one more site per pixel.
         prices, sites = SHIPPED, 1.0 if effects.find_part(Exchange) is None else 2.0
         word_ns = prices.word + prices.error * len(effects.errors())
         count_ns = prices.count * sites * len(effects.names(Counted))
         return prices.loop + self.words * word_ns + self.stretches * count_ns
 
     def milliseconds(self, effects: Selection, frames: int = 1) -> float:
-        """Return the milliseconds of a number of frames of the scene with these effects."""
+        """Return the predicted milliseconds of one core for the first `frames` frames of the scene
+        with `effects`, including what is computed once for a scene."""
         scene, prices = self.scene, SHIPPED
         if scene.needs_reference(effects):
             return frames * prices.slot * scene.light.slots * scene.pixels * 1e-6
@@ -95,7 +99,9 @@ class Work:
         return ((scene_ns + frames * frame_ns) * scene.pixels + frames * near_ns) * 1e-6
 
     def trials_ms(self, sets: int, pixels: int) -> float:
-        """Return the milliseconds of exposing a sample of `pixels` with some sets of effects."""
+        """Return the predicted milliseconds of one core for exposing a sample of `pixels` pixels,
+        at most those of the scene, once with each of `sets` sets of effects. The reference exposes
+        the whole scene each time."""
         effects = everything()
         if self.scene.needs_reference(effects):
             return self.milliseconds(effects, sets)

@@ -27,6 +27,7 @@ to a full well is always in the sample."""
 _SURE = 2.0
 """A pixel with at least this expected number of draws is always in the sample."""
 _GOLDEN = 0.6180339887498949
+"""Fractional part of the golden ratio: its multiples fill the unit interval most evenly."""
 _UNSEEN = 3.0
 """A kind of pixels with this expected number of draws is missed by one sample in twenty."""
 _SIGMAS = 3.0
@@ -90,24 +91,27 @@ class SampledErrors:
     def between(
         cls, exposed_e: Values, true_e: Values, same: NDArray[np.bool_], weight: Values
     ) -> SampledErrors:
-        """Return the errors of `exposed_e` against `true_e` (electrons) for sampled pixels.
+        """Return the errors of `exposed_e` against `true_e`, electrons (outputs, frames, pixels).
 
-        Pixels that ended in other states (`same` False) and true exposures that are not finite are
-        not compared. `weight` is each pixel's weight in the scene."""
+        Pixels that ended in other states (`same`, of the same shape, is False) and true exposures
+        that are not finite are not compared. An exposure that is not finite where the true one is
+        counts as an error of 1e30 e. `weight` (pixels,): each pixel's weight in the scene."""
         compared = same & np.isfinite(true_e)
         with np.errstate(invalid="ignore"):
             size_e = np.where(np.isfinite(exposed_e), exposed_e - true_e, _NOT_FINITE_E)
         return cls(np.where(compared, size_e, 0.0), compared, weight)
 
     def plus(self, other: SampledErrors) -> SampledErrors:
-        """Return the errors if the errors of both add up."""
+        """Return the errors if those of both, of the same sample, add up; a pixel that one of them
+        does not compare is not compared."""
         compared = self.compared & other.compared
         size_e = np.where(compared, self.size_e + other.size_e, 0.0)
         return SampledErrors(size_e, compared, self.weight, self.unseen_e2 + other.unseen_e2)
 
     def square_e2(self, standard_errors: float = 0.0) -> float:
-        """Return the mean square error of the worst output plus a number of its standard errors, in
-        square electrons."""
+        """Return the mean square error, in square electrons, of the output in which it is largest.
+        With `standard_errors` above 0, this number of its standard errors and the allowance
+        `unseen_e2` are added first."""
         mean_e2 = self.mean_square_e2
         if standard_errors:
             standard_error_e2 = self._standard_error(self.size_e**2)
@@ -116,7 +120,8 @@ class SampledErrors:
 
     @property
     def mean_square_e2(self) -> Values:
-        """Mean square error (outputs,) in square electrons."""
+        """Mean square error of each output over the pixels that are compared, in square electrons,
+        (outputs,)."""
         return self._mean(self.size_e**2) / self._compared
 
     @property
@@ -144,27 +149,30 @@ class SampledErrors:
 
     @property
     def _compared(self) -> Values:
-        """Fraction of the scene that is compared, for each output."""
+        """Fraction of the scene that is compared, (outputs,); at least 1e-12, because errors are
+        divided by it."""
         return np.maximum(self._mean(self.compared.astype(np.float64)), 1e-12)
 
     def _mean(self, values: Values) -> Values:
-        """Return the weighted mean (outputs,) of values (outputs, frames, pixels)."""
+        """Return the mean (outputs,) of values (outputs, frames, pixels) over frames and, weighted
+        by the scene's pixels, over pixels; 0 without pixels."""
         total = (values.mean(axis=1) * self.weight).sum(axis=-1)
         return np.asarray(total / max(float(self.weight.sum()), 1e-300))
 
     def _standard_error(self, values: Values) -> Values:
-        """Return the standard error (outputs,) of the weighted mean over the scene, in any frame:
-        other pixels could have been drawn, and the noise of the drawn ones differs."""
+        """Return the standard error (outputs,) of the weighted mean of values (outputs, frames,
+        pixels): other pixels could have been drawn, and the noise of the drawn ones differs."""
         deviation = (values.mean(axis=1) - self._mean(values)[:, None]) * self.weight
         total = max(float(self.weight.sum()), 1e-300)
         return np.asarray(np.sqrt((deviation**2).sum(axis=-1)) / total)
 
 
 def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Values) -> Sample:
-    """Draw about `count` pixels of a scene, deterministically; all pixels of a small scene.
+    """Draw about `count` pixels of a scene, deterministically; all pixels of a scene with at most
+    `count`. A pixel that would be drawn several times is in the sample once.
 
-    `near`: the pixels near saturation. `chance` (rows * cols,): relative probabilities of
-    `drawing_chances`."""
+    `near`: the pixels near saturation. `full_well_e`: full well in electrons. `chance` (rows *
+    cols,): relative probabilities of `drawing_chances`."""
     pixels = chance.size
     far_count = min(pixels - len(near.places), int((1.0 - _NEAR_FRACTION) * count))
     near_count = min(len(near.places), count - far_count)
@@ -187,7 +195,11 @@ def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Va
 def _near_drawn(
     near: NearSaturation, full_well_e: float, chance: Values, count: int
 ) -> tuple[Places, Values]:
-    """Draw `count` of the pixels near saturation. Return their indices in `near` and weights."""
+    """Draw about `count` of the pixels near saturation; all if there are no more. Return their
+    indices in `near`, and how many such pixels each represents, 1 if it is certain to be drawn.
+
+    `full_well_e`: full well in electrons. `chance` (rows * cols,): relative probabilities of all
+    pixels of the scene."""
     if len(near.places) <= count:
         return np.arange(len(near.places)), np.ones(len(near.places))
     sure = np.zeros(len(near.places), np.bool_)
@@ -201,11 +213,13 @@ def _near_drawn(
 
 
 def _drawn(chance: Values, count: int, represented: int) -> tuple[Places, Values]:
-    """Draw distinct indices with probabilities proportional to `chance`, deterministically.
+    """Draw distinct indices of `chance` with probabilities proportional to its values,
+    deterministically.
 
     One point is drawn in each of `count` equal strata, by an additive recurrence, so that the
-    points do not align with tiles of codes. Returns the indices, ascending, and their weights,
-    whose sum is `represented`: 1 for indices that are certain to be drawn."""
+    points do not align with tiles of codes; points at the same index count once. Return the
+    indices, ascending, and their weights, whose sum is `represented`: 1 for indices that are
+    certain to be drawn. Both are empty if `count` or all of `chance` is 0."""
     total = np.cumsum(chance)
     if count <= 0 or not total[-1] > 0:
         return np.empty(0, np.int64), np.empty(0)
@@ -220,7 +234,8 @@ def _drawn(chance: Values, count: int, represented: int) -> tuple[Places, Values
 
 
 def drawing_chances(light: Light, full_well_e: float) -> Values:
-    """Return the relative probability (rows * cols,) of drawing each pixel of a scene.
+    """Return the relative probability of drawing each pixel of a scene, (rows * cols,), above 0 for
+    all. `full_well_e`: full well in electrons.
 
     Of eight draws, four are even, two are proportional to the contrast of light up to the full
     well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
@@ -244,7 +259,7 @@ def drawing_chances(light: Light, full_well_e: float) -> Values:
 
 def _contrast(light_e: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return each pixel's light plus the absolute differences from its four neighbours, in
-    electrons."""
+    electrons, (rows, cols) as `light_e`; beyond the border there is no difference."""
     score = light_e.copy()
     for axis in (0, 1):
         step = np.abs(np.diff(light_e, axis=axis))

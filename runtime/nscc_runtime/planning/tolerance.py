@@ -43,7 +43,7 @@ class Tolerance:
 
     @property
     def follows(self) -> bool:
-        """Whether the tolerance is relative to the scene."""
+        """Whether the tolerance is relative to the scene, to its signal or its noise."""
         return self.signal_e is not None or self.noise_e is not None
 
     @property
@@ -53,7 +53,8 @@ class Tolerance:
 
     @property
     def name(self) -> str:
-        """A text that identifies the tolerance independently of the scene."""
+        """A text that identifies the tolerance independently of the scene: the electrons, or the
+        text of the user if it is in other units."""
         return f"{self.electrons:g}e" if self.in_electrons else self.text
 
     def __str__(self) -> str:
@@ -116,14 +117,15 @@ def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScen
 
 
 def unit_of(tolerance: ToleranceInput) -> str | None:
-    """Return the unit of a tolerance as text, such as `noise`, which has to be measured on a scene;
-    None for other texts and for electrons."""
+    """Return the unit of a tolerance given as text: "e", "lsb", "%" or "noise". None for text that
+    is no tolerance, for numbers, and for a `Tolerance`."""
     match = _TOLERANCE.fullmatch(tolerance.lower()) if isinstance(tolerance, str) else None
     return match[2] if match else None
 
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
-    """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene."""
+    """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene; `sensor` gives the
+    electrons of a code. A percentage of a scene without signal is not found here."""
 
     class Bright:
         """A scene with signal and noise above 0."""
@@ -146,8 +148,9 @@ def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
 
 
 def with_readout_e(noise_e: float, sensor: Sensor) -> float:
-    """Return the noise of exposures combined with that of the converter and of rounding, all in
-    electrons."""
+    """Return the standard deviation `noise_e` of exposures combined with those of the converter's
+    noise and of rounding, all in electrons. The fixed pattern of the readout does not vary over
+    frames, so it is left out."""
     all_effects = everything()
     code_e = all_effects.require_part(Codes).electrons(sensor)
     noise_lsb = all_effects.converter_lsb(sensor, fixed=False)
@@ -155,15 +158,16 @@ def with_readout_e(noise_e: float, sensor: Sensor) -> float:
 
 
 def _within(tolerance: Tolerance, shown: str) -> Tolerance:
-    """Return a tolerance; raise Rejected if it is too small or too large."""
+    """Return `tolerance` if it lies within LEAST_E to MOST_E electrons. Raises Rejected (NS0746)
+    otherwise, also for NaN. `shown`: the text of it in the message."""
     if not LEAST_E <= tolerance.electrons <= MOST_E:
         raise _malformed(shown)
     return tolerance
 
 
 def _malformed(shown: str) -> Rejected:
-    """Return the error (NS0746) for a tolerance, `shown` as given, that is not a number with a
-    unit."""
+    """Return the error NS0746, for the caller to raise, for a tolerance that is not a number with a
+    unit, or outside its limits. `shown`: its text in the message."""
     return rejected(
         "NS0746",
         f"a tolerance must be a number above 0 with its unit, not {shown}",
