@@ -52,7 +52,7 @@ class FrameRead:
 
 
 def read_frame(path: Path) -> FrameRead:
-    """Read a frame file with one exposure, or with one for each colour.
+    """Read the frame file `path`, with one exposure or with one for each colour.
 
     Raises Rejected (NS0819) for files that cannot be read, for frames with repeats or more than two
     buckets, and for shutters of another size than the frame."""

@@ -114,6 +114,7 @@ class Measured(Generic[Array]):
         projection onto all clips that match the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
+            # The limit is for pixels that never open, whose energy is 0.
             shares = gap / (self.energy + noise).clip(min=1e-6)
         else:
             # The covariance (batch, rows, cols, B, B) of each pixel's frames, over sigma squared.

@@ -238,7 +238,8 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
     """Return all codes, int64 (codes, fields), that the class in `spec` and the `require` of `chip`
-    allow; there may be none. Raise Rejected if `require` is invalid."""
+    allow; there may be none. Raise Rejected if `require` is no valid condition, or the chip cannot
+    be loaded."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):

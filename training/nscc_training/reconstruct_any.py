@@ -326,7 +326,8 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
 def read_measurement(
     path: Path, mask_path: Path | None = None, slots_axis: Axis | None = None
 ) -> Measurement:
-    """Read `meas` of a file and `mask` of the same or another file.
+    """Read `meas` of a file and `mask` of the same or another file. Of several ways to read the
+    axes, slots last is preferred for a square tile.
 
     Parameters
     ----------

@@ -100,8 +100,9 @@ def run_path(folder: Path) -> Path:
 
 
 def run_capture(folder: Path) -> RunCapture:
-    """Return the capture conditions of a run, a folder or the name of a shipped run. Raise Rejected
-    (NS0818) for another folder."""
+    """Return the capture conditions of a run, a folder or the name of a shipped run. Raise
+    Rejected: NS0818 for another folder, and NS0813 to NS0815 for a configuration that cannot be
+    read."""
     path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]

@@ -68,7 +68,8 @@ def folders_of(text: str) -> list[Path]:
 def data_files(
     folder: Path, endings: Collection[str], contents: str, kind_text: str, expected: str
 ) -> list[Path]:
-    """Return the files of `files_in`. Raise Rejected (NS0811) if there are none.
+    """Return the files with one of `endings` in `folder`, sorted by name; `folder` may be a
+    pattern, as `files_in` takes it. Raise Rejected (NS0811) if there are none.
 
     Three arguments are parts of the message: the folder has no `contents`, files of this kind have
     the endings (`kind_text`, such as "clips end in"), and the user should name a folder of

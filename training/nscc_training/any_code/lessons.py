@@ -186,7 +186,7 @@ def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
 
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     """Return random shutters (frames, size, size), 1 where open. Every pixel opens in at least one
-    frame.
+    frame. `frames` is at least 2.
 
     Their kind is random, too: free bits, bumps of one length, bumps of any length, rows of a
     codebook, or stops. Some are drawn for each pixel, others for a tile that is repeated."""

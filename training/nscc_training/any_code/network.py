@@ -26,8 +26,8 @@ class ClipDenoiser(nn.Module):
     motion, and the weights do not depend on the number of frames."""
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
-        """Build a network of three scales; `widths` are the numbers of channels from fine to
-        coarse, three numbers. It begins as the identity, because its last weights are 0."""
+        """Build a network of three scales; `widths` are the three numbers of channels, from fine to
+        coarse. It begins as the identity, because its last weights are 0."""
         super().__init__()
         self.widths = widths
         fine, middle, coarse = widths

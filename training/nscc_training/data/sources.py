@@ -290,7 +290,8 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
     """Return a generator of random numbers for each clip that is made of a file, as many as the
-    setting `paths`. The file's `digest` and the seed determine it."""
+    setting `paths`. The file's `digest` (hexadecimal), the seed and the number of the clip
+    determine it."""
     return [
         # A seed takes numbers: the first 32 bits of the digest.
         np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])

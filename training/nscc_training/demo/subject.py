@@ -111,6 +111,7 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
     `frames` (T, rows, cols), at least `count`, are grey values. Motion is the mean absolute
     difference of successive frames."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
+    # Beyond both ends there is no change: 0.
     beside = np.pad(steps, 1)
     cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])
     windows = range(len(frames) - count + 1)

@@ -140,8 +140,8 @@ class Codebook(_Digits):
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         """Return the shutters (N, rows, cols) of the shapes that the pixels choose.
 
-        If `soft`, they are means of shapes weighted by the scores, and values between 0 and 1. A
-        generator adds noise to the digits."""
+        If `soft`, they are means of shapes weighted by the scores, and values between 0 and 1.
+        Otherwise they are exactly 0 and 1. A generator adds noise to the digits; None adds none."""
         digits = self.digits(self.shapes, generator, soft)
         return torch.einsum("rck,kn->nrc", self.chosen(generator, soft), digits)
 
@@ -251,6 +251,8 @@ class Codebook(_Digits):
         rows of the codebook. The pixels of each 2 x 2 square choose the four quarters."""
         self.set_digits(self.shapes, quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T)
         rank = self.quad_ranks()
+        # Each square takes the next group of four rows; an incomplete last group is replaced by the
+        # first.
         again = self.spread() // 4 * 4 + rank
         self.choose(np.where(again < self.rows, again, rank % self.rows))
 

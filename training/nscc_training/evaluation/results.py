@@ -241,9 +241,11 @@ def result_of(
     """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
 
     The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
-    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`.
-    `settings` and the keyword arguments become entries of the result. Raises Rejected (NS0811)
-    without items."""
+    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`. `method`
+    is the name of what was scored, and `files` are all files of scenes, whose digests are stored.
+    `settings` and the keyword arguments become entries of the result: what the method sees, its
+    milliseconds a scene (None if unknown), its device, parameters and operations. Raises Rejected
+    (NS0811) without items."""
     items = [item for entry in scored_scenes for item in entry.items]
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
@@ -505,7 +507,8 @@ def _class_lines(items: Sequence[Mapping[str, Any]]) -> list[str]:
 
 def comparison_text(comparison: Mapping[str, Any], metric: str) -> str:
     """Return a line about a comparison that `compare` returned: the gain of the second result over
-    the first in the `metric`, its 95 % interval, and the numbers of items, scenes and seeds."""
+    the first in the `metric`, its 95 % interval, and the numbers of items, scenes and seeds.
+    Without a pair of finite scores, the line says only that."""
     gain, interval = comparison["gain_db"], comparison["ci95"]
     if gain is None:
         return "no pair of items has finite scores"

@@ -147,7 +147,8 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
     mask, without noise.
 
     As in training, a full well is the 99th percentile of the light of an always open pixel. It is
-    estimated from the measurement by scaling the light of open slots to all slots."""
+    estimated from the measurement by scaling the light of open slots to all slots; pixels that
+    never open do not count, and others must exist."""
     setup = folder.setup
 
     @torch.no_grad()
@@ -161,6 +162,7 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
         begin = perf_counter()
         mask = torch.from_numpy(scene.mask).to(setup.device)
         result = setup.decoder(frame[None].to(setup.device), mask)[0].float().cpu().numpy()
+        # Decoders return a slot's light in full wells / N, and `level` is a full well.
         return result.astype(np.float64) * (level / len(scene.mask)), perf_counter() - begin
 
     return decode

@@ -47,8 +47,9 @@ def cycle_of(settings: RunSettings, step: int) -> tuple[int, int]:
 
 
 def codes_learn(settings: RunSettings, step: int) -> bool:
-    """Return whether the codes change in this step. They stay as they are in the fraction `warm_up`
-    of a cycle after each start, so that the decoder adapts first, and from `settling_step` on."""
+    """Return whether the codes change in this step (0 is the first); never if `settings` do not let
+    them learn. They stay as they are in the fraction `warm_up` of a cycle after each start, so that
+    the decoder adapts first, and from `settling_step` on."""
     first, last = cycle_of(settings, step)
     waiting = settings.shutter.warm_up * settings.train.steps / _starts(settings)
     learning = settings.shutter.learn and last <= settling_step(settings)

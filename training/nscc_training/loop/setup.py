@@ -120,7 +120,7 @@ class TrainingSetup:
 
         The first draw moves the codes `near` (None: there are none) at many places; later draws are
         independent of them. Raises Rejected with the compiler's errors if none of `_MOST_DRAWS`
-        draws compiles."""
+        draws compiles. The encoder then has the last ones."""
         for attempt in range(_MOST_DRAWS):
             seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
             generator = np.random.default_rng(seeds)

@@ -232,8 +232,8 @@ def start(
     scenes, decoder, shutters and log.
 
     `out` is the folder of its log. `ranks` are the processes that train together; the first one
-    calls `report` with messages about scenes. Raises Rejected for invalid settings, scenes or
-    checkpoints."""
+    calls `report` with messages about scenes. `checkpoint` None begins anew. Nothing is written.
+    Raises Rejected for invalid settings, scenes or checkpoints."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     classes, metrics = setup.classes, setup.protocol.metrics

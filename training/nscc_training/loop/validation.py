@@ -46,8 +46,8 @@ class Validation:
 
 
 def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
-    """Return at most `val_items` validation scenes, exposed by the run's protocol and not larger
-    than its chip.
+    """Return at most `val_items` validation scenes of `scenes`, the first of each before the
+    second, exposed by the run's protocol and not larger than its chip.
 
     Clips have as many frames as the run has slots. Raises Rejected (NS0811) if no scene can be
     exposed."""

@@ -163,7 +163,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
 
 def part_text(kind: str) -> str:
     """Return an example of a part of a grid, with points of this `kind`. Every key has its default;
-    keys without one are listed in comments."""
+    keys without one are listed in comments. Raises KeyError for an unknown kind."""
     keys = [replace(key, section=kind, heading=kind) for key in KINDS[kind].takes()]
     known = [key for key in keys if key.default is not MISSING]
     schema = Schema("grid", (replace(_KIND, default=kind), *known), {"": "", kind: ""}, _CODES, "")
@@ -187,7 +187,7 @@ def part_text(kind: str) -> str:
 
 def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
     """Return a nested table with dotted keys, such as `sensor.adc_noise_lsb`. `begin` is put in
-    front of each key."""
+    front of each key. An empty table stays a value."""
     flat_keys: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, Mapping) and value:

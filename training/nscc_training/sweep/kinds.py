@@ -42,7 +42,7 @@ def key_of(point: GridPoint, threads: int) -> str:
     These are its values, the content of every file that they name, the sources of the packages that
     compute the point, and the versions of their dependencies. Paths are relative to the current
     folder. If torch computes the point, the key also depends on `threads`, because sums of floats
-    do. Raises Rejected for a program that cannot be read."""
+    do. Missing files are allowed. Raises Rejected for a program that cannot be read."""
     kind = KINDS[point.kind]
     after = [key_of(run_point, threads) for run_point in point.after]
     # 1 and 1.0 are the same value of a key.

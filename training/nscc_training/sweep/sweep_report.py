@@ -76,6 +76,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     lines = [name for name in free if not name.endswith("seed")]
     panel = plot.panel
     if not panel and len({*zip(*(table.columns[n] for n in lines), strict=True)}) > _MOST_LINES:
+        # The first axis becomes panels, because one panel would have too many lines.
         panel = lines.pop(0)
     lines = [*plot.line] or lines
     panels = [

@@ -257,7 +257,8 @@ def not_measured(folders: Sequence[RunFolder]) -> list[str]:
 
 def decoder_diagram(measured: StudyResult, device: str) -> Figure:
     """Draw PSNR and SSIM against the time of a scene: a panel for each code and unit, a line for
-    each decoder. `device` is named in the note."""
+    each decoder. Points of one code follow each other in `measured`. `device` is named in the note.
+    """
     panels = [
         Panel(case, title, [point for point in case_points if point.error_unit == unit])
         for case, group in groupby(measured.points, key=lambda point: point.case)

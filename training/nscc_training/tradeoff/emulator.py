@@ -52,7 +52,7 @@ class Naive:
 
     def summed(self) -> Frame:
         """Return a frame that sums the light over the open slots in float32, without noise or any
-        other effect."""
+        other effect. Sums beyond float32 become infinite."""
         total = self._dark(np.float32)
         with np.errstate(over="ignore"):
             for light, opened in self._slots():

@@ -97,7 +97,8 @@ def advised(points: Sequence[Point], target_percent: float) -> tuple[Point | Non
     points.
 
     It is the fastest point whose error is at most `target_percent`. If there is none, it is the
-    fastest of those whose error is near the least."""
+    fastest of those whose error is at most `NEAR` times the least. Of equal times, the smaller
+    error counts."""
     if not points:
         return None, False
     within = [point for point in points if point.error <= target_percent]
