@@ -139,8 +139,8 @@ def from_plain(kind: Any, plain: Any) -> Any:
 def to_json(record: Any, schema: str = "") -> str:
     """Return a record as one line of JSON in ASCII; the same record gives the same text.
 
-    Raises InvalidRecord as `to_plain` does. With `schema`, such as ``"nscc-plan-2"``, the text has
-    a key `schema` that names its format and version."""
+    Raises InvalidRecord for a value that the record's hints do not allow. With `schema`, such as
+    ``"nscc-plan-2"``, the text has a key `schema` that names its format and version."""
     import json
 
     plain = to_plain(record)
@@ -452,6 +452,7 @@ def _split(row: Sequence[_Field], items: list[Any]) -> Iterator[Any]:
     if len(row) == 1 and row[0].codec.width == 0:
         yield row[0].codec.read(items)
         return
+    # Beside other fields, a list (width 0) is one item of the record's list.
     length = sum(field.codec.width or 1 for field in row)
     if len(items) != length:
         raise InvalidRecord(f"has {len(items)} items, not {length}")

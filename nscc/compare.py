@@ -24,7 +24,7 @@ NoiseOf = Callable[[Container], tuple[float, float] | None]
 
 @dataclass(frozen=True, eq=False)
 class OnChip:
-    """A program compiled for one chip, or the first error.
+    """A program compiled for the chip `target`, or the first error.
 
     `compiled` is None if the program does not fit, and `first_error` if it fits. `shortest_slot_us`
     is in microseconds and None if unknown; `frame_us` includes the readout. `sent_bits` is the

@@ -277,7 +277,7 @@ class ExperimentStore:
 
 def _is_locked(error: Exception) -> bool:
     """Return whether SQLite failed because another process has locked the file."""
-    primary = getattr(error, "sqlite_errorcode", 0) & 0xFF
+    primary = getattr(error, "sqlite_errorcode", 0) & 0xFF  # the lowest byte
     return primary in (sqlite3.SQLITE_BUSY, sqlite3.SQLITE_LOCKED)
 
 

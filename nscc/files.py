@@ -214,7 +214,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     temporary = final.with_name(f".{digest}.{os.getpid()}.{next(_writes)}.part")
     # A killed process may have left it, and process numbers repeat quickly in containers.
     temporary.unlink(missing_ok=True)
-    old_mode = final.stat().st_mode & 0o777 if final.exists() else None
+    old_mode = final.stat().st_mode & 0o777 if final.exists() else None  # the permissions
     mode = 0o666 if old_mode is None else old_mode
     final.parent.mkdir(parents=True, exist_ok=True)
     try:

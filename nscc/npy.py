@@ -42,6 +42,7 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
     # Version 1 has a header of at most 64 KiB; later versions allow 4 GiB.
     if version == (1, 0):
         return version, *npy.read_array_header_1_0(stream)
+    # These versions store the length of the header in 4 bytes, the lowest first.
     length = stream.read(4)
     if int.from_bytes(length, "little") > _MOST_HEADER_BYTES:
         raise InvalidArrays(f"the header of an array is longer than {_MOST_HEADER_BYTES} bytes")

@@ -312,6 +312,7 @@ def make_op(row: Operation, destinations: Iterable[str] = (), sources: Iterable[
     directed = [register for register in (*dests, *srcs) if register in directions]
     if directed and (len(directed) > 1 or "NEWS" in (*dests, *srcs)):
         raise ValueError(f"{name} joins NEWS to one bus")
+    # The destinations of a word would be in different pixels.
     if directed and len(dests) > 1 and directed[0] in dests:
         raise ValueError(f"{name} cannot write {directed[0]} beside another register")
     if row.phase is Phase.WHOLE and set(dests) & set(srcs):

@@ -340,8 +340,8 @@ def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     planes; and errors.
 
     `job` has the program's text, for the place of an error. A failed proof is a fault of the
-    compiler, not an error of the program. The errors are those of `unproved_error`. Raises
-    Inconsistent for words that the target does not have."""
+    compiler, not an error of the program. The errors are NS0533 and NS0544, for an image or plane
+    that cannot be proved. Raises Inconsistent for words that the target does not have."""
     try:
         kernels = decoded(container)
     except Rejected as error:

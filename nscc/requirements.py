@@ -57,7 +57,8 @@ def module_of(distribution: str) -> str:
 
 
 def install_line(extra: str) -> str:
-    """Return the command that installs an extra of nscc; "" is nscc itself."""
+    """Return the command that installs `extra`, a part of nscc with its packages; "" is nscc
+    itself."""
     return f"pip install 'nscc[{extra}]'" if extra else "pip install nscc"
 
 

@@ -50,6 +50,7 @@ def command(program: Path | None, no_browser: bool) -> None:
             )
         read_source(program)
     playground = Playground(Path.cwd() if program is None else program.parent, program)
+    # 18 random bytes, which another page cannot guess.
     token = token_urlsafe(18)
     handler = partial(_Handler, playground, Lock(), token)
     with ThreadingHTTPServer((_HOST, 0), handler) as server:  # any free port

@@ -351,8 +351,8 @@ class Subcommands(CommonCommand, click.Group):
 @contextmanager
 def waiting(task: str) -> Iterator[None]:
     """Show on a terminal for how long the block has been running, from the first second on. `task`
-    says what it does. The block is that of a `with` statement; without a terminal nothing is shown.
-    """
+    says what it does. The block stands below a `with` statement. Without a terminal nothing is
+    shown."""
     if not _draws():
         yield
         return

@@ -89,6 +89,7 @@ def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, s
         if name in names[:index]:
             yield f"{shown(name)} twice", "list each register once"
         elif name not in known:
+            # The analog registers are few; the digital ones are numbered.
             known_text = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
             yield (
                 f"{shown(name)}, which an instruction word cannot address",
@@ -292,7 +293,7 @@ def _added(name: str, value: object) -> Target:
     """Return the target `name` that an installed package adds as `value`.
 
     `value` is a Target, TOML text or the path of a TOML file. Raises Rejected (NS0905, followed by
-    the errors of its table) if it is none of them, is invalid, or has another name."""
+    the errors of its table) if it is none of them, is invalid, or has another name than `name`."""
     reason = "its table is wrong"
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

@@ -78,7 +78,7 @@ def shown(value: object) -> str:
 
     Numbers, booleans and None are shown as Python writes them. Texts are cut after 40 characters.
     Arrays are recognised by `shape` and `dtype`, so that no array library is imported."""
-    if isinstance(value, np.generic):
+    if isinstance(value, np.generic):  # shown like a value of Python
         value = value.item()
     if value is None or isinstance(value, bool | int | float):
         return repr(value)[:60]

@@ -57,7 +57,8 @@ class Offer(Record):
 
 
 def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
-    """Return the span that a completion replaces, and the completions at `offset` (characters).
+    """Return the span that a completion replaces, and the completions at `offset` (characters) in a
+    program, valid or not.
 
     Completions are words of the grammar, visible names, targets, files and the digest of a named
     file. Files are offered inside quotes only. In a comment there are none."""

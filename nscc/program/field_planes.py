@@ -317,6 +317,7 @@ def planes_of(
     as many as the chunks hold. `name` is the field and `origin` the file in messages. Each plane is
     returned with marks, bool (rows, cols), of the values that int64 cannot hold. Integers set only
     the first chunk, and the others become 0. Raises Rejected (NS0314) for other arrays."""
+    # Only bit fields have single bits: (rows, cols, bits).
     if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
         chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
         return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]

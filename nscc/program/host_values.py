@@ -107,8 +107,8 @@ class HostValues:
 
     @property
     def most_steps(self) -> int:
-        """The most steps of IN (the level sent to all pixels) that are possible in both directions,
-        because levels may be added or subtracted."""
+        """The most steps of IN (the level sent to all pixels) that are possible as positive and as
+        negative values, because levels may be added or subtracted."""
         return min(self.target.in_high, -self.target.in_low)
 
     def _integer(self, expr: tree.Expr) -> int | None:

@@ -305,8 +305,8 @@ class MachineBuilder:
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[StateMachine, NDArray[np.int32]]:
-        """Return the machine of all stages, and the behaviour (set of codes that act alike) of
-        every code, int32 (codes,).
+        """Return the machine of all stages, and the number of the behaviour (set of codes that act
+        alike) of every code, int32 (codes,).
 
         `comparisons` are those of all looks in order. Codes of equal behaviour are merged: of each
         behaviour, only the nodes (states of the machine) of its first code remain."""
@@ -347,7 +347,8 @@ class MachineBuilder:
         return machine, behaviour_of_code
 
     def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        """Return the behaviour of every code, int32 (codes,), and the first code of each behaviour.
+        """Return the number of the behaviour of every code, int32 (codes,), and the index of the
+        first code of each behaviour.
 
         Two codes have one behaviour if their shutters, resets and states are equal for all answers.
         """

@@ -80,8 +80,8 @@ class Declarations:
 
     @property
     def looking(self) -> bool:
-        """Whether pixels look at their light: whether shutters depend on more than the code and the
-        slot."""
+        """Whether pixels look at their light: whether the file has senses, states, a reset or
+        readouts of states. States that change with images and planes do not count."""
         if self.keeps_planes:
             return False
         reads = () if self.has_pictures else self.reads
@@ -89,7 +89,8 @@ class Declarations:
 
     @property
     def keeps_planes(self) -> bool:
-        """Whether states change with images and planes after the last slot, instead of at looks."""
+        """Whether states change with images and planes after the last slot, instead of at looks. A
+        file with senses or a reset has looks."""
         states = self.states or self.kept_images
         return bool(states and self.has_pictures and not (self.senses or self.reset))
 

@@ -113,6 +113,7 @@ def _missing(
     are indices of states. `last` are the nodes at the end of the frame, and `times` their possible
     open times. Of sets of equal size, the first in the order of states is returned."""
     unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
+    # Larger sets would be too many to try, except the one of all states.
     choices = [added for count in (1, 2, 3) for added in combinations(unread, count)]
     for added in [*choices, tuple(unread)]:
         if _differing(machine, last, times, [*read, *added]) is None:

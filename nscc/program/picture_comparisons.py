@@ -51,6 +51,7 @@ class PictureComparer(ABC):
     def _not(self, condition: p.Condition) -> p.Condition:
         """Return the negation of a condition, a plane; from version 4 on in the form that needs the
         fewest words."""
+        # Words of older programs stay as they are.
         if self.declared.version > 3:
             match condition:
                 case p.Inverse(condition=inner):

@@ -346,7 +346,8 @@ class Reader(LoopReader):
         `any(PLANE, k)`.
 
         `first` is the form of the first argument for messages: "PLANE" or "EXPR". Raises
-        WrongPicture after reporting an error."""
+        WrongPicture after reporting another number of arguments (NS0531) or an unknown kernel
+        (NS0214)."""
         name, arguments = call.function.text, call.arguments
         if len(arguments) != 2 or not isinstance(arguments[1], tree.Name):
             what = "a plane" if first == "PLANE" else "an image"
@@ -359,7 +360,7 @@ class Reader(LoopReader):
             )
         kernel = arguments[1]
         if kernel.text not in self.kernels:
-            if kernel.text in self.declared.kernels:
+            if kernel.text in self.declared.kernels:  # its error is reported at its declaration
                 raise WrongPicture
             raise self._unknown("a kernel", kernel, "kernel")
         return kernel.text

@@ -151,6 +151,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
+    # The number of bytes is rounded up.
     packed = np.empty((len(codes), -(-buckets * slots // 8)), dtype=np.uint8)
     trouble: dict[int, MissingValue] = {}
     for block in _blocks(len(codes), slots * buckets):

@@ -118,6 +118,7 @@ def _of_picture(
     `statement` is the first word of its statement, and `level` matches a level such as `6%`.
     `tokens` are those before it."""
     start, text = span_of(token).start, tokens.source.text
+    # Before version 3, `next` reads no images and planes.
     if statement in ("next", "report") and tokens.version < 3:
         return None
     if (amount := level.match(text, start)) and (

@@ -407,6 +407,7 @@ def file_text(
             if beside and len(line) <= 60:
                 lines.append(_beside(line, text))
             else:
+                # A file with comments beside keys has each comment on one line, however long.
                 width = 1000 if beside else WIDTH - 2
                 lines += [*(f"# {comment}" for comment in textwrap.wrap(text, width)), line]
     return "\n".join(lines) + "\n"

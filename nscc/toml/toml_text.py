@@ -75,6 +75,7 @@ def shown(value: Any) -> str:
         return "an empty list" if not value else f"a list of {len(value)}"
     if isinstance(value, bool):
         return "true" if value else "false"
+    # Its digits would not fit the message, and Python writes at most 4300.
     if isinstance(value, int) and abs(value) > 10**20:
         return "a huge number"
     text = ascii(value) if isinstance(value, str) else str(value)

@@ -48,7 +48,7 @@ class PageSettings:
 
     `picture` is empty, or the light of the user's picture relative to white, float32 (rows, cols)
     of the array in base64. Else `scene` names a built-in scene. `exposure_e` are the electrons of
-    white over the whole frame. `effects` are the simulated effects, and `seed` is that of their
+    white over the whole frame. `effects` are the simulated effects, and `seed` determines their
     random numbers."""
 
     program: str
