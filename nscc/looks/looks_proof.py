@@ -271,6 +271,7 @@ class LookingReplay(ReplayPixels):
         # Each row as one value of bytes: lanes with equal bytes are merged.
         keys = np.ascontiguousarray(keys).view(f"V{keys.shape[1]}")[:, 0]
         _, first, group = np.unique(keys, return_index=True, return_inverse=True)
+        # Merged lanes stay exact only if all of them had the same exposures.
         same = (np.abs(self.due - self.due[first[group]]) <= self.full_e / _DIGITS).all(axis=1)
         exact = np.ones(len(first), np.bool_)
         np.logical_and.at(exact, group, same & self.exact)

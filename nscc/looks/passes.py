@@ -230,8 +230,10 @@ def _kernels(
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """Return the analog words of a plan in the form that reports of programs without senses
-    have."""
+    """Return the analog words of a plan as a plan of exposures, which programs without senses have,
+    for reports.
+
+    Its steps are the words at the start of the frame, then those of each moment."""
     steps = [PlanStep(boundary=0, role="setup", bucket=-1, predicate=None, words=_setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
@@ -289,6 +291,7 @@ def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
 
     The words that set up a frame do not count."""
     machine = plan.machine
+    # By node of the state machine; paths begin at the nodes of stage 0.
     least = np.full(len(machine.behaviour), np.iinfo(np.int64).max)
     most = np.zeros(len(machine.behaviour), np.int64)
     least[: machine.first[1]] = 0

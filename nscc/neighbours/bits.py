@@ -171,8 +171,8 @@ class BitWords:
         """Emit a word that writes a bit, (register, owner), to the register of the plane `name`;
         the bit has then been read.
 
-        If the word before wrote the bit, and nothing else reads it, that word writes the plane's
-        register instead."""
+        If the word before wrote the bit, which nothing else reads, that word writes the plane's
+        register instead, unless it reads that register."""
         self.write(self.planes[name], bit)
 
     def write(self, register: str, bit: Kept) -> None:

@@ -146,7 +146,7 @@ def _program(
     for _ in range(-last):
         writer.words.append(BusWord(("NEWS",), (writer.summed(total),)))
         total, sign = writer.summed(total, "NEWS"), -sign
-    if sign < 0:
+    if sign < 0:  # one more word inverts the result
         writer.summed(total)
     return tuple(writer.words)
 

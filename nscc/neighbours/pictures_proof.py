@@ -73,6 +73,7 @@ def pictures_fault(container: Container) -> str | None:
         words = [op for ops in launched for op in ops]
         by_words = RegisterReaches(container.target, words).reach
         size = Reach().joined(*by_words.values(), *reaches(pictures, of_a_step=True).values())
+        # The smallest array whose pixel `middle` has all the pixels that any value depends on.
         forms = Forms(size.up + size.down + 1, size.left + size.right + 1)
         replay = PictureReplay(container, forms)
         meaning, middle = PictureMeaning(pictures, forms), (size.left, size.up)
@@ -389,6 +390,7 @@ class PictureReplay:
                     unit, number = in_at(level.param), level.factor
                 else:
                     unit, number = IN, level
+                # A form has no terms that are 0.
                 steps = {unit: forms.diagrams.leaf(Fraction(number))} if number else {}
                 fields.append(dict.fromkeys(forms.places(), steps))
             elif name in NEIGHBOURS:

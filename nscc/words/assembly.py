@@ -249,6 +249,7 @@ def _instruction(
     `own_words` are operations that the target adds."""
     name = head.text
     unknown = [operand for operand in operands if operand.text not in READ_LINES]
+    # A long line of unknown names does not need an error for each.
     for operand in unknown[:20]:
         registers_text = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
         helps = meant(operand.text, READ_LINES, registers_text)

@@ -25,6 +25,7 @@ def faults(container: Container) -> Iterator[str]:
     target, nodes = container.target, int(machine.first[-1])
     buckets, slots = len(container.buckets), container.slots
     rising = bool((np.diff(machine.first) > 0).all()) and machine.first[0] == 0
+    # There is one look between two stages, and `first` also has the number of nodes.
     if not rising or len(machine.looks) != len(machine.first) - 2:
         yield "the stages of its machine are out of order"
         return

@@ -74,6 +74,7 @@ class StoredMachine:
         ignored.
 
         Raises KeyError if one is missing."""
+        # The first four fields are not arrays by node.
         by_node = (arrays[name] for name in StateMachine.field_names[4:])
         first = np.array(self.first, np.int32)
         return StateMachine(self.states, self.comparisons, self.looks, first, *by_node)
