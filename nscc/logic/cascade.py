@@ -194,6 +194,7 @@ class _Finder:
                 # A link writes t0, so its cubes take the other registers first.
                 registers = [*(f"t{i}" for i in range(1, plan.scratch)), "t0"]
                 inner: list[str] = []
+                # The innermost link, the last of the list, runs first.
                 for link in reversed(plan.cascades[task].links):
                     sources = inner + ["FLAG"] * link.reads_flag
                     free = [register for register in registers if register not in sources]
@@ -202,6 +203,8 @@ class _Finder:
                         sources.append(register)
                     sources += _names(link.planes)
                     if link.to_flag:
+                        # The search counted the sources of WHERE, so none must be gathered in
+                        # scratch.
                         gates.load_flag(sources, None)
                     elif link.negated:
                         gates.nor("t0", sources)

@@ -151,6 +151,8 @@ class _Writer:
             self.flag_busy = False
             for state in self.states:
                 self.free = [f"t{number}" for number in range(scratch)]
+                # Scratch values end with the update of a state, so each begins with all registers
+                # free.
                 self._advance(state, index)
             self.free = [f"t{number}" for number in range(scratch)]
             if not self.problem.answered(index):
@@ -229,8 +231,10 @@ class _Writer:
             part.open[order], axis=0, return_index=True, return_inverse=True
         )
         numbers = np.empty(len(order), dtype=np.int64)
+        # `np.unique` sorts kinds by content; they are numbered by their first shutter instead.
         numbers[order] = np.argsort(np.argsort(first))[kinds.reshape(-1)]
         everything = self.problem.everything
+        # A value and its inverse need one plane: the one with fewer shutters.
         values = dict.fromkeys(
             min(value, value ^ everything, key=lambda v: (v.bit_count(), v))
             for value in columns(part.open)

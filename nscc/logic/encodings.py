@@ -118,6 +118,7 @@ def event_fields(problem: Problem, most: int) -> Events:
         if kind not in event_counts:
             event_counts[kind] = np.zeros(problem.shutters, dtype=np.int64)
         shutters = members(demand.predicate, problem.shutters)
+        # The rank of a shutter's event is the number of its events of this kind so far.
         ranks = event_counts[kind][shutters]
         event_counts[kind][shutters] += 1
         for rank in sorted(set(ranks.tolist())):

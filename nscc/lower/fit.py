@@ -167,6 +167,7 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
             ),
             _fewer_codes(program),
         ),
+        # The search does not tell how many registers would do, so one more is named.
         data=resource("digital registers", available + 1, available, proved=False),
     )
 
@@ -291,5 +292,6 @@ def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagno
             "not proved: another encoding or a longer search may find some",
         ),
         helps=("use fewer states, smaller ranges, or fewer codes",),
+        # The search does not tell how many registers would do, so one more is named.
         data=resource("digital registers", available + 1, available, proved=False),
     )

@@ -157,6 +157,7 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
         fault = target_fault(word, container.target)
         if fault is not None:
             return container.buckets[0], f"the target does not support `{word}`: {fault}"
+    # One pixel stands for all, because these words do not depend on codes.
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
     before = {name: float(replay.analog[name][0, 0]) for name in buckets}

@@ -275,6 +275,7 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
             kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
             gate = Gate(kinds[min(len(sources), 2)], names[item.destination], sources)
             if item.destination == frame.masked:
+                # The write also takes the mask, which its SET overwrites.
                 used |= 1 << frame.first_scratch
         segments[max(last, item.segment)].append(gate)
         used |= item.reads | 1 << item.destination

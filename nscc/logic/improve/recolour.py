@@ -71,6 +71,7 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
     lossy = [
         (k, forgets)
         for k, item in enumerate(items)
+        # A value in FLAG stays in FLAG, so its loss forbids no other register.
         if isinstance(item, Check) and (forgets := item.forgets & ~(1 << frame.flag))
     ]
     at = 0

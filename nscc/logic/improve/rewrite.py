@@ -368,6 +368,7 @@ class Rewriter:
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]
+        # A write of the masked register overwrites its mask, so the inner value cannot be there.
         busy = {target, *[frame.first_scratch] * (target == frame.masked)}
         for _, inner_ones, inner_zeros in inner(ones, zeros, self.state, readable, kinds):
             for spare in self.run.free(k + 1, busy):
