@@ -39,8 +39,8 @@ def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
 
 
 def _source(choice: ParameterChoice) -> str:
-    """Return where the value of a parameter comes from, as text: for a measured one its value,
-    standard error and remark, else the remark."""
+    """Return where the value of the parameter `choice` comes from, as text: for a measured one its
+    value, standard error and remark, else the remark."""
     if choice.status == "measured" and choice.se is not None:
         return f"measured {choice.value:.6g} +- {choice.se:.2g}: {choice.remark}"
     return f"measured: {choice.remark}" if choice.status == "measured" else choice.remark

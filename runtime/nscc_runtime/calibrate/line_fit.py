@@ -34,7 +34,8 @@ class Line:
 
     @property
     def chance(self) -> float:
-        """Probability of at least this misfit if the points lie on a line; 1 for two points."""
+        """Probability of at least this misfit if the points lie on a line and their errors are
+        right; 1 for two points."""
         if self.freedom < 1:
             return 1.0
         from scipy.special import gammaincc

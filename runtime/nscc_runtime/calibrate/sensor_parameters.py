@@ -59,7 +59,7 @@ def parameters(
     calibration: Calibration, target: Target, chain: Chain
 ) -> dict[str, ParameterChoice]:
     """Return a value for every parameter of a sensor file, by name in the order of the schema:
-    measured, bounded, or the default of `target`.
+    measured by `calibration`, bounded, or the default of `target`.
 
     `chain` tells how often a frame reads, resets and runs words, so that noise of frames can be
     attributed to them."""

@@ -137,7 +137,9 @@ def _fitted(
     slope = float(np.ptp(variance) / max(np.ptp(x), 1e-9))
 
     def standard_errors(fitted: Vector) -> Vector:
-        """Return the expected standard errors of the measured variances, given the fitted ones."""
+        """Return the expected standard errors of the measured variances of the `used` levels, given
+        the fitted variances, both in squared codes."""
+        # A fitted variance near or below 0 must not give a level infinite weight.
         size = np.maximum(fitted, QUIET / 2)
         errors = 2 * size**2 / degrees + slope**2 * size / samples + rounding**2
         return np.asarray(np.sqrt(errors))

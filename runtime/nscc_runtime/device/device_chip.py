@@ -138,8 +138,8 @@ class DeviceChip:
             sent = max(sent, sent_bytes // _STEP)
 
         def work() -> Task[None]:
-            """Return the steps of the upload; a repetition after a lost link does not forget
-            again."""
+            """Return the steps of the upload. If a lost link repeats them, the loader does not
+            forget again."""
             nonlocal anew
             if anew:
                 yield from tasks.forget(host, program)
@@ -198,7 +198,8 @@ class DeviceChip:
         program_lost = False
 
         def work() -> Task[tasks.FetchedFrame]:
-            """Return the steps of a capture; they run again after a lost link."""
+            """Return the steps of a capture; they run again after a lost link, with the channels of
+            the loader that answers then."""
             nonlocal program_lost
             assert host.info is not None
             request.channels = channels_of(host.info, program)
@@ -297,7 +298,7 @@ def _planes_at_end(
     data: bytes, names: Sequence[str], target: Target
 ) -> dict[str, NDArray[np.bool_]]:
     """Return the bit planes (rows, cols) of the registers `names`, by name. They are the last bytes
-    of a frame's `data`, in this order."""
+    of a frame's `data`, in this order; `target` gives their size."""
     shape = target.rows, target.cols
     size = plane_bytes(shape[0] * shape[1])
     ends = (len(data) - size * k for k in reversed(range(len(names))))

@@ -197,8 +197,9 @@ def states_lost(port: str) -> Rejected:
 
 
 def wrong_target(port: str, target: Target, info: Info) -> Rejected:
-    """Return the error (NS0764) that the program was compiled for another chip, or another table
-    of the same chip."""
+    """Return the error (NS0764) that the program for `target` was compiled for another chip than
+    the device at `port`, or for another table of the same chip. `info` describes the device's
+    loader."""
     at = f"the device at '{port[:200]}'"
     theirs, ours = info.target_name, target.name
     if theirs != ours:
@@ -219,9 +220,11 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
 
 
 def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
-    """Raise Rejected (NS0764, NS0765), before sending, for a program that the loader would refuse.
+    """Raise Rejected, before sending, for a program that the loader at `port` would refuse: NS0764
+    for another `target`, NS0765 for too little room or a missing capability.
 
-    `channels` are the parts of a frame that the host wants, which decide its size."""
+    `upload` is the program in the form that is sent, and `info` describes the loader. `channels`,
+    bits of `Channel`, are the parts of a frame that the host wants, which decide its size."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols

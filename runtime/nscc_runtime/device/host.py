@@ -214,7 +214,8 @@ class Host:
 
     @property
     def wait_s(self) -> float:
-        """Seconds to wait for a reply before the request is repeated."""
+        """Seconds to wait for a reply before the request is repeated: the estimated time of a reply
+        with its spread, and the time of a full window on the line."""
         if self._round_s is None:
             return FIRST_WAIT_S + self._line_s
         return max(self._round_s + 4 * self._spread_s, _SHORTEST_WAIT_S) + self._line_s

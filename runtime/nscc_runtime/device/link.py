@@ -100,8 +100,9 @@ class SerialLink:
             self._waiting = b""
 
     def _exchange(self) -> None:
-        """Write what the host sends and pass on what arrives, waiting at most until its
-        deadline."""
+        """Write what the host sends and pass on what arrives, waiting at most until its deadline,
+        or for `_LONGEST_SLEEP_S`. Raises PortGone if the port is lost, and the exceptions of the
+        task."""
         port = self._port
         assert port is not None
         self._waiting += self.host.poll(monotonic())
@@ -114,7 +115,8 @@ class SerialLink:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:
-        """Open the port again, at growing intervals; raise Rejected after `patience_s`."""
+        """Open the port again, at growing intervals, and tell the host. Raises Rejected (NS0766) if
+        it did not return within `patience_s`."""
         until, pause = monotonic() + self.patience_s, _FIRST_REOPEN_S
         while True:
             select.select([], [], [], pause)

@@ -145,7 +145,8 @@ class Upload:
 
     @cached_property
     def digest(self) -> bytes:
-        """The SHA-256 digest of the program."""
+        """The SHA-256 digest of the program: of its target, its label and the entries of its
+        objects."""
         entries = b"".join(object_.entry.pack() for object_ in self.objects)
         return program_digest(self.target, self.label, entries)
 

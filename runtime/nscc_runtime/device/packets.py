@@ -57,7 +57,8 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """Return the encoded packet between two zero bytes; the first ends noise on the line."""
+        """Return the encoded packet, with its checksum, between two zero bytes; the first ends
+        noise on the line."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 

@@ -68,7 +68,7 @@ class Recording:
     """The commands of a loader to its board, received as records (`emulated/records.hpp`)."""
 
     def __init__(self, target: Target) -> None:
-        """Begin without a program."""
+        """Begin without a program. The words are those of `target`."""
         self.target = target
         self._forget()
 

@@ -227,7 +227,8 @@ def refresh_words(target: Target, register: str) -> list[Op]:
 
 
 def _table(ops: Sequence[Op]) -> str:
-    """Return words as the rows of a table of C++."""
+    """Return the operations `ops` as the rows of a table of C++, each an initializer of five
+    numbers."""
     words = (", ".join(f"0x{field:05x}" for field in encode(op)) for op in ops)
     return ",\n        ".join("{" + word + "}" for word in words)
 

@@ -128,8 +128,8 @@ def _idle(host: Host, kind: PacketKind, body: bytes) -> Task[Packet]:
 
 
 def pause(host: Host, seconds: float) -> Task[None]:
-    """Wait for a time in seconds, during which packets are ignored. Raises Silent or Stalled
-    after too long a wait."""
+    """Let `host` wait for a time in seconds, during which packets are ignored. Raises Silent or
+    Stalled after too long a wait."""
     until = host.now + seconds
     while host.now < until:
         yield until
@@ -146,13 +146,14 @@ class _Chunk:
         self._good = 0
 
     def record_arrival(self) -> None:
-        """Note that a chunk arrived: after some of them, chunks become twice as large."""
+        """Note that a chunk arrived: after `_GROW_AFTER` without a loss, chunks become twice as
+        large, at most the largest allowed."""
         self._good += 1
         if self._good >= _GROW_AFTER and self.size < self.most:
             self.size, self._good = min(2 * self.size, self.most), 0
 
     def record_loss(self) -> None:
-        """Note that a chunk was lost: chunks become half as large."""
+        """Note that a chunk was lost: chunks become half as large, at least `CHUNK` bytes."""
         self.size, self._good = max(self.size // 2, CHUNK), 0
 
 

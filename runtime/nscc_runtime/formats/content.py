@@ -237,7 +237,8 @@ def shutter_content(arrays: Arrays) -> Content:
     (NS0786)."""
 
     def mask() -> Arrays:
-        """Return the shutters for formats with one bucket."""
+        """Return the array `mask` (rows, cols, T) for formats with one bucket. Raises Rejected
+        (NS0786) for several."""
         if len(arrays["shutter"]) > 1:
             raise _one_bucket()
         return {"mask": _opened(arrays)[0]}
@@ -277,8 +278,8 @@ _COLUMNS, _MOST = 4, 16
 
 
 def content_sheet(content: Content, title: str) -> Figure:
-    """Return a sheet of a picture, or of up to sixteen frames of a clip, under `title`, with a note
-    that names the tone curve."""
+    """Return a sheet of the picture of `content`, or of up to sixteen frames of its clip at even
+    distances, under `title`. A note at the first one names the tone curve."""
     from nscc_runtime.pictures.images import Image, image_sheet
 
     shown = [*content.shown]

@@ -101,8 +101,8 @@ def _score(network: DiGraph) -> _Score:
 
 
 def _note(network: DiGraph, score: _Score) -> str:
-    """Return the text below the title: encoding, number and depth of gates, and what is left out of
-    the picture."""
+    """Return the text below the title: encoding, number and depth of the gates of `network`, and
+    what `score`, its layout, leaves out of the picture."""
     nodes, facts = network.nodes, network.graph
     gates = [node for node in nodes if nodes[node]["kind"] == "gate"]
     drawn = sum(node in score.column for node in gates)
@@ -120,7 +120,8 @@ def _note(network: DiGraph, score: _Score) -> str:
 
 def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     """Draw one row of the picture into `axes`: the registers' lines, values and gates of the
-    `_COLUMNS` columns from `first` on. Coordinates are columns to the right and lines downwards."""
+    `_COLUMNS` columns of `score` from `first` on. Coordinates are columns to the right and lines
+    downwards."""
     nodes = score.network.nodes
     shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
     end = score.column[shown[-1]] + 1
@@ -146,9 +147,9 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
 
 
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
-    """Draw a band for each boundary of the nodes `shown` (gates and demands of this row),
-    alternately shaded, with the numbers of boundaries and kernels. `first`: the column at the left
-    edge."""
+    """Draw into `axes` a band for each boundary of the nodes `shown` (gates and demands of this
+    row), alternately shaded, with the numbers of boundaries and kernels. `score` is the layout, and
+    `first` the column at the left edge."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
     boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
@@ -171,10 +172,10 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
 
 
 def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
-    """Draw the nodes `gates`: a box on the line that each writes, and a dot on each line that it
-    reads, joined by a vertical line.
+    """Draw the nodes `gates` into `axes`: a box on the line that each writes, and a dot on each
+    line that it reads, joined by a vertical line.
 
-    `first` is the column at the left edge."""
+    `score` is the layout, and `first` the column at the left edge."""
     nodes = score.network.nodes
     for node in gates:
         x = score.column[node] - first + 0.5
@@ -206,8 +207,8 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
 
 
 def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
-    """Draw an arrow on the FLAG line for each of the nodes `demands`: FLAG then decides which
-    pixels add or reset. `first` is the column at the left edge."""
+    """Draw an arrow on the FLAG line into `axes` for each of the nodes `demands`: FLAG then decides
+    which pixels add or reset. `score` is the layout, and `first` the column at the left edge."""
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5

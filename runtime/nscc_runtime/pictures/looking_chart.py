@@ -69,7 +69,8 @@ def thresholds(container: Container) -> Values:
 
 
 def _share(container: Container) -> Values:
-    """Return the fraction of the frame that has passed at each boundary (N + 1,)."""
+    """Return the fraction of the frame that has passed at each boundary (N + 1,), from 0 to 1, by
+    the lengths of the slots."""
     ends = np.cumsum([0.0, *container.slot_us])
     return np.asarray(ends / ends[-1])
 
@@ -216,8 +217,9 @@ def _shown(container: Container) -> list[tuple[str, Courses]]:
 
 
 def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
-    """Draw into `axes` when pixels are open (across) in each light (up). The colour stands for the
-    total open time, or for the bucket if there are several."""
+    """Draw into `axes` when pixels are open (across) in each light (up), as `courses` says. The
+    colour stands for the total open time, or for the bucket if there are several. Dots are answers
+    that turn; short strokes are resets."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 
@@ -264,8 +266,8 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
 
 
 def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
-    """Draw into `axes` the total open time against light for each bucket, and beside it the values
-    of the states that are read, where they hold for enough lights to write them."""
+    """Draw into `axes` the total open time in `courses` against light for each bucket, and beside
+    it the values of the states that are read, where they hold for enough lights to write them."""
     machine = container.machine
     slot_us = np.array(container.slot_us)
     scale, name = unit(float(slot_us.sum()))

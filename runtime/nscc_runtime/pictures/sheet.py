@@ -211,7 +211,9 @@ def style() -> Iterator[None]:
 
 
 def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
-    """Return the figure of `draw` as PNG; equal arguments give equal bytes."""
+    """Return the figure that `draw` returns for `args` and `options` as the bytes of a PNG file;
+    equal arguments give equal bytes. Raises Rejected (NS0784) if matplotlib has no folder for its
+    list of fonts."""
     with style():
         figure, data = draw(*args, **options), io.BytesIO()
         box = figure.get_tightbbox().padded(_MARGIN)
@@ -276,7 +278,8 @@ def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
 
 
 def lay_out(figure: Figure) -> None:
-    """Fix the positions of all panels after drawing; labels are placed afterwards."""
+    """Fix the positions of all panels of `figure` as they are drawn; labels are placed
+    afterwards."""
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
 

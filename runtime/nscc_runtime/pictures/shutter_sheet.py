@@ -78,7 +78,8 @@ def shutter_sheet(container: Container, title: str) -> Figure:
 
 
 def subtitle(container: Container, subject: str) -> str:
-    """Return a line with a program's class, frame and chip, and the `subject` of the picture."""
+    """Return a line with a program's class, frame and chip, and the `subject` of the picture, such
+    as the number of shutters. What the program does not tell is left out."""
     lengths, lowering = container.slot_us, container.notes.get("lowering")
     length = _time(min(lengths))
     if min(lengths) < max(lengths):
@@ -223,8 +224,8 @@ def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Ma
 
 
 def _draw_map(axes: Axes, drawing: _Map) -> None:
-    """Draw a map into `axes`, with the field values in each cell, one per line, if the cells are
-    large enough."""
+    """Draw the map `drawing` into `axes`, with the field values in each cell, one per line, if the
+    cells are large enough."""
     from matplotlib.colors import to_hex
     from matplotlib.ticker import MaxNLocator
 

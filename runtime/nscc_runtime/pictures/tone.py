@@ -32,7 +32,8 @@ class Tone:
     curve: Callable[[Field], Field]
 
     def __call__(self, light: NDArray[Any]) -> NDArray[np.uint8]:
-        """Map light of any shape to 0..255 (uint8); negative values are black."""
+        """Map light of any shape to 0..255 (uint8). Negative values and NaN are black, values above
+        `white` are white."""
         if not self.white > 0:
             return np.zeros(light.shape, np.uint8)
         shown = np.clip(np.nan_to_num(np.asarray(light, np.float64)), 0.0, self.white)
@@ -91,7 +92,8 @@ def _reinhard(relative: Field) -> Callable[[Field], Field]:
     scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
 
     def curve(light: Field) -> Field:
-        """Return light on the screen's scale, with highlights compressed (Reinhard et al. 2002)."""
+        """Return light divided by white on the screen's scale, with highlights compressed (Reinhard
+        et al. 2002)."""
         bright = light * scale
         return srgb_of_linear(bright * (1.0 + bright / scale**2) / (1.0 + bright))
 

@@ -494,8 +494,8 @@ def _say_changes(
     request: _Request, stored: NDArray[Any], colours: Colours, placement: Placement
 ) -> bool:
     """Return whether the picture `stored` is in colour. Send notes on its changes to `warn`, if the
-    request is for the luminance: on size and colours, and on the curve and white level that were
-    assumed for `colours`."""
+    request is for the luminance: on size (by `placement`) and colours, and on the curve and white
+    level that were assumed for `colours`."""
     colour = in_colour(stored)
     colours = Colours.of(request.scene.transfer or colours)
     if request.channel is None:

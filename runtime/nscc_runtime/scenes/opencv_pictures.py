@@ -71,8 +71,8 @@ def _reader(
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """Return the picture in a file's bytes, (R, C, 3) red, green, blue or (R, C) grey, with its
-    type of samples. Alpha is dropped. Raises ValueError if OpenCV cannot decode it."""
+    """Return the picture in the bytes `data` of a file, (R, C, 3) red, green, blue or (R, C) grey,
+    with its type of samples. Alpha is dropped. Raises ValueError if OpenCV cannot decode it."""
     import cv2
 
     # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
@@ -86,9 +86,9 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
 
 
 def _radiance(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """Return the picture in the bytes of a Radiance file of any of its eight orientations; OpenCV
-    knows one. Raises UnsupportedPicture for colours other than red, green, blue, and ValueError for
-    a damaged file."""
+    """Return the picture in the bytes `data` of a Radiance file of any of its eight orientations;
+    OpenCV knows one. Raises UnsupportedPicture for colours other than red, green, blue, and
+    ValueError for a damaged file."""
     head, blank, body = data.tobytes().partition(b"\n\n")
     line, newline, samples = body.partition(b"\n")
     if b"FORMAT=32-bit_rle_xyze" in head:

@@ -97,7 +97,8 @@ def check_sizes(path: Path, pages: Pages, large: bool) -> None:
 
 @contextmanager
 def without_pillow_limit() -> Iterator[None]:
-    """Switch off Pillow's limit on pixels in a with block: `check_sizes` applies the limits."""
+    """Switch off Pillow's limit on pixels, of the whole process, in a with block: `check_sizes`
+    applies the limits."""
     from PIL import Image
 
     pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None

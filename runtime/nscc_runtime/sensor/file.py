@@ -25,8 +25,8 @@ def schema() -> Schema[Parameter]:
 
 @cache
 def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
-    """Return the schema of sensor files with the parameters `rows`. Raises ValueError if two have
-    the same name."""
+    """Return the schema of sensor files with the parameters `rows`; cached. Raises ValueError if
+    two have the same name."""
     return Schema(
         "sensor",
         rows,
@@ -44,11 +44,12 @@ Changes = Sequence[str] | Mapping[str, float]
 
 
 def load_sensor(target: Target, path: Path | None = None, changes: Changes = ()) -> Sensor:
-    """Read a sensor file (None: all defaults) and apply `changes`.
+    """Read the sensor file `path` (None: all defaults), apply `changes`, and complete it with the
+    defaults of `target`.
 
-    Raises Rejected (status 2) with all errors at once: NS0751 for a file that cannot be read,
-    NS0752 if it is not TOML, NS0753 for unknown names, NS0754 for wrong values, NS0755 for a change
-    that is not NAME=VALUE."""
+    Raises Rejected (status 2) with all errors at once: NS0752 if the file is not TOML, NS0753 for
+    unknown names, NS0754 for wrong values, NS0755 for a change that is not NAME=VALUE. A file that
+    cannot be read raises NS0751."""
     data = b"" if path is None else read_sensor(path)
     return parse_sensor(target, data, str(path), changes)
 
@@ -59,8 +60,8 @@ def read_sensor(path: Path) -> bytes:
 
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Changes = ()) -> Sensor:
-    """Return the sensor of the file content `data` with `changes`, completed with defaults of
-    `target`; `name` is for messages. Raises like `load_sensor`."""
+    """Return the sensor of the file content `data` with `changes`, completed with the defaults of
+    `target`; `name` is the file in messages. Raises Rejected like `load_sensor`."""
     file_sensor_values, problems, _ = file_values(schema(), data, name)
     if isinstance(changes, Mapping):
         changed, wrong_too = schema().read(changes)
@@ -83,10 +84,12 @@ def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
 
 
 def completed(given_values: Mapping[str, float], target: Target) -> Sensor:
-    """Return the sensor of checked values; other parameters have their defaults. The default of
+    """Return the sensor with the checked `given_values`, by parameter name; other parameters have
+    the defaults of `target`, which may follow from parameters before them. The default of
     `electrons_per_lsb` maps the full well to the top code."""
     values: dict[str, float] = {}
     for row in schema().keys:
+        # `values` has the parameters before this one, on which its default may depend.
         known = row.name in given_values
         values[row.name] = given_values[row.name] if known else row.default_for(target, values)
     return Sensor(values)
@@ -102,7 +105,7 @@ def sensor_toml(
     origin = "the value" if sources else "the default"
 
     def remark(row: Parameter) -> str:
-        """Return the comment on a parameter: meaning, unit, range and source."""
+        """Return the comment on the parameter `row`: meaning, unit, range and source."""
         source = (sources or {}).get(row.name, row.source)
         return f"{row.meaning} [{row.kind.unit}, {row.kind.range}] ({source})"
 

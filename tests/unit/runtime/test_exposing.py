@@ -152,6 +152,7 @@ def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.Shutte
     assert nscc_runtime.capture(program, 2 * LIGHT, plan=plan).plan.kept == plan.kept
     found = nscc_runtime.audit(program, LIGHT, plan=plan)
     assert found.holds
+    # The tolerance of 3 electrons, with a tenth of slack.
     assert found.measured_rms_e <= 1.1 * 3
     assert "the promise holds" in str(found)
     first, *_ = str(plan).splitlines()

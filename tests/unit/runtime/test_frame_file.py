@@ -110,6 +110,7 @@ def test_what_is_no_number_reads_zero_and_is_invalid() -> None:
 def test_converters_of_fewer_bits_clip_and_of_more_are_refused() -> None:
     six = replace(TARGET, adc_bits=6)
     frame = read_out(exposure(np.full((1, 1, 1), 1e9)), six)
+    # The last of 64 codes.
     assert frame.frame[0, 0, 0] == 63
     with pytest.raises(Rejected) as caught:
         read_out(exposure(np.zeros((1, 1, 1))), replace(TARGET, adc_bits=10))
@@ -123,6 +124,7 @@ def test_the_file_has_the_documented_arrays() -> None:
     assert data["exposure_e"].dtype == np.float64
     assert data["valid"].dtype == data["saturated"].dtype == np.bool_
     assert data["saturated_by"].dtype == np.uint8
+    # 4 is the bit for the converter.
     np.testing.assert_array_equal(data["saturated_by"], np.where(data["frame"] == 255, 4, 0))
     np.testing.assert_array_equal(data["saturated"], data["frame"] == 255)
     for key in ("frame", "exposure_e", "valid", "saturated", "saturated_by"):

@@ -68,6 +68,7 @@ def error_e(plan: Plan, light: Light) -> float:
 def test_lamps_that_flash_are_planned_anew(tolerance: str) -> None:
     steady, flash = lamps(16), lamps(4)
     *_, last = captures(STOPS, [steady] * 30 + [flash], effects="auto", tolerance=tolerance)
+    # A promise has a tenth of slack.
     assert last.plan.tolerance_e is None or error_e(last.plan, flash) <= 1.1 * last.plan.tolerance_e
     assert {"full_well", "register"} <= last.plan.kept.on
 
@@ -86,6 +87,7 @@ def test_stripes_that_begin_to_move_are_planned_anew() -> None:
     still_stripes, moving = stripes(0), stripes(4)
     *_, last = captures(STOPS, [still_stripes] * 6 + [moving], effects="auto", tolerance="5e")
     assert "motion" in last.plan.kept.on
+    # The tolerance of 5 electrons, with a tenth of slack.
     assert error_e(last.plan, moving) <= 5.5
 
 
@@ -145,6 +147,7 @@ def test_light_is_added_up_once_for_all_who_ask(weights: list[float]) -> None:
     np.testing.assert_allclose(light.sum_e, light.dense().astype(np.float64).sum(axis=0), 1e-6)
     assert light.sum_e is light.sum_e
     frames[0, 1, 1] = np.inf
+    # Sums are at most 1e36.
     assert replace(light).sum_e[1, 1] == 1e36
 
 

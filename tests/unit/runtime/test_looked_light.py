@@ -57,6 +57,7 @@ def test_comparators_are_off_by_their_figures(
     figures = {f"{effect}_fraction": size}
     frame = taken(program, LEVEL_E + share * size * WELL_E, effect, **figures)
     closed = frame.told["states_closed"].mean()
+    # The share of a normal distribution below `share` standard deviations.
     expected = 0.5 * (1 + erf(share / sqrt(2)))
     assert abs(closed - expected) < 5 * sqrt(0.25 / SIDE**2)
 
@@ -70,6 +71,7 @@ def test_an_offset_is_the_pixels_own_and_noise_is_not(program: Container) -> Non
         made = looking_frames(program, still, sensor, selected(effect), seed=3, count=2)
         frames[effect] = [frame.told["states_closed"] for frame in made]
     assert np.array_equal(*frames["comparator_offset"])
+    # At the level half of the answers are yes, so two of noise alone differ in half of the pixels.
     assert 0.4 < (frames["comparator_noise"][0] != frames["comparator_noise"][1]).mean() < 0.6
 
 

@@ -77,6 +77,7 @@ def given(**changed):
 def test_a_loop_reads_records_and_arrays_of_them():
     values = given()
     scaled(**values)
+    # out[1] = 10 x 0.5 + 100 and out[0] = 20 x 0.5 + 200.
     assert values["out"].tolist() == [210.0, 105.0]
 
 

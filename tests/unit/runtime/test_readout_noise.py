@@ -27,13 +27,16 @@ def test_a_pattern_belongs_to_a_chip() -> None:
     first, again = codes("readout_pattern", 2)
     np.testing.assert_array_equal(first, again)
     other = codes("readout_pattern", device_seed=1)[0]
+    # The smooth parts of two chips may look alike by chance.
     assert abs(np.corrcoef(first.ravel(), other.ravel())[0, 1]) < 0.7
+    # The difference of neighbours has no smooth part, and twice the variance of the white part.
     white = first[:, 1:] - first[:, :-1]
     assert white.std() == pytest.approx(2**0.5 * SENSOR.adc_pattern_lsb, rel=0.02)
 
 
 def test_patterns_of_many_chips_have_the_size_that_the_sensor_says() -> None:
     chips = np.array([codes("readout_pattern", device_seed=seed)[0] for seed in range(80)])
+    # Independent parts add up by their squares.
     both = np.hypot(SENSOR.adc_pattern_lsb, SENSOR.adc_smooth_lsb)
     assert chips.std() == pytest.approx(both, rel=0.06)
     assert chips.mean() == pytest.approx(0, abs=0.3)

@@ -55,6 +55,7 @@ def test_codes_become_the_electrons_that_fell() -> None:
     light = Light.of_still(np.full((SIDE, SIDE), 3e5, np.float32), np.full(256, 125e-6))
     taken = capture(container, light, sensor=sensor, effects=f"all,-lag{UNKNOWN}")
     response = taken.response
+    # The stops of the four pixels of a tile; a slot lasts 125 us.
     for row, col, stop in ((0, 0, 256), (0, 1, 64), (1, 0, 16), (1, 1, 4)):
         found = response.electrons(taken.frame)[0, row::2, col::2].mean()
         assert found == pytest.approx(3e5 * stop * 125e-6, abs=25.0)

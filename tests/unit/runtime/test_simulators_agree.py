@@ -125,6 +125,8 @@ def test_predicted_moments_are_those_of_2000_frames(name: str) -> None:
     frames = np.array([*map(by_sums(container, light, sensor, every), range(2000))])
     mean_e, variance_e2 = frames.mean(axis=0), frames.var(axis=0, ddof=1)
     expected_e2 = moments.variance_e2(program.lane).reshape(variance_e2.shape)
+    # Standard errors: of a mean of 2000 frames, and 2 / 2000 is the relative variance of a
+    # variance.
     z = (mean_e - moments.mean_e.reshape(mean_e.shape)) / np.sqrt(expected_e2 / 2000)
     assert np.abs(z).max() < 5
     ratio = variance_e2 / expected_e2

@@ -107,8 +107,10 @@ def test_the_noise_has_the_mean_and_variance_of_the_sensor() -> None:
     found = noise(torch.full((1, 1, 300, 300), 12345.0, dtype=torch.float64))
     assert torch.equal(found, (found / 100).round() * 100)
     assert found.mean() == pytest.approx(12345.0, abs=4 * 230 / 300)
+    # Photons, the converter's 2 codes of 100 electrons, and rounding to codes.
     variance = 12345.0 + 200.0**2 + 100.0**2 / 12
     assert found.var() == pytest.approx(variance, rel=4 * np.sqrt(2 / 90000))
+    # The last code, 255, of 100 electrons each.
     assert noise(torch.full((1, 1, 4, 4), 1e6)).max() == 25500.0
     assert torch.equal(noise(found, seed=9), noise(found, seed=9))
 

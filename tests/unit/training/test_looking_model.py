@@ -83,6 +83,7 @@ def test_codes_are_looks_in_their_order() -> None:
     with torch.no_grad():
         encoder.moment.copy_(torch.tensor([9.0, 9.0, 0.0]))
         encoder.level.copy_(torch.tensor([-4.0, 1e4, 7.4]))
+    # The last three boundaries of 64 slots; levels are steps 1 to 126.
     assert encoder.codes()["at"].tolist() == [[61, 62, 63]]
     assert encoder.codes()["level"].tolist() == [[1, 126, 7]]
     with pytest.raises(ValueError, match="follow"):

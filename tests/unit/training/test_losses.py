@@ -46,6 +46,7 @@ def test_half_the_error_is_six_decibels_wherever() -> None:
             truth = truth * 0 + 0.5
             made = truth + error * part * (pair(1.0)[1] - 0.5)
             values.append(LOSSES["psnr"](made, truth).item())
+        # The loss is the decimal logarithm of the squared error.
         assert values[0] - values[1] == pytest.approx(2 * np.log10(2), abs=1e-3)
 
 

@@ -27,6 +27,7 @@ def test_the_noise_of_a_read_frame() -> None:
     assert found.variance[0, 0, 0] == pytest.approx(converter_e2, rel=0.01)
     with_photons = Measured.read(codes, masks[..., :4], replace(SENSOR, shot_noise=True))
     added_e2 = with_photons.variance - found.variance
+    # Photons: the electrons of the codes -2 (as 0), 0, 100 and 400, of 120 electrons each.
     np.testing.assert_allclose(added_e2[0, 0, 0], [0, 0, 12000.0, 48000.0], rtol=1e-3)
     np.testing.assert_allclose(found.value[0, 0, 0], [-240.0, 0, 12000.0, 48000.0])
     assert found.saturated[0, 0, 0].tolist() == [False, False, False, True]

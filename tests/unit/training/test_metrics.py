@@ -62,6 +62,7 @@ def test_psnr_is_its_definition() -> None:
 
 def test_psnr_of_bytes_does_not_wrap() -> None:
     low, high = np.zeros((11, 11), np.uint8), np.full((11, 11), 255, np.uint8)
+    # The error is the whole range: 0 dB.
     assert metrics.psnr(low, high, 255.0) == pytest.approx(0.0, abs=1e-12)
 
 
@@ -91,6 +92,7 @@ def test_mu_and_pu21_count_dark_errors_more() -> None:
 
 def test_mu_psnr_equals_a_value_computed_by_hand() -> None:
     truth, result = np.full((11, 11), 0.5), np.full((11, 11), 0.25)
+    # log(1 + 5000 x) / log 5001 at 0.5 and at 0.25.
     difference = (math.log1p(2500) - math.log1p(1250)) / math.log1p(5000)
     assert metrics.mu_psnr(truth, result, 1.0) == pytest.approx(-20 * math.log10(difference))
 

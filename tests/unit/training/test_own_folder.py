@@ -111,6 +111,7 @@ def test_a_size_is_read_from_the_head(
     def decoded(*_: object) -> None:
         raise AssertionError("the file is decoded")
 
+    # From here on decoding a file fails the test.
     monkeypatch.setattr(picture_files, "open_pages", decoded)
     monkeypatch.setattr(scene_files, "frames_in", decoded)
     assert frame_size(path) == (30, 40)

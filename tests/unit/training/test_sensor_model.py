@@ -86,6 +86,7 @@ def test_unequal_slots_weigh_a_still_by_their_length() -> None:
     shutters = torch.tensor([1.0, 0.0, 1.0]).reshape(3, 1, 1)
     share = torch.tensor([0.5, 0.3, 0.2], dtype=torch.float64)
     found = differentiable_capture(torch.full((1, 2, 2), 1000.0), shutters, model, slot_share=share)
+    # Open in the first and the last slot: 0.5 + 0.2 of the light.
     assert torch.allclose(found.exposure_e, torch.full((1, 2, 2), 700.0, dtype=torch.float64))
 
 

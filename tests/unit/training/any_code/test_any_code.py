@@ -252,6 +252,7 @@ def test_masks_are_of_every_kind_and_open_everywhere() -> None:
     assert all(mask.shape == (8, 12, 12) and set(np.unique(mask)) <= {0, 1} for mask in drawn)
     assert all(mask.any(axis=0).all() for mask in drawn)
     tiled = [np.array_equal(mask[:, :4, :4], mask[:, 4:8, 8:12]) for mask in drawn]
+    # Some masks are tiled and some are not.
     assert 5 < sum(tiled) < 55
 
 
@@ -307,6 +308,7 @@ def test_total_variation_is_the_same_by_operators_and_by_the_loop(
 
 def test_what_is_shipped_is_small() -> None:
     weights = files("nscc_training.any_code") / "weights.safetensors"
+    # 4 MiB, so that packages stay small.
     assert len(weights.read_bytes()) <= 4 << 20
 
 
@@ -360,6 +362,7 @@ def test_steps_of_muon_are_orthogonal(shape: tuple[int, ...]) -> None:
     weight.grad = gradient
     optimizer.step()
     step, wanted = (x.detach().flatten(1).double() for x in (weight, gradient))
+    # A step has singular values near 0.2 times the root of the longer side, made by few iterations.
     values = torch.linalg.svdvals(step) / (0.2 * max(step.shape) ** 0.5)
     assert ((values > 0.5) & (values < 1.4)).all()
     left, _, right = torch.linalg.svd(wanted, full_matrices=False)
@@ -416,6 +419,7 @@ def test_frames_of_every_program_are_reconstructed(name: str, effects: str, tmp_
     truth = light.sum(axis=0) if key == "image" else light
     assert found.shape == truth.shape
     peak = float(np.percentile(truth, 99.9))
+    # Decibels that a reconstruction reaches and a wrong unit, order or shutter does not.
     assert psnr_db(found / peak, np.clip(truth / peak, 0, 1)) > (
         24 if effects == "none" or name != "stops" else 20
     )

@@ -441,6 +441,7 @@ def test_baselines_are_evaluated_on_panoramas(tmp_path: Path) -> None:
         )
     truth = np.load(tmp_path / "ldr.d" / "a_128_256_truth.npy").astype(float)
     made = np.load(tmp_path / "ldr.d" / "a_128_256_image.npy").astype(float)
+    # The protocol saturates 30 % of a crop: a full well is 30000 electrons.
     assert np.mean(truth >= 30000) == pytest.approx(0.3, abs=0.005)
     # what is not saturated holds its light, within noise; what is saturated holds a full well
     below = truth < 29000

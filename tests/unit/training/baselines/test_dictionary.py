@@ -19,6 +19,7 @@ def test_pursuit_finds_what_was_planted() -> None:
         weights[list(places)] = rng.uniform(1, 2, 3) / np.linalg.norm(matrix, axis=0)[list(places)]
         weights *= 20
         found = pursued(matrix, matrix @ weights, 6)
+        # The pursuit stops at an error of 2 % of a unit in each of 40 numbers.
         assert np.linalg.norm(matrix @ (found - weights)) <= 0.02 * 40**0.5 * 1.01
 
 

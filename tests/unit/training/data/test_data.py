@@ -129,6 +129,7 @@ def test_augmentation_bends_level_and_peak_with_the_light(together: int) -> None
             assert np.mean(patch.numpy() > 1) == pytest.approx(0.3, abs=0.01)
             assert 0 < np.mean(patch.numpy() > peak.item()) < 0.01
             values.add(round(peak.item(), 4))
+    # A peak for each exposure; `together` patches of the 18 share one.
     assert len(values) == 18 // together
 
 
@@ -217,6 +218,7 @@ def test_a_panorama_gives_several_clips_each_its_own(tmp_path: Path) -> None:
         panorama(tmp_path / f"p{seed}.hdr", seed)
     found = loaded(tmp_path)
     scenes = [*found.train, *found.val]
+    # Three clips of each of three panoramas.
     assert len(scenes) == 9
     assert len({s.name for s in scenes}) == 9
     assert len({s.light.tobytes() for s in scenes}) == 9

@@ -96,6 +96,7 @@ def test_constant_light_comes_back_from_any_code_of_a_still(light: float) -> Non
 def test_the_saturated_take_their_neighbours_light_and_no_less_than_saturates_them() -> None:
     share = torch.full((1, 9, 9), 1 / 16)
     share[0, 4, 4] = 0.5
+    # The pixel saturates at a light of 1 / 0.5 = 2.
     for around, wanted in ((6.0, 6.0), (2.5, 2.5), (1.2, 2.0), (0.1, 2.0)):
         frame = around * share
         frame[0, 4, 4] = 1.0
@@ -136,6 +137,7 @@ def test_a_still_is_what_the_merging_baseline_makes_of_it() -> None:
     frame = np.clip(np.rint(light * share * 255), 0, 255).astype(np.float32)
     assert 0.2 < (frame == 255).mean() < 0.6
     well = 30000.0
+    # 0.65 codes are the noise of the converter.
     wanted = merged(frame, share, well / 255, frame >= 255, 0.65 * well / 255) / well
     found = still_guess(torch.from_numpy(frame / 255)[None], torch.from_numpy(share).float())
     np.testing.assert_allclose(found[0], wanted, rtol=5e-3)

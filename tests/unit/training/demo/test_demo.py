@@ -166,6 +166,7 @@ def test_run_like_uses_the_program_and_exposure_of_a_run(folder: Path, run_nscc:
     line = ["run", "--like", "hdr", "--scene", "builtin:hdr", "--keep", "truth", "-o", "like.npz"]
     assert run_nscc(line, folder).status == 0
     with np.load(folder / "like.npz") as file:
+        # The exposure 30000@65 of the run, and below the one that is given.
         assert np.percentile(file["truth_e"], 65) == pytest.approx(30000)
     assert run_nscc([*line, "--exposure", "500@50"], folder).status == 0
     with np.load(folder / "like.npz") as file:

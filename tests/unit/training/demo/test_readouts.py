@@ -88,6 +88,7 @@ def test_a_clip_that_is_right_takes_the_noise_away() -> None:
     noise = np.random.default_rng(2).normal(0, 0.3, exact.value.shape).astype(np.float32)
     measured = replace(exact, value=exact.value + torch.from_numpy(noise))
     found = joined(measured, torch.from_numpy(flat)[None], 0)[0].numpy()
+    # The always open readout alone: its noise over 16 slots.
     alone = noise[0, 0] / 16
     assert np.std(found - 0.5) < 0.4 * np.std(alone)
 
@@ -116,6 +117,7 @@ def test_motion_shows_where_the_always_open_readout_is_full() -> None:
     clip = np.full((16, 32, 32), 2.0, np.float32)
     clip[8:] = 0.5
     measured = measured_of(clip, masks, sd=0.05)
+    # The slots add up to 20, but the readout is full at 16.
     measured.saturated[:, 0], measured.value[:, 0] = True, 16.0
     found = joined(measured, torch.full((1, 16, 32, 32), 0.25), 0).numpy()
     assert (found == 0.25).all()

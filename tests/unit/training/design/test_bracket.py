@@ -36,6 +36,7 @@ def test_merging_takes_the_most_precise_readouts_that_are_not_saturated() -> Non
     saturated = clean > 0.8 * chip.full_e
     merged = merged_bracket(noisy, share, saturated, chip)
     spread = chip.exposed_sd_e(clean) / share.reshape(-1, 1, 1)
+    # Precisions (1 / variance) of independent readouts add up.
     ideal = 1 / np.sqrt(np.where(saturated, 0, spread**-2.0).sum(axis=0).clip(min=1e-30))
     known = ~saturated.all(axis=0)
     errors = ((merged - light) / ideal)[known]

@@ -288,5 +288,6 @@ def test_exposures_beyond_the_linear_range_of_a_register_are_not_trusted() -> No
     sensor = SENSOR.changed(register_min_e=-16000, register_max_e=15000, register_knee_fraction=0.8)
     chip = DesignChip(TARGET, sensor, selected("register,full_well"))
     assert chip.gain == 1.0
+    # Registers are linear up to the knee.
     assert chip.full_e == pytest.approx(0.8 * 15000)
     assert DesignChip(TARGET, sensor, selected("full_well")).full_e > 15000

@@ -47,6 +47,7 @@ def test_a_still_run_is_evaluated_on_crops(tmp_path: Path) -> None:
     assert outcome.status == 0, outcome.err
     found = json.loads(outcome.out)
     assert [item["crop"] for item in found["items"]] == [[128, k] for k in (0, 256, 512, 768)]
+    # The parameters of the small decoder of the run's settings, which must not change unnoticed.
     assert found["parameters"] == 487_441
     truth = np.load(tmp_path / "s/p_128_0_truth.npy").astype(float)
     made = np.load(tmp_path / "s/p_128_0_image.npy").astype(float)
@@ -378,6 +379,7 @@ def test_bilinear_sees_one_slot_of_each_pixel(tmp_path: Path) -> None:
         n, row, col = (int(rng.integers(side)) for side in truth.shape)
         if seen[n, row, col]:
             continue
+        # The tent is doubled until a sample is below it.
         for reach in (2, 4, 8, 16, 32, 64):
             top = bottom = 0.0
             for r in range(max(0, row - reach + 1), min(256, row + reach)):
@@ -441,6 +443,7 @@ def test_an_interrupted_evaluation_goes_on(tmp_path: Path, monkeypatch: pytest.M
     with monkeypatch.context() as patch:
         patch.setattr(Baseline, "decode", until)
         ended = invoke(line, tmp_path)
+    # The status of an interrupted command.
     assert ended.status == 130
     assert "stored in 'r.measurements.sqlite'; the same command continues" in ended.err
     done = invoke(line, tmp_path)

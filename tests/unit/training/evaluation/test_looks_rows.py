@@ -108,6 +108,7 @@ def test_effects_bring_the_noise_of_the_readout(
     chip = default_sensor(builtin_target("scamp5"))
     assert chip.spread_noise_lsb > 1
     assert {s.spread_noise_lsb for s in sensors} == {share * chip.spread_noise_lsb}
+    # The converter's own noise remains in both cases.
     assert {s.adc_noise_lsb for s in sensors} == {0.65}
 
 
@@ -121,6 +122,7 @@ def test_a_bracket_has_the_noise_of_its_readouts() -> None:
     for light_e in (3000.0, 100_000.0, 900_000.0):
         collected = light_e * share
         variance = (collected + noise_lsb2 * sensor.electrons_per_lsb**2) / share**2
+        # Readouts from 28 000 electrons on are near the full well of 30 000.
         precision = (1 / variance)[collected < 28_000].sum()
         light = np.full((64, 64), light_e)
         errors = bracket_light(readouts, light, sensor, effects, (1, 0)) - light_e

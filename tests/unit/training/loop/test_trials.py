@@ -116,6 +116,7 @@ def test_only_a_share_of_the_pixels_is_tried() -> None:
     trial = trial_of(parts.encoder, 60, 60, (1,), (2,))
     moved = (trial.moved != 0).numpy()
     assert (moved[0] == moved[1]).all()
+    # `tried_share`, with a margin for chance.
     assert 0.07 < moved.mean() < 0.13
     hard = parts.encoder.hard()
     for side in trial.shutters:
@@ -143,6 +144,7 @@ def test_a_single_trial_counts_only_what_is_around() -> None:
     found = tried_gradients(one, batch_of(parts, 0.5, 0.9), 1)[0][0]
     rows, cols = np.nonzero(found)
     assert (set(rows), set(cols)) == (set(range(7, 12)), set(range(4, 9)))
+    # 5 x 5 pixels around the one with a loss.
     assert len(rows) == 25
 
 

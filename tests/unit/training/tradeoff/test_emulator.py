@@ -223,6 +223,8 @@ def test_errors_are_of_the_worst_bucket_and_of_valid_pixels() -> None:
     all_valid = [[True, True], [True, True]]
     zero = frame([[0, 0], [0, 0]], [[0, 0], [0, 0]], all_valid)
     found = frame([[3, 4], [1, np.nan]], [[0, 0], [2, 0]], [[True, True], [True, False]])
+    # Electrons: sqrt((9 + 16) / 2) of the first bucket. Codes: 2 in the only valid pixel of the
+    # second.
     assert error([found], [zero]) == (pytest.approx(np.sqrt(12.5)), 2.0)
     assert error([zero], [found]) == error([found], [zero]), "codes do not wrap around"
     assert error([found, zero], [zero, zero]) == (
@@ -248,6 +250,7 @@ def study(program: AnalysedProgram) -> EmulatorStudy:
 def test_a_broken_promise_is_told(study: EmulatorStudy, folder: Path, monkeypatch) -> None:
     [asked] = study.measured_plans
     assert keeps_promise(asked)
+    # The tolerance of 5 electrons has a tenth of slack.
     assert keeps_promise(replace(asked, measured_e=5.49))
     assert "BROKEN" not in studies_text([study], 1.0)
     broken = replace(study, measured_plans=(replace(asked, measured_e=5.51),))

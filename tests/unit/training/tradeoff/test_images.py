@@ -31,6 +31,7 @@ def test_the_compiler_takes_the_fewest_words(tmp_path: Path) -> None:
     image = picture_report(container)["images"]["net"]
     fewest = min(points, key=lambda point: point.time_ms)
     assert image["words"] <= 1 + int(fewest.setting.split()[0])
+    # A word takes 0.2 us.
     assert fewest.time_ms * 1000 == pytest.approx(int(fewest.setting.split()[0]) * 0.2)
     assert len({point.error for point in points}) > 1
 

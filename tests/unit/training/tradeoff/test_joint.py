@@ -150,6 +150,7 @@ def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
     fewer = with_pixels(fewer, "few.nsl", codes)
     found = fewer.table.shutters[fewer.table.shutter_of_code[fewer.pixel_codes]][:, :, 0]
     np.testing.assert_array_equal(found.transpose(2, 0, 1), wanted)
+    # Four slots of 1 ms each become one.
     assert fewer.slot_us == (4000.0, 4000.0)
     with pytest.raises(NotMeasured, match="8 slots are not a multiple of 3"):
         in_fewer(own, 3, source)

@@ -103,6 +103,7 @@ def test_builtin_programs_have_all_classes() -> None:
     assert len({c.name for c in builtin_programs()}) == len(builtin_programs())
     book = re.findall(r"\b[01]{16}\b", builtin_programs()[-1].source.text)
     assert len(set(book)) == len(book) == 64
+    # Rows of a codebook are random bits.
     assert 0.4 < "".join(book).count("1") / (64 * 16) < 0.6
 
 
