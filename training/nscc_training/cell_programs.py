@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class CellFiles:
-    """The program of a cell: its text, the bytes of its kernel file (`.npz`), and the names of the
-    planes that are read, one for each output."""
+    """The program of a cell: its `text`, `kernels`, the bytes of its kernel file (`.npz`), and
+    `planes`, the names of the planes that are read, one for each output."""
 
     text: str
     kernels: bytes

@@ -67,7 +67,7 @@ _effects = partial(
 @dataclass(frozen=True)
 class DesignSettings:
     """What `nscc design` computes: exactly one of `looks`, `search`, `motion` and the criterion
-    sve-risk is chosen."""
+    sve-risk is chosen. The `key` of each field declares its meaning and allowed values."""
 
     looks: int | None = key(
         Integer(2, 32),
@@ -107,7 +107,8 @@ class DemoSettings:
 
     `exposure` is written as for `--exposure`; None uses the run's. `tone` names a tone curve; None
     uses sRGB for display scenes and a logarithm for linear light. `run` exposes and decodes in
-    place of the run that comes with nscc."""
+    place of the run that comes with nscc. `fit` and `color` are written as for `nscc run`; `seed`
+    is that of the noise."""
 
     merge: bool = key(Flag(), "Reconstruct without the decoder, which needs torch", False)
     readouts: int | None = key(
@@ -138,7 +139,8 @@ class DemoSettings:
 
 @dataclass(frozen=True)
 class ImportSettings:
-    """How masks and networks of other tools are turned into programs."""
+    """How masks and networks of other tools are turned into programs. Masks use the length of a
+    slot and the axis of slots, networks the time of a frame."""
 
     slot_us: float = _slot_us(_LONG_US, default=125.0)
     frame_us: float = key(_LONG_US, "Exposure time of a frame in microseconds", 33_000.0)
@@ -280,7 +282,8 @@ def _undivided(settings: SensorStudySettings) -> str:
 
 @dataclass(frozen=True)
 class SensorStudySettings(MadeScenes):
-    """The grid of `nscc tradeoff sensor`."""
+    """The grid of `nscc tradeoff sensor`: every combination of the lists is measured, at most
+    `count` scenes of each kind. The programs are compiled for `target` with `level`."""
 
     classes: tuple[str, ...] = key(
         Distinct(TextKind(("b", "c", "d", "e", "codebook"))),
@@ -354,7 +357,7 @@ class EmulatorStudySettings:
 
     Percentages of tolerances refer to the mean signal of each scene. Errors are averaged over
     `frames`, more for small scenes, up to 65536 pixels or 64 frames. Times are medians of
-    `repeats`."""
+    `repeats`. `seed` is that of the noise, `device_seed` that of the chip."""
 
     tolerances: tuple[str | float, ...] = key(
         Several(TextKind()),
@@ -378,7 +381,8 @@ class EmulatorStudySettings:
 
 @dataclass(frozen=True)
 class SynthesisStudySettings:
-    """The grid of `nscc tradeoff synthesis`, and what it counts."""
+    """The grid of `nscc tradeoff synthesis`, every combination of `levels` and `lowerings`, and
+    which words it counts."""
 
     levels: tuple[int, ...] = _levels((0, 1, 2, 3))
     lowerings: tuple[Lowering, ...] = _lowerings(_LOWERINGS)
@@ -396,7 +400,9 @@ class JointRequest:
 
     `target_error` is written as for `--tolerance`. `stages` names the stages to measure. `levels`
     of -O are compared; other stages use the words compiled with `options`. Times are medians of
-    `repeats`. `run` is the run folder that the program belongs to, None for other programs;
+    `repeats`. `pixels` is a file of codes, `sensor` a sensor file, and `changes` values of the
+    sensor (KEY=VALUE); None or empty take the defaults. `seed` is that of the noise, `device_seed`
+    that of the chip. `run` is the run folder that the program belongs to, None for other programs;
     `trust_code` allows it to execute its Python code."""
 
     program: Path
@@ -426,7 +432,7 @@ class JointRequest:
 @dataclass(frozen=True)
 class SweepSettings:
     """How points of a sweep are computed: by processes here (0: this one) or by the workers of a
-    scheduler. `again` repeats those that failed."""
+    scheduler. Each process uses `threads` threads. `again` repeats those that failed."""
 
     workers: int | None = key(
         Integer(0, 1024),

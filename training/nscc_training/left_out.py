@@ -59,7 +59,8 @@ def prediction_errors(measured: Measured[NDArray[Any]], decoder: Decoder) -> NDA
     -------
     ndarray of float64, shape (values,)
         In units of white, one for each bucket of each pixel that is left out, for every decoder the
-        same pixels. The noise of the value is part of it.
+        same pixels, from the middle of the frame. A frame without such pixels gives one 0. The
+        noise of the value is part of it.
     """
     sides = measured.value.shape[-2:]
     firsts = (max(0, (side - _SIDE) // 2) for side in sides)

@@ -80,8 +80,8 @@ class Chip:
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """A program's `text`, and the bytes of its code file with all fields and the `book` of a
-    codebook; empty for class a."""
+    """A program's `text`, and `codes`, the bytes of its code file (.npz) with an array for each
+    field, and the `book` of a codebook; empty for class a."""
 
     text: str
     codes: bytes

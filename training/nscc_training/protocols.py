@@ -32,8 +32,9 @@ _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
 
 @dataclass(frozen=True)
 class Protocol:
-    """An evaluation protocol: its name, the digest of its file, and the values that it defines. It
-    fixes how scenes are exposed and scored, so that scores can be compared."""
+    """An evaluation protocol: its `name`, `sha256`, the digest of its file, and the `values` that
+    it defines, by key. It fixes how scenes are exposed and scored, so that scores can be compared.
+    """
 
     name: str
     sha256: str

@@ -46,10 +46,10 @@ class Reconstruction:
     """A reconstructed picture or clip.
 
     `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
-    cols) in electrons per slot; with `colour` the last axis is red, green, blue. `messages` are
-    warnings about the frame. `decode_s` is the decoding time in seconds. `method` names the method
-    of the decoder for any code, else it is empty. `unit` is "e", or "" for own measurements.
-    `reason` says why GAP-TV was chosen instead of the network."""
+    cols) in electrons per slot; with `colour` the last axis is red, green, blue. `still` says
+    which. `messages` are warnings about the frame. `decode_s` is the decoding time in seconds.
+    `method` names the method of the decoder for any code, else it is empty. `unit` is "e", or ""
+    for own measurements. `reason` says why GAP-TV was chosen instead of the network."""
 
     light: NDArray[np.float32]
     still: bool
@@ -163,8 +163,8 @@ def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
 def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
     """Return the light (rows, cols) over the frame of a batch of one still, in the unit of the
     measurement: each pixel is the mean of its neighbourhood, weighted by precision. Saturated
-    values have weight 0, but their pixel has at least the light that saturates it. The masks have
-    one slot."""
+    values have weight 0, but their pixel has at least the light that saturates it. Pixels that
+    never open have their neighbours' light. The masks have one slot."""
     value, mask = measured.value[0].astype(np.float64), measured.mask[0, :, 0]
     opened, full = mask > 0, measured.saturated[0]
     light = np.where(opened, value / np.where(opened, mask, 1), 0)

@@ -35,10 +35,11 @@ _ELECTRONS = (".npz", ".npy")
 class RunCapture:
     """The conditions under which a run's decoder expects frames.
 
-    `program` is the run's own, with `slots` slots of `slot_us` microseconds. `exposure` and
-    `transfer` are values of the options of the same names of `nscc run`; a `transfer` of None
-    leaves it to the file. `sensor` and `target` are the run's own files, None for the default ones.
-    `classifies` means that the decoder names classes."""
+    `still` says whether it reconstructs stills instead of clips. `program` is the run's own, with
+    `slots` slots of `slot_us` microseconds. `exposure` and `transfer` are values of the options of
+    the same names of `nscc run`; a `transfer` of None leaves it to the file. `sensor` and `target`
+    are the run's own files, None for the default ones. `classifies` means that the decoder names
+    classes."""
 
     program: Path
     still: bool

@@ -29,8 +29,8 @@ _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A loaded run: its objects with learned codes and weights (`setup`), the text of its program,
-    and `result`, the content of `result.json`.
+    """A loaded run: its folder `path`, its objects with learned codes and weights (`setup`), the
+    text of its `program`, and `result`, the content of `result.json`.
 
     `seen_digests` are the digests of the scene files that it was trained or validated with."""
 

@@ -20,7 +20,7 @@ _COUNT = Integer(1, 100_000)
 @dataclass(frozen=True)
 class ShutterSettings:
     """The section [shutter] of a run's configuration: the class of shutters, and how codes are
-    learned."""
+    learned. The `key` of each field declares its meaning, allowed values and default."""
 
     kind: str = key(
         TextKind(("a", "b", "c", "d", "e", "codebook", "looks")),
@@ -190,7 +190,7 @@ class ShutterSettings:
 @dataclass(frozen=True)
 class DecoderSettings:
     """The section [decoder] of a run's configuration: the network that reconstructs pictures from
-    frames."""
+    frames. The `key` of each field declares its meaning, allowed values and default."""
 
     name: str = key(
         TextKind(), f"{', '.join(DECODERS)}, or a custom decoder as module:name", "unet2d"
@@ -299,7 +299,7 @@ class SensorSettings:
 @dataclass(frozen=True)
 class DataSettings:
     """The section [data] of a run's configuration: the scenes. Training and validation never share
-    one."""
+    one. The `key` of each field declares its meaning, allowed values and default."""
 
     train: str = key(
         TextKind(),

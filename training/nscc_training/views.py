@@ -359,7 +359,8 @@ def _changes(result: dict[str, Any]) -> dict[str, float]:
 
 
 def _number(value: object) -> float | None:
-    """Return a finite number from a cell of a table; None for other text, an infinity or NaN."""
+    """Return a finite number from `value`, a cell of a table as text or a number; None for other
+    text, an infinity or NaN."""
     try:
         number = float(str(value))
     except ValueError:

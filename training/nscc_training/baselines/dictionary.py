@@ -35,8 +35,9 @@ def dictionary_clip(measurement: NDArray[np.float32], mask: Clip, atoms: Matrix)
     """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), by sparse coding of
     overlapping blocks, which are averaged.
 
-    `mask` (T, rows, cols) is the code of the measurement. `atoms` (T * SIDE * SIDE, K) come from
-    `learned`. Raises ValueError for a picture smaller than a block, or atoms of another length."""
+    `mask` (T, rows, cols) is the code of the measurement. `atoms` (T * SIDE * SIDE, K) are a
+    dictionary, one atom in each column, with pixels in the order (T, SIDE, SIDE). Raises ValueError
+    for a picture smaller than a block, or atoms of another length."""
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
         raise ValueError(f"{mask.shape} with atoms of {len(atoms)} numbers")

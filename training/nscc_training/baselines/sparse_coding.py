@@ -41,8 +41,9 @@ def sparse_coded(
     and elsewhere `coarse`, blurred.
 
     The three arrays are (rows, cols); pictures are square roots of light relative to a full well.
-    `filters` (K, 1, side, side) come from `made_filters`. FISTA minimises |confidence (measured -
-    blurred coarse - sum of filters)|^2 / 2 + `weight` * sum of the absolute filter weights."""
+    `filters` (K, 1, side, side) come from `made_filters`. `iterations` of FISTA minimise
+    |confidence (measured - blurred coarse - sum of filters)|^2 / 2 + `weight` * sum of the absolute
+    filter weights."""
     low_pass = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
     target = mask * (torch.from_numpy(measured).float()[None, None] - low_pass)

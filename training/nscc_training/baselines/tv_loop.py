@@ -81,8 +81,9 @@ def _dual_row(
 
 @record
 class Volume:
-    """Size of a batch of clips, and how they are denoised: number of iterations, weight of total
-    variation, and `time`, the weight of differences in time relative to those in space."""
+    """Size of a batch of `clips`, each of `frames` frames of `rows` x `cols` pixels, and how they
+    are denoised: number of `iterations`, `weight` of total variation (above 0), and `time`, the
+    weight of differences in time relative to those in space."""
 
     clips: int
     frames: int

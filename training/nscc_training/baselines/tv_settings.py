@@ -10,7 +10,8 @@ from nscc.toml.schema import key
 
 @dataclass(frozen=True)
 class TvSettings:
-    """How clips are reconstructed by total variation."""
+    """How clips are reconstructed by total variation: the number of iterations of the method, and
+    the weight of total variation."""
 
     iterations: int = key(Integer(1, 10000), "Iterations of total variation", 40)
     weight: float = key(

@@ -92,7 +92,9 @@ class Exposures(NamedTuple):
     `light` is (E, rows, cols) for stills and (E, N, rows, cols) for clips. Each exposure is rotated
     by `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
     power `contrast`. The fraction `share` of a still's pixels saturates at `brightness` 1, which is
-    a factor on the light. Patch k is cut from exposure `source[k]` at `corner[k]` (row, column)."""
+    a factor on the light. Patch k is cut from exposure `source[k]` at `corner[k]` (row, column) and
+    called `names[k]`. `classes` (batch, classes) are 1 for the class of a patch, None without
+    classes."""
 
     light: Tensor
     share: Tensor

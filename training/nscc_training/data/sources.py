@@ -52,8 +52,9 @@ _VALIDATION = 5
 class SourceScene:
     """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
-    White is 1 in clips from display files. `sha256` is the digest of the file, or of the array if
-    there is no file. `label` is its class; "" if clips are not classified."""
+    `name` is that of its file, for messages. White is 1 in clips from display files. `sha256` is
+    the digest of the file, or of the array if there is no file. `label` is its class; "" if clips
+    are not classified."""
 
     name: str
     sha256: str

@@ -65,11 +65,12 @@ class Looked:
 class Exposed:
     """The exposures of a demo's scene.
 
-    `run` is the run whose program exposed it; None for the example program for clips. `laid`
-    contains the placed light of each colour. `coded_capture` is the coded frame and `usual` a frame
-    with always open pixels; `dark` and `usual_dark` are their dark frames. `seconds` is the
-    simulation time of the coded frame. `looked` is a still exposed by pixels that look; None for a
-    clip. `fair` is a frame and dark frames of an ordinary camera at its best: a still with the best
+    `run` is the run whose program exposed it; None for the example program for clips. `container`
+    is the compiled `program` and `sensor` the chip's. `laid` contains the placed light of each
+    colour: one, or red, green, blue. `coded_capture` is the coded frame and `usual` a frame with
+    always open pixels; `dark` and `usual_dark` are their dark frames. `seconds` is the simulation
+    time of the coded frame. `looked` is a still exposed by pixels that look; None for a clip.
+    `fair` is a frame and dark frames of an ordinary camera at its best: a still with the best
     single stop, or a clip in a burst of as many frames as `program` has readouts; None for a clip
     in one readout. `bracket` is a still in three readouts of one exposure, one after the other,
     with dark frames; None for a clip, or if the chip has too few registers."""

@@ -38,8 +38,8 @@ class Demo:
     `files` are the written files, the sheet first. PSNR in dB is given for always open pixels
     (`open_db`), the reconstruction (`psnr_db`), a still with pixels that look (`looked_db`), an
     ordinary camera at its best (`fair_db`: one stop for a still, a burst of `readouts` frames for a
-    clip), and a still in an ordinary bracket; None where it does not apply. `commands` do the same
-    step by step."""
+    clip), and a still in an ordinary bracket (`bracket_db`); None where it does not apply.
+    `commands` do the same step by step."""
 
     files: tuple[Path, ...]
     open_db: float

@@ -188,6 +188,7 @@ class Shown:
         by mu-law PSNR, with the 99.9th percentile as peak."""
         truth = np.asarray(self.truth, np.float64)
         if self.measure == "PSNR-mu":
+            # A scene without light has no peak; any is right.
             peak = float(np.percentile(truth, _PEAK_PERCENTILE)) or float(truth.max()) or 1.0
             return mu_psnr(truth, np.asarray(light, np.float64), peak)
         screen = fitted("srgb", truth, self.white_e)
@@ -377,8 +378,8 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 def _shutters(shown: Shown) -> Image:
     """Return a panel of the shutters of the pixels in the array's upper left corner, at most
-    `_CORNER` on its longer side. Colours show for a clip the mean time at which a pixel is open,
-    for a still for how long it is open."""
+    `_CORNER` on its longer side. Of several readouts the last is shown. Colours show for a clip the
+    mean time at which a pixel is open, for a still for how long it is open."""
     exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
     size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed

@@ -47,8 +47,9 @@ class LookSchedule:
 
 @dataclass(frozen=True)
 class Expected:
-    """The expected result of a schedule: the mean square error on each curve, and the fractions of
-    the pixels that close at each look and, as the last, at the end of the frame; their sum is 1."""
+    """The expected result of a schedule: `errors`, the mean square error on each curve, and
+    `closing`, the fractions of the pixels that close at each look and, as the last, at the end of
+    the frame; their sum is 1."""
 
     errors: dict[Curve, float]
     closing: tuple[float, ...]

@@ -152,8 +152,8 @@ class Frame:
 
 @dataclass(frozen=True, eq=False)
 class Design:
-    """A program for scenes: its `text`, the compiler's result, and `lines`, pairs of a label and a
-    text that describe the design."""
+    """A program for scenes: its `text`, `compiled`, the compiler's result, and `lines`, pairs of a
+    label and a text that describe the design."""
 
     text: str
     compiled: Compiled

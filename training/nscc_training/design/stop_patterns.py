@@ -40,8 +40,8 @@ _DB_PER_WORD = 0.005
 
 @dataclass(frozen=True, eq=False)
 class Pattern:
-    """A tile of exposure times `stops` in slots (rows, cols), and its mean PSNR over scenes in dB,
-    once measured."""
+    """A tile of exposure times `stops` in slots (rows, cols), called after its shape (`name`), and
+    its mean PSNR over scenes in dB, linear and on the mu-law curve; both are 0 until measured."""
 
     name: str
     stops: Levels

@@ -44,7 +44,7 @@ class CodeTrial:
 
 def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
     """Return standard normal numbers in the shape of `fields` (.., rows, cols), and 0 for all
-    pixels but a random fraction `share`."""
+    pixels but a random fraction `share`, the same pixels in all fields."""
     numbers = normal(fields, generator)
     if share < 1:
         numbers *= uniform(fields, generator, fields.shape[-2:]) < share

@@ -209,7 +209,7 @@ def scattered(
     name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
 ) -> Tile:
     """Return one of `levels` (values,) for each pixel of a tile (rows, cols), so that equal values
-    are apart. `name` is one of SCATTERED.
+    are apart. `name` is one of SCATTERED (another raises KeyError). There is at least one level.
 
     The patterns are those of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying
     Pixel Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around

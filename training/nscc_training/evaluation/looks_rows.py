@@ -108,6 +108,7 @@ def evaluate_looks(
         def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
             """Return the light that the pixels measure of a scene; nothing is decoded, so the
             time is 0."""
+            # Each scene has its own noise; all are exposed on the same chip, number 0.
             seeds = 1000 * wanted.seed + index, 0
             measure = bracket_light if name == BRACKET else looked_light
             return measure(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
@@ -182,6 +183,7 @@ def _still_capture(
     """Return the frame that `container` exposes of the constant light `light_e`, (rows, cols) in
     electrons over the frame, under `effects`; `seeds` are those of noise and of the device."""
     slot_s = container.slot_s
+    # A still is stored as electrons per second.
     light = Light.of_still((light_e / float(slot_s.sum())).astype(np.float32), slot_s)
     return capture(
         container, light, sensor=sensor, effects=effects, seed=seeds[0], device_seed=seeds[1]

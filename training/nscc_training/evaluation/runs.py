@@ -180,8 +180,8 @@ def _run_result(
     """Return the result of scored scenes, with the settings of the run, as JSON values, and the
     arrays of `--save` by name.
 
-    `files` are the scenes' files, `left_out` the scenes that could not be used, and `extra_keys`
-    are added to the result."""
+    Times are medians. `files` are the scenes' files, `left_out` the scenes that could not be used,
+    and `extra_keys` are added to the result."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
     return result_of(

@@ -33,8 +33,8 @@ SomeTask = TypeVar("SomeTask", bound=Task)
 
 @dataclass(frozen=True)
 class PointRow:
-    """The stored result of a task. `figures` are its results by name; if there are none, `code` and
-    `error` are those of a message."""
+    """The stored result of the task with this `key`. `figures` are its results by name; if there
+    are none, `code` and `error` are those of a message."""
 
     key: str
     figures: Figures = field(default_factory=dict, hash=False)
@@ -44,8 +44,8 @@ class PointRow:
 
 @dataclass(frozen=True)
 class Done:
-    """The row of a task that was just computed, with the time it took and the worker that computed
-    it.
+    """The row of a task that was just computed, with the `seconds` it took and the name of the
+    worker that computed it.
 
     If it `failed`, the row says why, and the task may be tried again. `other_key` is the key that
     the worker computed for the task, if it differs: its version or data are different."""

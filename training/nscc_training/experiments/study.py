@@ -74,7 +74,7 @@ class StudyPoint:
 @dataclass(frozen=True)
 class StudyResult:
     """The result of a study: its points with figures and times, the settings that were refused, and
-    how often each point was timed."""
+    how often each point was timed (`repeats`)."""
 
     points: tuple[Point, ...]
     refused: tuple[Refused, ...] = ()

@@ -24,8 +24,8 @@ COLUMNS = (
 
 @dataclass(frozen=True)
 class Refused:
-    """A setting of a method that was refused, with the code of the message ("" without one) and its
-    text."""
+    """A setting of a method on a case that was refused, with the `code` of the message ("" without
+    one) and its text, the `reason`."""
 
     case: str
     method: str

@@ -54,10 +54,11 @@ _MOST_DRAWS = 8
 class TrainingSetup:
     """The objects that the configuration of a training run (`settings`) names.
 
-    `chip` and `target` describe the chip, `sensor` its full sensor file, and `model` the sensor of
-    training steps. `files` are the contents of the user's own chip and sensor files by their names
-    in a run folder. `chips` is the number of emulated chips that `tables`, the emulated sensors,
-    are measured on."""
+    `still` says whether it learns from stills, else from clips, which `protocol` exposes. `encoder`
+    (shutters) and `decoder` are on `device`, and `loss` compares light. `chip` and `target`
+    describe the chip, `sensor` its full sensor file, and `model` the sensor of training steps.
+    `files` are the contents of the user's own chip and sensor files by their names in a run folder.
+    `chips` is the number of emulated chips that `tables`, the emulated sensors, are measured on."""
 
     settings: RunSettings
     protocol: Protocol
@@ -366,8 +367,8 @@ def _loss(names: str) -> Loss:
 
 
 def _own_loss(name: str) -> Loss:
-    """Return the loss that a Python function (module:name) computes, in a function that checks its
-    result. Raise Rejected (NS0812) if it cannot be imported."""
+    """Return the loss that the Python function `name` (module:name) computes, in a function that
+    checks its result. Raise Rejected (NS0812) if it cannot be imported."""
     call = imported(name, "loss")
 
     def loss(prediction: Tensor, truth: Tensor) -> Tensor:

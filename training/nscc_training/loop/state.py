@@ -49,8 +49,9 @@ class TrainingProgress:
 
 @dataclass(frozen=True, eq=False)
 class TrainingState:
-    """All tensors that training steps read and change. `average` is the running average of the
-    decoder's weights, None if the settings do not ask for it."""
+    """All tensors that training steps read and change: those of encoder and decoder in `setup`, and
+    of the `optimizers`. `average` is the running average of the decoder's weights, None if the
+    settings do not ask for it."""
 
     setup: TrainingSetup
     optimizers: list[torch.optim.Optimizer]

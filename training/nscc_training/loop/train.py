@@ -137,10 +137,10 @@ _FOLLOW_EVERY = 50
 class TrainingRun:
     """A training run in progress.
 
-    `dataset` draws the data of a step, `shown` are the exposed validation scenes (in the first
-    process only), and `ranks` the processes that train together. `step_loss` computes losses and
-    shares their gradients. `begun` are the parameters before the first step, to which restarts
-    return."""
+    `state` are its tensors, `progress` its step and best state, and `log` its scores. `dataset`
+    draws the data of a step, `shown` are the exposed validation scenes (in the first process only),
+    and `ranks` the processes that train together. `step_loss` computes losses and shares their
+    gradients. `begun` are the parameters before the first step, to which restarts return."""
 
     state: TrainingState
     dataset: Dataset[Any]

@@ -66,7 +66,8 @@ def scenes_in(
     file that cannot be read is `Unusable`, with its error."""
 
     def scenes_of(path: Path, index: int) -> Iterable[ProtocolScene | Unusable]:
-        """Return the scenes of the file number `index`, as the protocol defines them."""
+        """Return the scenes of the file `path`, as the protocol defines them. `index` is the number
+        of the file, which seeds motion."""
         if protocol.name == "hdr-v1":
             return crops(path, protocol, fraction)
         if protocol.name == "deblur-v1":

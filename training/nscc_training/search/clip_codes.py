@@ -50,8 +50,8 @@ _JUDGED_SIDE = 128
 
 @dataclass(frozen=True, eq=False)
 class ClipCode:
-    """A code to compare: a tile of shutters `opened` (N, rows, cols), and its mean PSNR over scenes
-    in dB, once measured.
+    """A code to compare: its `name`, a tile of shutters `opened` (N, rows, cols), and its mean PSNR
+    over scenes in dB (`mean_db`, 0 until measured).
 
     With `long`, pixels have a second readout that is always open."""
 

@@ -96,8 +96,8 @@ def is_looks_row(exposures: int) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class BenchScenes:
-    """Scenes of one kind, and the emulated chip that captures them. `model` is its sensor for
-    decoders.
+    """Scenes of one kind, and the emulated chip (`target` and `sensor`) that captures them under
+    `effects`. `seed` seeds noise and chip. `model` is its sensor for decoders.
 
     `known` holds the scores of frames, by their digest, so that equal frames are decoded once."""
 

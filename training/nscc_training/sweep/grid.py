@@ -62,8 +62,8 @@ _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 
 @dataclass(frozen=True)
 class Plot:
-    """How the diagram of a grid is drawn: the table `[plot]` of the grid's file. A value that is
-    empty is replaced by a suitable default."""
+    """How the diagram of a grid is drawn: the table `[plot]` of the grid's file. `x` and the others
+    are names of columns of the table. A value that is empty is replaced by a suitable default."""
 
     x: str = key(TextKind(), "the horizontal axis; by default the first numeric axis", "")
     y: tuple[str, ...] = key(

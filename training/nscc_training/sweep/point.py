@@ -19,8 +19,8 @@ OF_RUN = "run:"
 
 @dataclass(frozen=True)
 class PointFault:
-    """An invalid combination of values: the key to change ("" for none in particular), the reason,
-    and what to do."""
+    """An invalid combination of values: the `key` to change ("" for none in particular), the reason
+    (`message`), and what to do (`help`)."""
 
     key: str
     message: str
@@ -74,8 +74,8 @@ class PointKind:
 class GridPoint:
     """A point of a grid: one combination of a part's values, whose result is one row of the table.
 
-    `kind` names what is computed, and `name` is unique in the grid. `after` are the points whose
-    runs the values name; `run:NAME` is replaced by the run's folder."""
+    `grid_part` names the part, `kind` what is computed, and `name` is unique in the grid. `after`
+    are the points whose runs the values name; `run:NAME` is replaced by the run's folder."""
 
     grid_part: str
     kind: str
@@ -90,7 +90,7 @@ class PointTask:
 
     Its paths are relative to `folder`. It writes into the file or folder `files`. `runs` are the
     folders of the runs that its values name, by `run:NAME`. `key` is the digest under which its
-    result is stored."""
+    result is stored, and `threads` the number of threads to use."""
 
     point: GridPoint
     key: str

@@ -40,8 +40,9 @@ _MOST_REASONS = 5
 class Swept:
     """The outcome of a sweep.
 
-    `misfits` is the number of points with a message of nscc in place of figures, `failed` the
-    number of points that failed for another reason. `files` are those that were written."""
+    `table` has a row for each point. `misfits` is the number of points with a message of nscc in
+    place of figures, `failed` the number of points that failed for another reason. `files` are
+    those that were written."""
 
     table: Table
     misfits: int

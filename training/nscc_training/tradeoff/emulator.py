@@ -154,8 +154,8 @@ class NamedLight:
 
 @dataclass(frozen=True)
 class MeasuredPlan:
-    """A plan for the tolerance that is called `setting`, and its measured RMS error in electrons in
-    the worst bucket."""
+    """A plan for the tolerance that is called `setting`, and `measured_e`, its measured RMS error
+    in electrons in the worst bucket."""
 
     setting: str
     plan: Plan
@@ -174,7 +174,8 @@ class MeasuredPlan:
 
 @dataclass(frozen=True)
 class EmulatorStudy:
-    """The result of one scene: points in electrons and in LSB, plans by tolerance, and bounds.
+    """The result of one scene: `points` in electrons and in LSB, `measured_plans` by tolerance, and
+    bounds.
 
     `floor_ms` is the time to read the scene from memory once. `budget` is the plan that is shown
     effect by effect. `refused` are methods that could not run, with the reasons."""

@@ -25,7 +25,8 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class EmulatorBenches:
-    """The methods on all scenes of a study, and the speed of memory copies in GB/s."""
+    """The methods on all scenes of a study, one of `benches` for each scene, and the speed of
+    memory copies in GB/s."""
 
     benches: tuple[EmulatorBench, ...]
     gb_per_s: float

@@ -163,6 +163,7 @@ def readout_points(settings: SensorStudySettings) -> list[StudyPoint]:
 
     Coded readouts are decoded by the decoder for any code; every frame of a burst is shown for as
     long as it was open."""
+    # The shipped programs have this many slots, whatever the settings.
     values = {**bench_values(settings, "clips"), "frames": SLOTS}
     return [
         StudyPoint("readouts", method, str(count), partial(_readouts, method, count, values))

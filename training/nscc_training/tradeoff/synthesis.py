@@ -33,8 +33,9 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 
 @dataclass(frozen=True)
 class StudiedProgram:
-    """A program to compile. Paths in its text are relative to `base`. `codes` says whether it must
-    work for the codes in use ("fixed") or for all legal ones ("open")."""
+    """A program to compile, called `name` in the table. Paths in the text `source` are relative to
+    `base`. `codes` says whether it must work for the codes in use ("fixed") or for all legal ones
+    ("open")."""
 
     name: str
     source: Source
