@@ -280,15 +280,16 @@ def _instance(kind: type, value: Any) -> Any:
 
 
 def _integer(value: Any) -> int:
-    """Return a value if it is an integer of 64 bits; raise InvalidRecord otherwise, also for True
-    and False."""
+    """Return a value if it is an integer of 64 bits with its sign; raise InvalidRecord otherwise,
+    also for True and False."""
     if type(value) is not int or not -(1 << 63) <= value < 1 << 63:
         raise _refused(value, _NAMES[int])
     return value
 
 
 def _number(value: Any) -> float:
-    """Return a finite number as float; raise InvalidRecord for any other value."""
+    """Return a number below `_MOST_FLOAT` in magnitude as float; raise InvalidRecord for any other
+    value, also for NaN, True and False."""
     if type(value) not in (int, float) or not -_MOST_FLOAT < value < _MOST_FLOAT:
         raise _refused(value, _NAMES[float])
     return float(value)

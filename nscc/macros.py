@@ -52,8 +52,9 @@ Ops = tuple[Op, ...]
 class Mnemonic(Record):
     """The name at the start of an assembly instruction, with what it stands for.
 
-    `usage` shows its forms. `write` returns its words for operands, of which it takes `least` to
-    `most` (None: any number). It overwrites the registers `scratch`, which cannot be operands."""
+    `usage` shows its forms. `write` returns its words for operands (names of registers), of which
+    it takes `least` to `most` (None: any number). It overwrites the registers `scratch`, which
+    cannot be operands."""
 
     name: str
     usage: str
@@ -165,8 +166,8 @@ def _native(row: Operation) -> Mnemonic:
 
 # In-place forms, and mnemonics of the same names.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
-    """Return the two words that write the OR, NOR or REFRESH (`kind`) of all operands to the first
-    one.
+    """Return the pair of words that writes the OR, NOR or REFRESH (`kind`) of all operands to the
+    first one.
 
     Raises OperandError for a register that is not digital."""
     for index, register in enumerate(operands):
@@ -283,7 +284,8 @@ def _macros() -> Iterator[Mnemonic]:
 
 
 def _written(forms: Mapping[int, _Form], arguments: Sequence[str]) -> Ops:
-    """Return the words of the form that takes this number of operands."""
+    """Return the words for the operands `arguments`. `forms` has the forms of a macro by their
+    number of operands, among which this number is."""
     return forms[len(arguments)].write(arguments)
 
 

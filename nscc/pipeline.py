@@ -179,9 +179,9 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
 class Compiled(Record):
     """A successfully compiled program: its proved words and its diagnostics.
 
-    `layout` is the value of the pass `schedule`: a `Choice`, or a `Sending` for a chip without
-    logic. `layout`, `container` and `proof` are None only if `unproved_is_error` is false and it is
-    unknown whether the program fits."""
+    `tree` is the syntax tree. `layout` is the value of the pass `schedule`: a `Choice`, or a
+    `Sending` for a chip without logic. `layout`, `container` and `proof` are None only if
+    `unproved_is_error` is false and it is unknown whether the program fits."""
 
     tree: File
     program: Program

@@ -184,9 +184,10 @@ class Completion:
     ) -> Program:
         """Return the checked program.
 
-        `legal` is the number of codes that `require` allows, None if it was not counted. `at_pixel`
-        (rows, cols) are the rows of `table` that pixels use; `recognised` is the class. `machine`
-        is the state machine if pixels look at their light."""
+        `legal` is the number of codes that `require` allows, None if it was not counted. `table`
+        has the compiled codes and their shutters. `at_pixel` (rows, cols) are the rows of `table`
+        that pixels use; `recognised` is the class. `machine` is the state machine if pixels look at
+        their light."""
         target_span = None
         match self.declared.target:
             case tree.TargetByName(name=place) | tree.TargetFromFile(path=place):
@@ -213,7 +214,8 @@ class Completion:
         """Check that `require` allows the code of every pixel.
 
         `in_use` are the codes (codes, fields) and `at_pixel` each pixel's row, (rows, cols). Raises
-        Rejected (NS0312), which names the first pixel and the first condition that forbids its
+        Rejected: the fault of a condition without a value (such as NS0302), NS0450 for too much
+        work, else NS0312, which names the first pixel and the first condition that forbids its
         code."""
         try:
             legal = allowed(self.rules, in_use)

@@ -120,7 +120,7 @@ def _without_refused(scope: dict[str, Meaning], declared: Declarations) -> dict[
     """Mark names whose declarations have errors as "failed", so that they cause no further
     messages.
 
-    The scope is changed and returned."""
+    Predefined names stay as they are. The scope is changed and returned."""
     scope.update(dict.fromkeys(declared.refused - PREDEFINED.keys() - {LOOKS}, FAILED))
     return scope
 
@@ -150,8 +150,8 @@ def resolve_constants(
 ) -> dict[str, Meaning]:
     """Return the meaning of N, rows, cols and every `let`, by name; those with errors are "failed".
 
-    rows and cols come from `target`. Reports cycles (NS0203) and a number of slots outside
-    1..MOST_SLOTS (NS0308)."""
+    rows and cols come from `target`, and are "failed" if it is None. Reports cycles (NS0203) and a
+    number of slots outside 1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 

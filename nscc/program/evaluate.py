@@ -112,7 +112,7 @@ def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyon
     """Return `data`, the result of the operation `node` on `a` and `b`, as a value with its faults.
 
     `beyond` is true where the result exceeds the limit on integers: these places get a fault
-    (NS0305)."""
+    (NS0305) and the data 0. `faults` are those of the operands."""
 
     def fault() -> Fault:
         """Return the fault (NS0305) of the first value beyond the limit."""
@@ -154,7 +154,7 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
 
 
 def _quotient(node: Binary, a: Value, b: Value) -> Value:
-    """Return a / b, rounded down, with faults (NS0302) where b is 0."""
+    """Return a / b, rounded down (-7 / 2 is -4), with faults (NS0302) where b is 0."""
     divisor, faults = _divisor(node, a, b)
     return Value(a.data // divisor, faults)
 

@@ -127,8 +127,9 @@ def check(
 ) -> Checked | None:
     """Return an expression with its names and types checked; None after reporting errors.
 
-    `expected` is its type. `role` names it in messages ("a rule", "the end of a range"). Names that
-    are "failed" in `scope` make the result None without a further report."""
+    `expected` is the required type of `expr`; another type is reported (NS0301). `role` names it in
+    messages ("a rule", "the end of a range"). Names that are "failed" in `scope` make the result
+    None without a further report."""
     return _Checker(scope, problems).run(expr, expected, role)
 
 
@@ -343,7 +344,8 @@ class _Checker:
         self._error("NS0301", message, span, label, helps=helps)
 
     def _misplaced(self, node: tree.Name, meaning: Meaning) -> None:
-        """Report a name that has a meaning, but not here (NS0208)."""
+        """Report a name that has a meaning, but not here (NS0208); the note of `meaning` says
+        why."""
         message = f"`{node.text}` cannot be used here"
         self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 

@@ -64,7 +64,8 @@ def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | No
 
 
 def _wrong_digit(book: BookInline, problems: Problems) -> bool:
-    """Report the first row with a character other than 0 and 1; return whether there is one."""
+    """Report the first row with a character other than 0 and 1; return whether there is one. The
+    code is NS0310."""
     for row in book.rows:
         wrong_digit = next((d for d in row.digits if d not in "01"), None)
         if wrong_digit is not None:
@@ -75,7 +76,8 @@ def _wrong_digit(book: BookInline, problems: Problems) -> bool:
 
 
 def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
-    """Report the first row that does not have N digits; return whether there is one.
+    """Report (NS0310) the first row that does not have N digits, and how many there are; return
+    whether there is one.
 
     `slots` is the meaning of N; if it has an error, nothing is reported."""
     if slots.kind != "constant":
@@ -151,7 +153,7 @@ class _Maker:
 
     def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:
         """Return the field that a `code` statement declares; None after an error in it or its
-        codebook."""
+        codebook. A long bit field is one field here; `chunks_of` splits it."""
         match statement:
             case CodeRange():
                 low = constant(statement.low, self.scope, self.problems, "the start of a range")

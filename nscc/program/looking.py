@@ -187,8 +187,8 @@ class _Maker:
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
         """Return the boundaries, among 1..N, at which a sense looks.
 
-        Return None if N has an error, or after reporting that there are none or that they cannot be
-        computed."""
+        Return None if N has an error, or after reporting (NS0322) that there are none or that they
+        cannot be computed."""
         checked = check(
             sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
         )
@@ -244,8 +244,8 @@ class _Maker:
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
         """Return one level in steps of IN (the level sent to all pixels).
 
-        Return None after reporting that it has no unit (NS0320) or that the chip cannot compare
-        with it (NS0321)."""
+        Return None after reporting that it has no unit or is a list (NS0320) or that the chip
+        cannot compare with it (NS0321)."""
         if isinstance(level, tree.Levels):
             self.problems.error("NS0320", "a level cannot be a list of lists", level.span, "")
             return None
@@ -327,8 +327,8 @@ class _Maker:
         return machine.State(name, low, high, start, is_kept=state.kept, read=read, boolean=boolean)
 
     def next(self, statement: tree.Next) -> CheckedNext | None:
-        """Return the checked change of a state, with its condition; None after reporting an
-        error."""
+        """Return the checked `next` statement, the change of a state, with its condition; None
+        after reporting an error."""
         if not self.known_state(statement.name):
             return None
         boolean = isinstance(self.declared.states[statement.name.text], tree.StateBit)

@@ -51,7 +51,8 @@ class Stage(Record, eq=False):
 class MachineBuilder:
     """Builds the state machine of a program with senses, for the compiled codes.
 
-    `remembered` are the senses whose answers pixels must store, because rules read them later."""
+    `codes` (codes, fields) are the compiled codes. `remembered` are the senses whose answers pixels
+    must store, because rules read them later."""
 
     def __init__(self, rules: Rules, looking: Looking, codes: CodeArray, target: Target) -> None:
         """Find which answers a pixel must remember: those that rules, resets or later changes of

@@ -111,7 +111,7 @@ class Declarations:
 
     def declared(self) -> Iterator[tuple[str, str]]:
         """Yield every declared name that expressions may use, with its kind in words, such as "a
-        field"."""
+        field". Predefined names and buckets are not among them."""
         kinds: dict[str, Iterable[str]] = {
             "a let": self.lets,
             "a field": self.codes,
@@ -179,7 +179,8 @@ class _Gatherer:
         self.mixed = False
 
     def add(self, statement: tree.Statement) -> None:
-        """Add one statement to the declarations of its kind, or report why it is not allowed."""
+        """Add one statement to the declarations of its kind, or report why it is not allowed
+        (NS0201, NS0202, NS0205, NS0206, NS0211)."""
         declared = self.declared
         match statement:
             case tree.Version():

@@ -150,8 +150,8 @@ class PictureComparer(ABC):
         receive).
 
         If the image is a sum that contains levels, they are moved to the other side where IN can
-        represent the result. Raises WrongPicture after reporting (at `span`) a sum of levels only.
-        """
+        represent the result. Raises WrongPicture after reporting (NS0533, at `span`) a sum of
+        levels only."""
         terms = value.terms if isinstance(value, p.Sum) else ((Fraction(1), value),)
         levels = {term.param: factor for factor, term in terms if isinstance(term, p.Uniform)}
         if not levels:
@@ -179,8 +179,8 @@ class PictureComparer(ABC):
         return p.Above(value, steps)
 
     def _require_level(self, param: p.HostParam, span: Span) -> None:
-        """Raise WrongPicture after reporting a parameter that is an integer, where a level with a
-        unit is needed."""
+        """Raise WrongPicture after reporting (NS0533) a parameter that is an integer, where a level
+        with a unit is needed."""
         if param.kind == "integer":
             raise self._report(
                 "NS0533",

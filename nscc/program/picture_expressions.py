@@ -48,7 +48,8 @@ class Reader(LoopReader):
         self._outside_asked = False
 
     def declare(self, name: str, node: p.Node | None) -> None:
-        """Make an image or plane known to the following expressions.
+        """Make the image or plane `name`, of which `node` is the expression, known to the following
+        expressions.
 
         With `node` None its expression is invalid, and later uses of the name report nothing."""
         if node is None:
@@ -442,7 +443,8 @@ class Reader(LoopReader):
 
 
 def _smaller(first: p.Value, second: p.Value) -> p.Value:
-    """Return the smaller of two images: the larger of their negatives, inverted."""
+    """Return the smaller of two images: the larger of their negatives, inverted.
+    `nscc.words.pictures` has only the larger."""
     negatives = (picture_sum((Fraction(-1), value)) for value in (first, second))
     return picture_sum((Fraction(-1), p.Larger(*negatives)))
 

@@ -81,7 +81,7 @@ class LoopReader(PictureComparer):
         later names.
 
         Their initial values, their steps and the number of steps are checked, and errors reported.
-        """
+        A name with an error counts as failed, so that its uses report nothing."""
         names = [item.name.text for item in statement.items]
         if name != names[0]:
             return

@@ -177,8 +177,8 @@ class PictureMaker:
         return replace(pictures, count_steps=unit.steps)
 
     def _place(self) -> Span:
-        """Return the place of the first statement about images, for errors about the program as a
-        whole."""
+        """Return the place of the first image or plane or, without one, of the first report,
+        kernel, `assume` or `next`, for errors about the program as a whole."""
         declared = self.declared
         kernels, nexts = declared.kernels.values(), declared.nexts.values()
         return [*declared.pictures, *declared.reports, *kernels, *declared.assumes, *nexts][0].span
@@ -351,7 +351,8 @@ class PictureMaker:
         return start
 
     def _next(self, name: str, reader: Reader) -> Condition | None:
-        """Return the value of the state `name` after a frame; None after reporting an error.
+        """Return the value of the state `name` after a frame; None after reporting an error. It is
+        a plane.
 
         The state keeps its value without a `next` statement, and where the statement's condition is
         0. `reader` reads the expressions."""

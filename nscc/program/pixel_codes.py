@@ -34,7 +34,7 @@ def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
 ) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
     """Return the distinct codes of the pixels, int64 (codes, fields), and each pixel's row of them,
-    int32.
+    int32 of `shape`.
 
     `planes` contains one array of `shape` (rows, cols) for each field. The codes are sorted by
     field values, first field first; without fields there is one code."""

@@ -122,7 +122,8 @@ def clipped(text: object, most: int = 60) -> str:
 
 
 def printable(text: object) -> str:
-    """Return a value as text; of an integer of more than 256 bits only the number of bits."""
+    """Return a value as text; of an integer of more than 256 bits only its sign and number of
+    bits."""
     # Nobody reads so many digits, and Python refuses to write more than 4300.
     if isinstance(text, int) and not isinstance(text, bool) and text.bit_length() > 256:
         sign = "negative " if text < 0 else ""

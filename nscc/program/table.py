@@ -33,7 +33,7 @@ class TooMuch(Exception):
     `required` and `available` are the numbers that it compares."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
-        """Store the message, and the number that is required and the one that is available."""
+        """Store the message, the number that is required and the limit (`available`)."""
         super().__init__(message)
         self.message = message
         self.required = required

@@ -290,7 +290,8 @@ class _Rows:
         return cls(_joined(tokens[: opening + 1]), rows, above, after, is_book)
 
     def book(self) -> list[_Line] | None:
-        """Return the lines of a codebook with one row each; None if it has a single row."""
+        """Return the lines of a codebook with one row each; None if it has a single row, which is
+        written in one line."""
         if len(self.rows) == 1:
             return None
         lines = [_Line(self.head, self.after[0])]

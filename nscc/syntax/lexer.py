@@ -173,8 +173,8 @@ def _awaits_level(tokens: Tokens, statement: str) -> bool:
 class Stuck(Record):
     """The token at which the parser stopped because no statement can continue with it.
 
-    `token` is its index, one past the last token if the statement ends too early. `before` are the
-    statement's tokens before it."""
+    `token` is its index in the whole text, one past the last token if the statement ends too early.
+    `before` are the statement's tokens before it."""
 
     token: int
     before: tuple[Token, ...]

@@ -409,7 +409,8 @@ def _choice(tokens: Tokens, at: int, last: int) -> str:
 
 
 def _number_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
-    """Yield hints about token number `at`, which starts like a number but is invalid.
+    """Yield hints about token number `at`, which starts like a number but is invalid (kind
+    MALFORMED). There may be two or none.
 
     `first` is the number of the first token of its statement."""
     text = tokens.text(at)

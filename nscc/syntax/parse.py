@@ -148,7 +148,8 @@ class _Errors:
 
 
 def statement_starts(tokens: Tokens) -> list[int]:
-    """Return the numbers of the tokens that begin statements.
+    """Return the numbers of the tokens that begin statements, ascending; none for a text without
+    keywords.
 
     `open` belongs to the `bucket` before it, and a keyword at the place of a name (`let open = 1`)
     belongs to its statement."""
@@ -182,7 +183,8 @@ def statement_starts(tokens: Tokens) -> list[int]:
 def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
     """Yield the valid statements; add the errors of the invalid ones to `errors`.
 
-    `starts` are the numbers of the tokens that begin statements. After a misspelt keyword, parsing
+    `starts` are the numbers of the tokens that begin statements. A statement with an error is
+    yielded up to the error if that is a valid statement. After a misspelt keyword, parsing
     continues as if it were spelt correctly."""
     builder = Builder()
     for begin, last in pairwise([*starts, len(tokens.kinds)]):

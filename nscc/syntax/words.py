@@ -84,7 +84,8 @@ def parser() -> lark.Lark:
 
 @cache
 def spellings() -> dict[str, str]:
-    """Return the texts of keywords and signs by the names of their terminals in the grammar."""
+    """Return the texts of keywords and signs by the names of their terminals in the grammar, such
+    as {"OPEN": "open"}."""
     return {t.name: t.pattern.value for t in parser().terminals if t.pattern.type == "str"}
 
 
