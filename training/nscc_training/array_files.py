@@ -111,8 +111,8 @@ def _stored(
 
 
 def _chosen(path: Path, key: str | None, names: list[str]) -> str:
-    """Return the name of the array to read: `key` if given, else the first of `KEYS` that the file
-    has, else its only array.
+    """Return the name of the array to read: `key` if it is not None, else the first of `KEYS` that
+    the file has, else its only array.
 
     Raises Rejected (NS0801), with the names in the file at `path`, if there is no such array."""
     candidates = [key] if key is not None else [name for name in KEYS if name in names]

@@ -143,8 +143,8 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
 
 
 def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
-    """Return the values in the first of uint8, uint16 and int32 that holds all of them; if none
-    does, return them unchanged."""
+    """Return the values, of any shape and at least one, in the first of uint8, uint16 and int32
+    that holds all of them; if none does, return them unchanged."""
     low, high = int(values.min()), int(values.max())
     for kind in (np.uint8, np.uint16, np.int32):
         if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:

@@ -65,7 +65,7 @@ def srgb(x: Array) -> Array:
 
 def srgb_inverse(y: Array) -> Array:
     """Return the linear light, with white at 1, of sRGB values y on 0..1; others continue the
-    curve."""
+    curve. Any shape."""
     xp, wide = _library(y), _wide(y)
     power = ((xp.clip(wide, 0.04045, None) + 0.055) / 1.055) ** 2.4
     return _as(y, xp.where(wide > 0.04045, power, wide / 12.92))

@@ -79,8 +79,9 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         """Lay the shutters over an array of `size` (rows, cols), by default one tile.
 
         `still` images one picture instead of a clip. `slot_share` (slots,) is the fraction of a
-        still's light in each slot. `options` go to DeepInverse. Raises WrongArgument for a wrong
-        shape."""
+        still's light in each slot; None takes that of the program's slots, or equal parts.
+        `noise_model` None adds no noise. `options` go to DeepInverse. Raises WrongArgument for a
+        wrong shape."""
         encoder = shutters if isinstance(shutters, Encoder) else None
         tile = _tile(shutters)
         rows, cols = tile.shape[-2:] if size is None else size
@@ -105,8 +106,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         """Return the electrons (batch, buckets, rows, cols) that each bucket collects from light x,
         of the shape (batch, *img_size).
 
-        If `shutters` are given, they replace the buffer of the same name, also for later calls.
-        Raises WrongArgument for light of another shape."""
+        If `shutters` (buckets, N, rows, cols) are given, they replace the buffer of the same name,
+        also for later calls; None keeps it. Raises WrongArgument for light of another shape."""
         self.update_parameters(shutters=shutters, **parameters)
         if x.shape[1:] != self.img_size:
             raise wrong_argument(
@@ -121,7 +122,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         """Return the frames copied to their open slots and added up: from y (batch, buckets, rows,
         cols) to the shape of x.
 
-        If `shutters` are given, they replace the buffer of the same name, also for later calls."""
+        If `shutters` (buckets, N, rows, cols) are given, they replace the buffer of the same name,
+        also for later calls; None keeps it."""
         self.update_parameters(shutters=shutters, **parameters)
         light = (y.unsqueeze(2) * self._weights(y)).sum(dim=1)
         return light if self.still else light.unsqueeze(1)
@@ -141,8 +143,9 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
         """Return the x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2.
 
-        For one number `gamma` the result is exact and in closed form. For several, DeepInverse
-        iterates. `z` may be a number, also None for 0."""
+        x and z have the shape of light, y that of frames. For one number `gamma` the result is
+        exact and in closed form. For several, DeepInverse iterates. `z` may be a number, also None
+        for 0."""
         if isinstance(gamma, Tensor) and gamma.numel() > 1:
             result: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
             return result
@@ -203,7 +206,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
 
     def forward(self, input: Tensor, seed: int | None = None, **_parameters: Any) -> Tensor:
         """Return the electrons that one readout with noise gives for the exact electrons `input`,
-        in the same dtype. A `seed` restarts the generator; None continues it."""
+        in the same shape and dtype. A `seed` restarts the generator; None continues it."""
         self.rng_manual_seed(seed)
         generator = self.rng
         if generator is None:

@@ -84,7 +84,7 @@ class Run:
 
     @cached_property
     def curves(self) -> dict[str, NDArray[np.float64]]:
-        """The columns of the log `metrics.csv` by name, each an array with a value for each line.
+        """The columns of the log `metrics.csv` by name, each a float64 array (lines,).
 
         Empty cells are NaN. In the column `split`, 1 means validation and 0 training."""
         with open(self.path / _CURVES, encoding="utf-8", newline="") as file:

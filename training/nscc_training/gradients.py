@@ -91,7 +91,7 @@ def rounded(x: Tensor) -> Tensor:
 
 
 def opened(x: Tensor, width: float = 1.0) -> Tensor:
-    """Return 1 where x > 0, else 0.
+    """Return 1 where x > 0, else 0, in the shape of x.
 
     The gradient is a triangle of unit area from -`width` to `width`. For an edge between slots, x
     is its distance from the middle of the slot. With width 1, the gradient is the physical one for

@@ -57,8 +57,8 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Convert exceptions of user code in the `with` block into Rejected (NS0822), with their file
-    and line.
+    """Run the `with` block, and raise Rejected (NS0822), with file and line, for an exception of
+    user code in it.
 
     `text` is the import path of the code, `role` its use (decoder, data or loss). Errors of nscc
     and lack of memory pass unchanged."""

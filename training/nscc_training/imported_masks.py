@@ -201,8 +201,8 @@ def _slots_axis(
     """Return the axis of slots ("first" or "last") of a mask with this `shape`.
 
     The sizes of the `array` (rows, cols) decide if the mask has them, else the number of `slots` of
-    the program. A square tile decides, too. The documented order has slots last. Raises Rejected
-    (NS0845) for the mask of `path` if it can be read in two ways."""
+    the program (None: not known). A square tile decides, too. The documented order has slots last.
+    Raises Rejected (NS0845) for the mask of `path` if it can be read in two ways."""
     if shape[:2] == array:
         return "last"
     if shape[1:] == array:

@@ -105,8 +105,8 @@ beside always choosing the better method."""
 
 
 def method_for(still: bool, method: Method | None = None) -> Method:
-    """Return `method` if it is given, also if torch is missing. Otherwise return the network, or if
-    torch is not installed, merging for stills and GAP-TV for clips."""
+    """Return `method` if it is not None, also if torch is missing. Otherwise return the network, or
+    if torch is not installed, merging for stills and GAP-TV for clips."""
     if method is None and find_spec("torch") is None:
         return "merge" if still else "gap-tv"
     return method or "network"
@@ -127,8 +127,8 @@ def gap_tv_clip(
 
 
 def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]], float]:
-    """Return the measurement divided by white, and white: the 99.5 % quantile of the mean light of
-    pixels that open, at least 1e-6; 1 if none does."""
+    """Return the measurement, a batch of one, divided by white, and white: the 99.5 % quantile of
+    the mean light of pixels that open, at least 1e-6; 1 if none does."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
     light = measured.mean()[opened]
     white = float(np.quantile(light, _WHITE).clip(min=1e-6)) if light.size else 1.0

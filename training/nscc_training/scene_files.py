@@ -101,8 +101,8 @@ def light_in(stored: NDArray[Any], colours: Transfer | Colours) -> NDArray[np.fl
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """Return the frames of a clip file as stored, one after the other; in frames of floating-point
-    numbers white is 1.
+    """Return the frames, (rows, cols) or with colours last, of the clip file `path` as stored, one
+    after the other; in frames of floating-point numbers white is 1.
 
     Videos are read frame by frame. In a .mat file of the benchmark, time is the last axis. Raises
     Rejected for a file that cannot be read."""

@@ -75,7 +75,7 @@ class Batch:
     @cached_property
     def most(self) -> Tensor:
         """Return the limit to which losses clip predictions over the peak: 1 where the truth
-        reaches 1, else infinity.
+        reaches the peak, else infinity, in the shape of `truth`.
 
         A decoder is so not punished for light beyond white, but is for a false bright pixel."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)

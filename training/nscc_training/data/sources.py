@@ -154,8 +154,9 @@ class _Kind:
     def light(
         self, stored: NDArray[Any], colours: Transfer | Colours, name: str
     ) -> NDArray[np.float64]:
-        """Return the light of a picture as stored in a file, converted as by `nscc run`. `colours`
-        is its encoding, `name` names it in messages; warnings are passed to `tell`."""
+        """Return the light (rows, cols) of a picture `stored` in a file, (rows, cols) or with
+        colours last, converted as by `nscc run`. `colours` is its encoding, `name` names it in
+        messages; warnings are passed to `tell`."""
         return picture_light(
             stored, colours, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )

@@ -90,6 +90,6 @@ def _head(
     language: str, remark: str, chip: str | None, slots: int, slot_us: float
 ) -> Sequence[str]:
     """Return the first lines of a program: `remark` as a comment, `language` (such as "nsl 2"), the
-    target `chip` if given, and the frame."""
+    target `chip` (None leaves it out), and the frame of `slots` slots of `slot_us` microseconds."""
     lines = [*(f"# {line}" for line in remark.splitlines()), language, ""]
     return [*lines, *([f"target {chip}"] if chip else []), frame_text(slots, slot_us), ""]

@@ -116,14 +116,15 @@ class Bump(Encoder):
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
         """Return the opening and the closing boundary of each pixel, both (rows, cols), for the
-        values of its fields (fields, rows, cols). Each class of bumps defines it."""
+        values of its fields (fields, rows, cols). Each class of bumps defines it; here it raises
+        NotImplementedError."""
         raise NotImplementedError
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         """Return the shutters (N, rows, cols) of the present fields: exactly 0 and 1, or if `soft`,
         values between them.
 
-        A generator adds noise of the standard deviation `noise` to the fields."""
+        A generator adds noise of the standard deviation `noise` to the fields; None adds none."""
         return self.opened_by(self.fields(generator), soft)
 
     def opened_by(self, fields: Tensor, soft: bool = False) -> Tensor:
@@ -173,7 +174,7 @@ class Bump(Encoder):
 
     def fields(self, generator: torch.Generator | None) -> Tensor:
         """Return the real values of the fields (fields, rows, cols) in slots, clipped to their
-        limits. A generator adds noise."""
+        limits. A generator adds noise of the standard deviation `noise`; None adds none."""
         slots = (self.slots_of(self.get_parameter(name)) for name in self.limits)
         return self.within(torch.stack([self.noisy(field, generator) for field in slots]))
 

@@ -35,7 +35,8 @@ class _Digits(Encoder):
         """Return the digit 0 or 1 of every logit, in its shape; if `soft`, a sigmoid of the width
         `temperature`.
 
-        A generator adds noise of the standard deviation `noise`. Gradients pass in both cases."""
+        A generator adds noise of the standard deviation `noise`; None adds none. Gradients pass in
+        both cases."""
         noisy = self.noisy(logits, generator)
         return torch.sigmoid(noisy / self.temperature) if soft else signed(noisy)
 
@@ -150,7 +151,8 @@ class Codebook(_Digits):
         the softmax of the scores.
 
         With the relaxation `gumbel` and a generator, soft weights are a random choice: the softmax
-        of scores with Gumbel noise. One-hot weights pass the gradient of the softmax."""
+        of scores with Gumbel noise. None draws nothing. One-hot weights pass the gradient of the
+        softmax."""
         scores: Tensor = self.choice
         if soft and self.relaxation == "gumbel" and generator is not None:
             drawn = torch.empty(scores.shape, device=generator.device)

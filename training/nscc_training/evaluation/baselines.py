@@ -152,8 +152,9 @@ def evaluate_baseline(
     """Return the result of the baseline `wanted.subject` on the folder of scenes `wanted.data`, as
     JSON values, and the arrays of `--save` by name.
 
-    `wanted.shutter` names other shutters, CLASS:START or a run (`named_codes`). The noise of a
-    scene depends only on the scene's index and `wanted.seed`."""
+    `scorer` keeps scores (None: in memory). `wanted.shutter` names other shutters, CLASS:START or a
+    run (`named_codes`). The noise of a scene depends only on the scene's index and `wanted.seed`.
+    """
     from nscc_training.sensor_model import SensorModel
 
     name, seed, codes, scorer = wanted.subject, wanted.seed, wanted.shutter, scorer or Scorer()
@@ -163,8 +164,8 @@ def evaluate_baseline(
     scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
 
     def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:
-        """Return the scores of the scenes `shown`, captured with the shutters `tile` and
-        decoded."""
+        """Return the scores of the scenes `shown`, captured with the shutters `tile` ([frames,] N,
+        r, c) and decoded. None among them is left out."""
 
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             """Return the light of a scene that is captured with the tile, and the seconds of
@@ -289,8 +290,9 @@ def evaluate_sci8(
     """Return the result of `method` on the benchmark clips in the files `paths`, as JSON values,
     and the arrays of `--save` by name.
 
-    `iterations` and `weight` apply to methods of total variation. Raises Rejected: NS0809 for a
-    file that is not a clip of the benchmark, NS0810 for an unknown method."""
+    `scorer` keeps scores (None: in memory). `iterations` and `weight` apply to methods of total
+    variation only. Raises Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810
+    for an unknown method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(

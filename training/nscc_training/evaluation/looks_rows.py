@@ -76,8 +76,9 @@ def evaluate_looks(
     """Return the result of `wanted.subject`, a method of UNDECODED, on a folder of panoramas, as
     JSON values, and the arrays of `--save` by name.
 
-    `wanted.effects` replace the protocol's noise and comparator noise, and then the readout has the
-    noise of the chip. Programs are designed for the sensor without `wanted.changes`."""
+    `scorer` keeps scores (None: in memory). `wanted.effects` replace the protocol's noise and
+    comparator noise, and then the readout has the noise of the chip. Programs are designed for the
+    sensor without `wanted.changes`."""
     protocol, scorer = load_protocol("hdr-v1"), scorer or Scorer()
     name, effects, changes = wanted.subject, wanted.effects, wanted.changes
     files = files_of(protocol, wanted.data)

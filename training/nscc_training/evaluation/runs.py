@@ -105,8 +105,9 @@ def evaluate_validation(
     """Return the result of a run on its validation scenes, with the run's effects, as JSON values,
     and the arrays of `--save` by name.
 
-    Its mean equals the PSNR in `metrics.csv` at the step that the run kept. Raises Rejected
-    (NS0811) if the scenes of its configuration are missing or have changed."""
+    `scorer` keeps scores (None: in memory). Its mean equals the PSNR in `metrics.csv` at the step
+    that the run kept. Raises Rejected (NS0811) if the scenes of its configuration are missing or
+    have changed."""
     settings = folder.setup.settings
     setup = folder.setup
     scenes = load_scenes(

@@ -149,8 +149,9 @@ def decoded_frame(
 
     `frame` holds converter codes, (rows, cols), or (2, rows, cols) for two buckets. `saturated`, of
     the same shape, marks codes that count as full. `share` (rows, cols) is the open fraction of
-    each pixel, for pixels that look. `corner` (row, column) is the place of the first pixel on the
-    array, which decides its code. Large frames are decoded in blocks of `_BLOCK` pixels."""
+    each pixel, for pixels that look; None for others. `corner` (row, column) is the place of the
+    first pixel on the array, which decides its code. Large frames are decoded in blocks of `_BLOCK`
+    pixels."""
     rows, cols = frame.shape[-2:]
     if setup.classes:
         opened = shutters_at(setup, (rows, cols), corner)

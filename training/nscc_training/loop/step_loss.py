@@ -194,7 +194,8 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
     """Return `clip` minus `truth`, both (batch, T, rows, cols). With `shown` (batch,), the light
-    that a display shows as white, return the difference in display encoding."""
+    that a display shows as white, return the difference in display encoding; None returns that of
+    light."""
     if shown is None:
         return clip - truth
     level = shown.reshape(-1, 1, 1, 1)

@@ -172,8 +172,9 @@ def train(
     `resume` is auto (continue from a checkpoint in `out` if it has one), never, or a run folder or
     checkpoint. `track` draws a progress bar, and `report` receives a text for each validation and
     at the end; both are used in the first process only. With `stop_after` the run stops after that
-    step and writes a checkpoint. An interrupt raises KeyboardInterrupt with a sentence on how to
-    continue."""
+    number of steps and writes a checkpoint; None trains to the end. Raises Rejected for invalid
+    settings, scenes or checkpoints, and NS0848 for a folder in use. An interrupt raises
+    KeyboardInterrupt with a sentence on how to continue."""
     is_first = os.environ.get("RANK", "0") == "0"  # only the first of several processes writes
     with locked_folder(out) if is_first else nullcontext(), closing(Ranks()) as ranks:
         _check_ranks(settings, ranks)

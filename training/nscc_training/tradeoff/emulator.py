@@ -98,8 +98,8 @@ class Naive:
 
     @cached_property
     def _ready(self) -> tuple[NDArray[np.float32], NDArray[np.bool_]] | None:
-        """The light and the open pixels of all slots as dense arrays, prepared once; None if they
-        take more than `_MOST_BYTES`."""
+        """The light (slots, rows, cols) and the open pixels (slots, buckets, rows, cols) of all
+        slots as dense arrays, prepared once; None if they take more than `_MOST_BYTES`."""
         buckets, slots = len(self.program.container.buckets), self.light.slots
         if slots * (4 + buckets) * self.light.frames[0].size > _MOST_BYTES:
             return None
