@@ -105,7 +105,7 @@ def dark_of(
 
 
 def _frames(levels: Sequence[Level]) -> np.ndarray:
-    """Return the number of frames of each of `levels`, as an array of their number."""
+    """Return the number of frames of each of `levels`, as an array in their order."""
     return np.array([level.frames for level in levels], np.float64)
 
 

@@ -128,7 +128,8 @@ def calibrate_files(
 def calibrated(
     flats: Sequence[Stack], darks: Sequence[Stack], top_code: int, crosstalk: float | None = None
 ) -> Calibration:
-    """Calibrate from flats and darks with codes 0..`top_code`.
+    """Calibrate from flats (evenly lit frames) and darks (frames without light) with codes
+    0..`top_code`. A stack has the frames of one light and exposure time.
 
     `crosstalk`: a known value, or None to measure it; EMVA 1288 assumes 0. Raises Rejected (status
     2): NS0757 for frames that do not fit together, NS0758 for too few frames or levels, NS0759 for

@@ -35,6 +35,7 @@ KEYS = ("frame", "frames")
 _SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 _TIME = re.compile(r"([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
 _MOST_PIXELS, _MOST_BYTES = 1 << 24, 1 << 30
+"""Largest number of pixels of a frame, and of bytes of all frames of a level."""
 _no_frames = partial(rejected, "NS0757")
 _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
 """Entries of a frame file's `meta` that are equal in frames that differ in noise only."""

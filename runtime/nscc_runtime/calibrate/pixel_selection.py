@@ -25,8 +25,9 @@ MOST_UNEVEN = 0.2
 
 
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
-    """Return a mask (rows, cols) of the pixels that are valid in all levels, `flats` and `darks`,
-    and outliers in none. Saturated flats are not searched for outliers.
+    """Return a mask (rows, cols) of the pixels that are valid in all levels (`flats` and `darks`,
+    each the frames of one light and exposure time), and outliers in none. Saturated flats are not
+    searched for outliers.
 
     Raises Rejected: NS0757 for levels of different sizes or fewer than 64 valid pixels; NS0759 if
     more than 1 % of the pixels, and more than 2, are outliers."""

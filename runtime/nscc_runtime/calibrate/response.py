@@ -67,8 +67,9 @@ def _response(
 
 @dataclass(frozen=True)
 class Linearity:
-    """Mean absolute deviation of signal from a line in percent, its standard error, and the number
-    of levels."""
+    """The linearity error of flats: the mean absolute deviation of their signal from a line, in
+    percent, its standard error (`error_se`, in percent too), and the number of levels on the
+    line."""
 
     error_percent: float
     error_se: float

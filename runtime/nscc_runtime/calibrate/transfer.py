@@ -71,8 +71,8 @@ def transfer(
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """Fit the photon transfer curve to the moments of `flats` and `darks`, whose largest possible
-    code is `top_code`.
+    """Fit the photon transfer curve to the moments of `flats` and `darks`, each of one light and
+    exposure time (a level), whose largest possible code is `top_code`.
 
     `offset`: code without charge with its standard error; if None, darks are not used. `crosstalk`:
     a known value, or None to measure it. Raises Rejected: NS0758 for fewer than two usable levels

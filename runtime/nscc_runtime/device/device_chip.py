@@ -83,7 +83,8 @@ class DeviceChip:
 
     @property
     def effects(self) -> Selection:
-        """The effects of the device: all for a chip, none for a stand-in."""
+        """The effects that frames of the device have: all for a chip, none for a stand-in, which
+        sends exact exposures. All before the first contact."""
         info = self.link.host.info
         exact = info is not None and channels_of(info) & Channel.EXPOSURE
         return selected("none") if exact else everything()

@@ -253,8 +253,9 @@ class Firmware:
         return self.chip.execute(job.program, job.channels)
 
     def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
-        """Send the loader the frame that `exposed` returns, or that the `job` failed. An exception
-        of `exposed` is reported to the chip's owner, and not raised."""
+        """Send the loader the frame that `exposed` returns, or that the `job` (the frame that it
+        requested) failed. An exception of `exposed` is reported to the chip's owner, and not
+        raised."""
         try:
             executed = exposed()
         except Exception as error:

@@ -66,8 +66,8 @@ class FrameBytes:
     `missing_count` counts the ones."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
-        """Begin with all chunks of the frame's `length` bytes missing. `origin` is explained at the
-        class."""
+        """Begin with all chunks of the frame's `length` bytes missing. `origin` is the loader's
+        start and its clock when the exposure began."""
         self.origin = origin
         self.data = bytearray(length)
         self.missing = bytearray(b"\1" * -(-length // CHUNK))

@@ -25,6 +25,7 @@ Task = Generator[float, "Packet | None", Result]
 """A generator that yields deadlines, and receives a packet, or None at the deadline."""
 
 FIRST_WAIT_S = 0.25
+"""Wait for a reply before the time of replies is known, beside the time on the line."""
 LONGEST_WAIT_S = 0.5
 """Longest interval between retries, short compared with two seconds for resuming a link."""
 _SHORTEST_WAIT_S = 0.05
@@ -92,8 +93,10 @@ class Host:
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
     ) -> None:
-        """Begin without a session, a task or an estimate of the round trip. The arguments are
-        explained at the class."""
+        """Begin without a session, a task or an estimate of the time of replies.
+
+        `new_session` returns a new number for a session. `patience_s` is the longest silence of the
+        loader, `line_s` the time of a full window of bytes on the line, both in seconds."""
         self.patience_s = patience_s
         self.info: Info | None = None
         self.now = 0.0

@@ -18,8 +18,11 @@ Result = TypeVar("Result")
 
 _FIRST_REOPEN_S = 0.02
 _LONGEST_REOPEN_S = 0.25
+"""First and longest pause before a lost port is opened again."""
 _GOODBYE_S = 0.5
+"""Longest time to stop a device after an exception."""
 _LONGEST_SLEEP_S = 0.25
+"""Longest wait for bytes, after which the clock is looked at again."""
 _WINDOW_BITS = 16384 * 10
 """Bits on the line of the largest window of a loader: a byte takes 10, with start and stop bit."""
 

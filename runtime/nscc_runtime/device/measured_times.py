@@ -38,6 +38,7 @@ LAUNCHES = 2001
 WORDS = 100
 """Number of words that are measured in each launch."""
 _NO_LIMIT = (1 << 32) - 1
+"""Grace, and number of late launches, that no program exceeds."""
 _NO_TIME_US = 1e-3
 """A word that takes less is not executed by a chip. Also the length of a negligible slot."""
 _LONGEST_MS = 10_000
@@ -104,7 +105,7 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
     request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.FetchedFrame]:
-        """Upload the program and capture a frame."""
+        """Upload the program, capture a frame of it and return that frame."""
         yield from tasks.upload(link.host, program)
         return (yield from tasks.capture(link.host, request))
 

@@ -15,6 +15,7 @@ VERSION = 2
 MOST_DATA = 1024
 """Largest number of bytes of an object or a frame in one packet."""
 MOST_BODY = MOST_DATA + 16
+"""Largest body of a packet: data after a head of at most 16 bytes."""
 
 _HEADER = Struct("<BBHI")
 _CRC = Struct("<I")

@@ -354,7 +354,7 @@ class _Fetcher:
     """Requests ranges of a frame, several at a time, and again after losses.
 
     A loader serves requests in order: a packet of one request means that earlier requests are
-    complete. It keeps only a limited number of bytes behind those confirmed by the host."""
+    complete or lost. It keeps only a limited number of bytes behind those confirmed by the host."""
 
     def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
         """Begin to fetch frame `number` into `frame_bytes`, with no request sent.

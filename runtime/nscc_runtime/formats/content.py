@@ -155,8 +155,8 @@ def frame_content(
 def _read_out(
     frame: Frame, container: Container
 ) -> tuple[NDArray[np.uint8], NDArray[np.float64] | None]:
-    """Return codes and electrons, (.., reads, rows, cols) each, of all that the program reads; no
-    electrons if only reports are read.
+    """Return codes and electrons, (.., reads, rows, cols) each, of all that the program `container`
+    reads in `frame`; no electrons if only reports are read.
 
     The first axis, of repeated frames or colours, may be missing. A 1 of a plane is the code 255
     and one electron."""
@@ -247,9 +247,11 @@ def shutter_content(arrays: Arrays) -> Content:
 
 
 def mask_content(arrays: Arrays, bucket: int | None) -> Content:
-    """Return the content of `nscc export-mask`: uint8 (rows, cols, slots) of the bucket number
-    `bucket`. If that is None, of the only one, or of all (buckets, rows, cols, slots). `arrays` are
-    those of `nscc shutters`."""
+    """Return the content of `nscc export-mask`: the shutters of one bucket, uint8 (rows, cols,
+    slots) of 0 and 1, or of all (buckets, rows, cols, slots).
+
+    `bucket` is the number of the bucket; None for the only one, or for all if there are several.
+    `arrays` are those of `nscc shutters`, with the packed bits `shutter` and their shape."""
     opened = _opened(arrays)
     if bucket is None and len(opened) == 1:
         bucket = 0

@@ -43,7 +43,7 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 
     def lines(text: str) -> list[str]:
-        """Return `text` in lines as wide as an image; none if it is empty."""
+        """Return `text` in lines as wide as an image; [] if it is empty."""
         return textwrap.wrap(text, int(side * _LETTERS))
 
     boxes, top = [], 0.0
@@ -95,6 +95,7 @@ def frame_sheet(readouts: Sequence[BucketReadout], title: str) -> Figure:
 
 
 _COLUMNS = 2
+"""Number of images side by side."""
 
 
 def image_plane_sheet(frame: Frame, buckets: Sequence[str], title: str) -> Figure:

@@ -152,9 +152,11 @@ _MOST_FLIPS = 400
 
 
 def course_sheet(container: Container, title: str) -> Figure:
-    """Return a drawing, under `title`, of a program whose pixels look. It shows for some codes when
-    pixels are open (across) in each light (up), with looks and thresholds. A second panel shows the
-    total open time and the states that are read."""
+    """Return a drawing, under `title`, of the program `container`, whose pixels look: they compare
+    their light with levels.
+
+    It shows for some codes when pixels are open (across) in each light (up), with looks and
+    thresholds. A second panel shows the total open time and the states that are read."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -190,8 +192,9 @@ def course_sheet(container: Container, title: str) -> Figure:
 
 
 def _shown(container: Container) -> list[tuple[str, Courses]]:
-    """Return title and content of each chart: of up to three codes, or of the first and a later
-    frame of one code if states are kept."""
+    """Return title and content of each chart of the program: of up to three codes, or of the first
+    and a later frame of one code if states are kept. The lights shown go beyond the outermost
+    thresholds."""
     machine, table = container.machine, container.table
     threshold_wells = thresholds(container)
     low = min(float(threshold_wells.min(initial=1.0)), 1.0) / _ROUND

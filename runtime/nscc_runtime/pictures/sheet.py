@@ -141,9 +141,11 @@ SCALE = "viridis"
 WIDTH = 8.4
 """Width of panels in inches; the type is legible at the width of a README."""
 DPI = 150
+"""Dots per inch of saved pictures."""
 SIZE = 8.5
 """Type size in points."""
 _MARGIN = 0.15
+"""Margin around a saved picture, in inches."""
 
 
 def _settings(chosen: Theme) -> dict[Any, Any]:  # matplotlib lists every key as a type

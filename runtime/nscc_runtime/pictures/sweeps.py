@@ -23,6 +23,7 @@ _COLUMNS = 2
 _HEIGHT = 2.9
 """Height of a panel in inches."""
 _DECADE = 10.0
+"""Ratio of numbers from which on their axis is logarithmic."""
 _MARGIN = 0.06
 """Margin of an axis beyond its outermost points, relative to its length."""
 _MOST_NAMED = 6

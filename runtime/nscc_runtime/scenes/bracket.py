@@ -22,6 +22,7 @@ from nscc_runtime.scenes.picture_folders import files_of, read_folder
 from nscc_runtime.scenes.pillow_pictures import exif_of
 
 _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x829A, 0x829D, 0x8827
+"""Numbers of EXIF tags."""
 
 
 def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | None:

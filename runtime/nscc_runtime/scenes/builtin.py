@@ -19,9 +19,11 @@ from nscc_runtime.scenes.shapes import Field, fractal, noise, smooth
 _SUN = (0.66, 0.37)
 """Position of the sun, in fractions of width and height."""
 _SUN_LEVEL = 6000.0
+"""Luminance of the sun, where the darkest shadow is 0.03."""
 _DARKEST = 0.03
 """Luminance of the deepest shadow. Pictures of any size range from it to `_SUN_LEVEL`."""
 _SHORE = 0.63
+"""Position of the shore, in fractions of the height."""
 _TREES = ((0.045, 0.36), (0.125, 0.47), (0.2, 0.57), (0.93, 0.5), (0.985, 0.42))
 """Position of the stem and of the tip of each pine, in fractions of width and height."""
 

@@ -12,6 +12,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.errors import Path_or_name
 
 DEFAULT_PERCENTILE = 99.0
+"""Percentile of an exposure that names none: a few bright lights may saturate."""
 
 
 @dataclass(frozen=True)

@@ -153,6 +153,7 @@ _CURVES: dict[int, Transfer | float] = {
 """Transfer curves, or powers, by their number in ITU-T H.273. Displays show the camera curves of
 BT.709 and BT.2020 nearly like sRGB."""
 _D65, _C = (0.3127, 0.3290), (0.310, 0.316)
+"""CIE x and y of the white points D65 and C."""
 _PRIMARIES: dict[int, tuple[float, ...]] = {
     4: (0.67, 0.33, 0.21, 0.71, 0.14, 0.08, *_C), 5: (0.64, 0.33, 0.29, 0.60, 0.15, 0.06, *_D65),
     **dict.fromkeys((6, 7), (0.63, 0.34, 0.31, 0.595, 0.155, 0.07, *_D65)),
@@ -162,6 +163,7 @@ _PRIMARIES: dict[int, tuple[float, ...]] = {
 }  # fmt: skip
 """Primaries by their number in ITU-T H.273: x and y of red, green, blue, white."""
 _UNSPECIFIED = (0, 2)
+"""Numbers of transfer curves that say nothing: reserved and unspecified."""
 
 
 def of_numbers(primaries: int, transfer: int) -> Stated:

@@ -27,6 +27,7 @@ _HEADER_BYTES = 128
 _COMPRESSED = 15
 """Number of the type of compressed elements in a version 5 .mat file."""
 _BLOCK_BYTES = 1 << 20
+"""Number of bytes that are unpacked at a time."""
 _WIDEST_NUMBER = 8
 """Bytes of the largest number (double), because `whosmat` does not tell the type."""
 

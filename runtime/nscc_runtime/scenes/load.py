@@ -86,7 +86,8 @@ class _Request:
         light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
-        """Raise Rejected (NS0737) for a scene without a unit and without an exposure."""
+        """Raise Rejected (NS0737) if the scene has no exposure and the request no factor to
+        electrons. It is called for scenes without a unit only."""
         if self.factor is None and self.exposure is None:
             exposure.needed(self.name)
 
@@ -140,8 +141,10 @@ def scene_light(
     progress: Progress = unseen,
 ) -> Light:
     """Return the light of `scene` on one array of `target`, in slots of `slot_us` microseconds. The
-    scene must not need several arrays or colours: of three lights only red is returned. `warn` and
-    `progress` as for `laid_lights`, which also says what is raised."""
+    scene must not need several arrays or colours: of three lights only red is returned.
+
+    `warn` gets notes on changes of the scene, `progress` the frames as they are read. Raises
+    Rejected (status 2) for a scene that cannot be read or does not fit, as `laid_scene` does."""
     return laid_lights(scene, slot_us, target, warn, progress)[0].light
 
 
@@ -348,8 +351,8 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
 def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
     """Send the notes of the file `pages` to `warn`, and return them as sentences.
 
-    Notes on its colours are left out of both if the request sets the transfer curve. A request for
-    a single colour sends none, because the request for the luminance did."""
+    Notes on its colours are neither sent nor returned if the request sets the transfer curve. A
+    request for a single colour sends none, because the request for the luminance did."""
     notes = pages.notes + (pages.stated.notes if request.scene.transfer is None else ())
     for text, help_text in notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))

@@ -32,7 +32,8 @@ step. Frame k lasts from entry k to entry k + 1."""
 
 @dataclass(frozen=True)
 class Stated:
-    """The colours that a file states, None if it states none, and notes about them."""
+    """The colours that a file states, None if it states none that can be used, and notes about
+    them."""
 
     colours: Colours | None = None
     notes: tuple[Note, ...] = ()

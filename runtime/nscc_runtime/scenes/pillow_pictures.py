@@ -17,6 +17,7 @@ from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
 _GREY = ("1", "L", "LA", "La")
 """Pillow's modes of grey pictures of at most 8 bits."""
 _BAND_ROWS = 256
+"""Number of rows that are converted at a time."""
 _GAIN_MAPS = (b"hdrgm:Version", b"urn:iso:std:iso:ts:21496", b"tmap")
 """Bytes at the start of a file that has a gain map: Adobe's, that of ISO 21496-1, and in HEIF."""
 _HEAD_BYTES = 1 << 16

@@ -44,14 +44,17 @@ _STRIP_ROWS, _COUNTS, _PLANES, _TILE_STARTS, _TILE_COUNTS, _EXTRA, _FORMAT, _TAB
     347,
     34675,
 )
+# The names above are numbers of tags.
 _COPIED = (_COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, 266, 274, _SAMPLES, _STRIP_ROWS,
            _PLANES, 317, 320, 322, 323, _EXTRA, _FORMAT, _TABLES, 530)  # fmt: skip
 """Tags that describe how samples are stored."""
 _THUMBNAIL_OR_MASK = 0b101
 """Bits of the tag of subfiles that mark a reduced picture, and a mask of transparency."""
 _WHITE_IS_ZERO, _BLACK_IS_ZERO, _CMYK = 0, 1, 5
+"""Values of the tag of colour spaces; below, those of L*a*b*, which is not decoded."""
 _LABS = {8: "CIE L*a*b*", 9: "ICC L*a*b*", 10: "ITU L*a*b*"}
 _UNSIGNED, _SIGNED, _FLOAT = 1, 2, 3
+"""Values of the tag of sample formats."""
 _FORMATS = {_UNSIGNED: "unsigned integers", _SIGNED: "signed integers", _FLOAT: "floats"}
 _DECODED = {
     (_UNSIGNED, 16),

@@ -56,10 +56,10 @@ class _Timing:
 def video_pages(path: Path) -> Pages:
     """Open the frames of the video `path`, uint8 or uint16 (R, C, 3), with their times.
 
-    Of several films the one that the file marks as usual is opened, and no cover. A truncated file
-    yields the frames before its end. Raises ValueError without frames, or for frames of more than
-    MOST_PIXELS, which FFmpeg does not decode; ImportError without PyAV; FFmpeg's errors for other
-    files."""
+    Of several films the one that the file marks as the default is opened, and no cover. A truncated
+    file yields the frames before its end. Raises ValueError without frames, or for frames of more
+    than MOST_PIXELS, which FFmpeg does not decode; ImportError without PyAV; FFmpeg's errors for
+    other files."""
     import av
 
     timing = _timing_of(path)
@@ -92,8 +92,8 @@ def video_pages(path: Path) -> Pages:
 @contextmanager
 def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
     """Open the video `path` for a with block, and yield its container and the stream of the film:
-    the one marked as usual, else the first that is no cover. Files that it names are never opened.
-    Raises ValueError without a film, and FFmpeg's errors."""
+    the one marked as the default, else the first that is no cover. Files that it names are never
+    opened. Raises ValueError without a film, and FFmpeg's errors."""
     import av
 
     # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist
