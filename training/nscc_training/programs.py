@@ -100,7 +100,7 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
     Returns
     -------
     ProgramFiles
-        Text of the program, and the codes that it reads.
+        Text of the program, and the codes that it reads. It is not compiled.
     """
     from nscc_training.encoders import Encoder
 

@@ -34,7 +34,7 @@ def merged(
     share = np.where(open_share > 0, open_share, 1.0)
     usable = ~saturated & (open_share > 0)
     # Noise may give a dark pixel less than the offset, but photons have no negative variance.
-    # Rounding to whole codes adds the variance 1 / 12.
+    # Rounding to whole codes adds the variance 1 / 12 of a squared code.
     variance = (np.maximum(exposure, 0) + read_noise_e**2 + electrons_per_lsb**2 / 12) / share**2
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share

@@ -183,8 +183,8 @@ class _Layer:
 
 
 def pictures_below(folder: Path) -> list[Path]:
-    """Return the paths of all pictures in a folder and its subfolders, sorted. Raise Rejected
-    (NS0811) if there are none."""
+    """Return the paths of all pictures in a folder (or several, as a pattern names them) and its
+    subfolders, sorted, each once. Raise Rejected (NS0811) if there are none."""
     files = sorted(
         {
             path

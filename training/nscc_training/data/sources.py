@@ -307,8 +307,8 @@ def _clip_light(
     """Return the light of the first of the `stored` frames, (frames, rows, cols), cut to at most
     `_MOST_SIDE` rows and columns in their middle.
 
-    The settings of `kind` limit the number of frames. Raises ValueError for frames of different
-    sizes. `colours` is their encoding, and `path` names them in messages."""
+    The settings of `kind` limit the number of frames. `colours` is the encoding of the frames, and
+    `path` names them in messages. Raises ValueError for frames of different sizes."""
     frames = [
         kind.light(centre_of(np.asarray(frame), _MOST_SIDE), colours, f"{path}, frame {number}")
         for number, frame in enumerate(islice(stored, kind.settings.frames))

@@ -135,9 +135,9 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
     and a clip with that of its run or the example program for its number of readouts. Also expose
     it with the ordinary cameras that the demo compares.
 
-    Uses the default sensor and the effects that `auto` selects. `listener` receives progress and
-    warnings. Raises Rejected for a scene that is dark, or cannot be read, or is not of the run's
-    kind, and for readouts of a still (NS0821)."""
+    Uses the sensor of the run, for shipped runs the default one, and the effects that `auto`
+    selects. `listener` receives progress and warnings. Raises Rejected for a scene that is dark, or
+    cannot be read, or is not of the run's kind, and for readouts of a still (NS0821)."""
     run = settings.run or (RUNS[True] if subject.still else None)
     like = run_capture(run or RUNS[False])
     if like.still != subject.still or like.classifies:

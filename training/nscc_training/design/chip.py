@@ -100,8 +100,8 @@ class DesignChip:
         one exposure.
 
         `light_e` and `peak_e` (groups,) are the true light and the peak of its scene, in electrons
-        over the frame. `share` (shares,) is the fraction of the frame for which the pixel is open.
-        The expectation over normal noise is a sum over `_POINTS` values."""
+        over the frame. `share` (shares,) is the fraction of the frame for which the pixel is open,
+        above 0. The expectation over normal noise is a sum over `_POINTS` values."""
         truth = on_curve(light_e[:, None], peak_e[:, None], curve, self.code_e)
         exposed = light_e[:, None] * share
         sd = self.exposed_sd_e(exposed)

@@ -67,7 +67,8 @@ class _Shot:
     def image(self, shown: str) -> Image:
         """Return the picture that a layout in `figures.toml` calls `shown`: the name of a frame, or
         LIGHT:CURVE[@GAIN][#FRAME], which is light, a tone curve, a factor on the light, and the
-        frame of a clip."""
+        number of a frame of a clip (0 is the first; beyond the last, the last). The score stands
+        below a still, and below frame 0 of a clip; the truth has none."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
         match = _SHOWN.fullmatch(shown)
@@ -86,8 +87,8 @@ class _Shot:
         return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
 
     def _score(self, light: Field) -> str:
-        """Return the PSNR of reconstructed light as text: mu-law PSNR for a still, the mean over
-        frames in display encoding for a clip."""
+        """Return the PSNR of reconstructed light, of the shape of the truth, as text: mu-law PSNR
+        for a still, the mean over frames in display encoding for a clip."""
         truth = self.light["truth"]
         if truth.ndim == 2:
             # A picture without light has no peak; any is right.

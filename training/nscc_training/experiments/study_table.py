@@ -78,7 +78,7 @@ def refusals_text(refused: Sequence[Refused]) -> list[str]:
 def table_text(
     points: Sequence[Point], names: tuple[str, str, str], time: tuple[str, float] = ("ms", 1.0)
 ) -> str:
-    """Return the points as a text table.
+    """Return the points as a text table, in their order, below a line of titles.
 
     `names` are the titles of the columns for method, setting and error. `time` is the unit of times
     and how many of it a millisecond has, such as ("us", 1e3). Repeated cases and methods are left

@@ -35,10 +35,10 @@ def decoded(
     """Capture `light` and decode the frames. Return light as decoders do: (batch, rows, cols) for
     stills, (batch, N, rows, cols) for clips.
 
-    `light` is in electrons over the frame, or per slot. `shutters` (N, r, c) are a tile for the
-    first bucket; for pixels that look, their boundaries and levels. `model` may differ from the
-    run's own; without photon noise it has no other effects either. Without a generator there is no
-    noise."""
+    `light` is (batch, rows, cols) in electrons over the frame, or (batch, N, rows, cols) per slot.
+    `shutters` (N, r, c) are a tile for the first bucket; for pixels that look, their boundaries and
+    levels. `model` may differ from the run's own; without photon noise it has no other effects
+    either. Without a generator there is no noise."""
     with torch.autocast(setup.device.type, enabled=False):
         # The run's own model defines the unit of a frame, under another sensor too.
         if setup.encoder.spec.kind == LOOKS:

@@ -205,7 +205,8 @@ def _source(values: Values) -> tuple[Source, Path]:
 
 def encoder_of(values: Values) -> Encoder:
     """Return the encoder with the class, slots, tile and initial codes that the values of a point
-    name."""
+    name. Without a length, a bump of class c takes a quarter of the frame. Raises ValueError for
+    codes that the class does not have."""
     from nscc_training.encoders import ShutterSpec, make_encoder
 
     kind = values["class"]

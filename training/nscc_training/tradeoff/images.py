@@ -54,8 +54,8 @@ def images_study(path: Path, level: int) -> Study:
 
 
 def images_diagram(measured: StudyResult, _device: str) -> Figure:
-    """Draw noise against time: a panel for each image, a line for each kernel. The device does not
-    matter, because times are the chip's."""
+    """Draw noise against time: a panel for each image, a line for each kernel. Points of one image
+    follow each other. The device does not matter, because times are the chip's."""
     groups = groupby(measured.points, key=lambda point: point.case)
     panels = [Panel(case, "errors of one word", list(group)) for case, group in groups]
     return precision_diagram(
