@@ -178,10 +178,14 @@ class PictureMaker:
 
     def _place(self) -> Span:
         """Return the place of the first image or plane or, without one, of the first report,
-        kernel, `assume` or `next`, for errors about the program as a whole."""
+        kernel, `assume`, `next`, parameter, input plane or kept image, for errors about the
+        program as a whole."""
         declared = self.declared
         kernels, nexts = declared.kernels.values(), declared.nexts.values()
-        return [*declared.pictures, *declared.reports, *kernels, *declared.assumes, *nexts][0].span
+        host = (declared.params, declared.inputs, declared.kept_images)
+        host_spans = [each.span for names in host for each in names.values()]
+        shown = [*declared.pictures, *declared.reports, *kernels, *declared.assumes, *nexts]
+        return [*(each.span for each in shown), *host_spans][0]
 
     def _possible(self) -> bool:
         """Return whether the chip and the other statements allow images; report why not (NS0538,

@@ -103,6 +103,16 @@ def test_invalid_statements_of_version_4_are_refused(text: str, code: str) -> No
 
 
 @pytest.mark.parametrize(
+    "statement", ["param t : 1% .. 20% = 4%", "input plane p", "state s : image kept = 4%"]
+)
+def test_values_of_the_host_that_nothing_uses_are_refused(statement: str) -> None:
+    text = f"nsl 4\nframe 4 slots of 1ms\n{statement}\nopen when true\n"
+    with pytest.raises(Rejected, match="reads out and reports nothing") as refusal:
+        run_passes(Source("p.nsl", text), Path(), Options(level=1))
+    assert f" 3 | {statement}\n   | ^^^^" in str(refusal.value)
+
+
+@pytest.mark.parametrize(
     ("params", "inputs"),
     [
         ({"u": "4%"}, None),
