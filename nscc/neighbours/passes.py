@@ -216,12 +216,12 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
     widest = container.target.register_min_e, container.target.register_max_e
     history = [ranges]
     # Attempts 0 to `_MOST_RANGES` - 1 each widen the ranges to the values that were reached, the
-    # last of them to an estimated limit. If that limit is too small, the range of registers
-    # replaces it, and one more attempt uses this.
-    for number in range(_MOST_RANGES + 2):
+    # last of them to an estimated limit. Where a range is still too small, that of the registers
+    # replaces it; this may widen an image that depends on it, so there is an attempt for each.
+    for number in range(_MOST_RANGES + 1 + len(ranges)):
         lowering = _lowered_with(container, pictures, synthesis, ranges)
         wider = kept_ranges(lowering, lowering.next_values)
-        if not wider or number > _MOST_RANGES:
+        if not wider:
             break
         ranges = ranges | wider
         history.append(ranges)
@@ -230,7 +230,7 @@ def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> 
             for name, ends in zip(wider, zip(*last_three, strict=True), strict=True):
                 low, high = map(_limit, *ends)
                 ranges = ranges | {name: (low, high)}
-        elif number == _MOST_RANGES:
+        elif number >= _MOST_RANGES:
             ranges = ranges | dict.fromkeys(wider, widest)
     return lowering
 
