@@ -49,7 +49,8 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
 
 class Recent:
-    """A cache of the `most` results that were requested last."""
+    """A cache of the `most` results that were requested last, by key. Threads may share it: then a
+    result may be computed twice."""
 
     def __init__(self, most: int) -> None:
         """Begin empty; at most `most` (1 or more) results are kept."""

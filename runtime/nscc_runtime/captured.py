@@ -182,7 +182,7 @@ class Capture(Frame):
         keep : str or sequence of str
             Further contents of a frame file: `light`, `truth`, `shutter`, `codes`.
         tone : str, optional
-            Tone curve with which `.png`, `.gif` and `.mp4` show electrons instead of codes.
+            Tone curve with which `.png`, `.gif` and `.mp4` show electrons; None shows codes.
 
         Returns
         -------
@@ -275,7 +275,8 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
 
 
 def _png(image: NDArray[np.uint8]) -> bytes:
-    """Return an `image` (rows, cols) of grey or (rows, cols, 3) of RGB as PNG bytes."""
+    """Return the uint8 `image`, (rows, cols) of grey or (rows, cols, 3) of red, green and blue, as
+    the bytes of a PNG file."""
     import cv2
 
     # OpenCV orders colours blue, green, red.

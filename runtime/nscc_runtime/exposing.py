@@ -154,10 +154,11 @@ def captures(
 
     Parameters
     ----------
-    programs : program or sequence of programs
-        As for `capture`. A list holds several programs.
-    lights : light or sequence of lights
-        As for `capture`. A list holds several scenes.
+    programs : program or list of programs
+        A compiled program, or several in a list or tuple.
+    lights : light or list of lights
+        An array, a `Light`, a `scene(..)` or the name of a scene as for `capture`, or several in a
+        list or tuple.
     threads : int, optional
         Number of captures at a time, by default that of the processors.
     **options
@@ -173,6 +174,7 @@ def captures(
         NS0789 if two lists have different lengths, neither of them 1, or a list is empty;
         otherwise as `capture`, with the first error of a scene.
     """
+    # Only lists and tuples are several: an array is one light, though it has a length.
     many_programs = [*programs] if isinstance(programs, list | tuple) else [programs]
     many_lights = [*lights] if isinstance(lights, list | tuple) else [lights]
     count = max(len(many_programs), len(many_lights))

@@ -47,11 +47,12 @@ def film(
     program : ShutterProgram, Container, str or PathLike
         A program with images or planes, or a file with one.
     lights : iterable of array, Light, Scene or str
-        The light of each frame, as for `capture`.
+        The light of each frame, at least one: electrons per slot (N, rows, cols), electrons per
+        second (rows, cols), a `scene(..)`, or the name of a scene.
     sensor : Sensor, mapping, str or PathLike, optional
-        As for `capture`.
+        A sensor, its file, or values by name; by default that of the chip.
     effects : str or Selection, optional
-        As for `capture`; "none" by default.
+        "none" (the default), "auto", "all", or names as for `nscc run --effects`.
     seed : int
         Seed of the noise.
     device_seed : int

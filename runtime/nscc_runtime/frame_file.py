@@ -131,8 +131,8 @@ def converted(
     frame: int,
 ) -> Frame:
     """Convert the exposure of frame number `frame` to codes, with the noise of the converter as far
-    as `effects` have it. `seeds`: noise seed, device seed. Raises Rejected (NS0742) as
-    `read_out`."""
+    as `effects` have it. `seeds`: noise seed, device seed. NaN becomes code 0 and is not valid.
+    Raises Rejected (NS0742) for a target whose ADC has more than 8 bits."""
     buckets, *shape = exposure.exposure_e.shape
     noise = ReadoutNoise.of(sensor, effects, seeds[1], (shape[0], shape[1]))
     return read_out(exposure, target, sensor, noise.codes(seeds[0], frame, buckets))
@@ -306,8 +306,9 @@ def open_us(container: Container) -> list[float] | None:
 
 @dataclass(frozen=True, eq=False)
 class FrameFile:
-    """The content of a frame file. `kept_arrays`: additional arrays by key. `slots`: light that is
-    written slot by slot, by key."""
+    """The content of a frame file. `meta`: values for JSON, see the function `meta`. `kept_arrays`:
+    additional arrays by key. `slots`: light that is written slot by slot, by key. `progress`: shows
+    how far writing is."""
 
     frame: Frame
     meta: Mapping[str, Any]
@@ -349,8 +350,8 @@ class FrameFile:
         return cls(frame, meta, kept_arrays, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
-        """Write the archive to `file`, light slot by slot and repeats block by block, to limit
-        memory."""
+        """Write the archive to `file`, a binary file at its start: light slot by slot and repeats
+        block by block, to limit memory. Raises ValueError for NaN or infinity in the meta."""
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
                 _write_array(archive, key, getattr(self.frame, key))

@@ -63,7 +63,8 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     """Return the smallest codes (buckets, rows, cols) that may mean saturation, by bit of
     `saturated_by`.
 
-    A code is infinite if no code indicates saturation. Raises Rejected like `marked_by_codes`."""
+    A code is infinite if no code indicates saturation. The last two results are cached. Raises
+    Rejected (NS0442) for words that open no shutters."""
     program = analysed(container, sensor)
     used, places = np.unique(program.lanes, return_inverse=True)
     lane_batches = np.array_split(used, -(-len(used) // _MOST_LANES))
@@ -129,7 +130,8 @@ def _steady(
 
 
 class _SteadyPixels(WordPixels):
-    """Pixels of a chip without noise and without differences: errors and patterns are scalars."""
+    """Pixels of a chip without noise and without differences: errors are 0 and fixed patterns their
+    means, arrays without axes, which fit all pixels."""
 
     def draw(self, name: str, number: int) -> Values:
         """Return 0 without axes instead of the noise of an effect: all pixels are alike."""

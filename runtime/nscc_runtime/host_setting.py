@@ -35,8 +35,8 @@ class HostSetting(Record, eq=False):
         return cls({param.name: param.start for param in container.pictures.params}, {})
 
     def plain(self, container: Container) -> dict[str, float]:
-        """Return the values of the parameters that `container` declares, as `meta` stores them:
-        levels in electrons, integers as they are."""
+        """Return the values of the parameters that `container` declares, by name, as the meta of a
+        frame file stores them: levels in electrons, integers as they are."""
         unit_e = container.target.electrons_per_step
         return {
             param.name: self.params[param.name] * (unit_e if param.kind == "level" else 1)
@@ -122,6 +122,7 @@ def _number(param: HostParam, value: Any, target: Target) -> int:
         electrons = _electrons(value, target)
         number = None if electrons is None else round(electrons / unit_e)
     else:
+        # True is an int for Python, but no number of a user.
         is_integer = isinstance(value, int | np.integer) and not isinstance(value, bool)
         is_text = isinstance(value, str) and value.removeprefix("-").isdecimal()
         number = int(value) if is_integer or is_text else None
@@ -146,9 +147,9 @@ def _electrons(value: Any, target: Target) -> float | None:
 
 
 def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArray[np.bool_]]:
-    """Return the bits of input planes, bool (rows, cols), by name from the user's `values` (see
-    `_bits`). Raises Rejected (NS0546) for names of no plane that the host may load, and for
-    invalid values."""
+    """Return the bits of input planes, bool (rows, cols), by name. `values`: for each an array of 0
+    and 1, the path of a file, or None for its initial bits. Raises Rejected (NS0546) for names of
+    no plane that the host may load, and for invalid values."""
     planes = {plane.name: plane for plane in container.pictures.inputs if plane.is_open}
     for name in values:
         if name not in planes:

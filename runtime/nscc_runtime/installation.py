@@ -10,7 +10,8 @@ from nscc_runtime.device.firmware import compiler
 
 
 def findings() -> Iterator[Finding]:
-    """Yield the findings about the runtime. Checking the loops may take some seconds."""
+    """Yield the findings about the runtime: loops, serial ports, C++ compiler. Checking the loops
+    may compile them, which takes some seconds. What is missing is a finding, not an error."""
     yield _loops()
     yield _ports()
     compiler_path = compiler()

@@ -19,8 +19,8 @@ one after twice as many scenes, and so on."""
 
 @dataclass(frozen=True)
 class _KeptPlan:
-    """A plan, the number of scenes that it has served, and the number after which a new plan is
-    made."""
+    """A plan, the number of scenes that it has served (`scenes`, the one that it was made for
+    included), and the number after which a new plan is made (`most_scenes`)."""
 
     plan: Plan
     scenes: int
@@ -67,6 +67,7 @@ class KeptPlans:
         valid here. `frames` is the expected number of frames for which a new plan is valid:
         `turn.frames` at first, later the number of scenes that the last plan served."""
         with self._changed:
+            # Until all announced scenes with lower numbers have passed; without any, no wait.
             self._changed.wait_for(lambda: turn.number <= min(self._expected, default=turn.number))
         mine: Future[_KeptPlan] = Future()
         last, self._last[request] = self._last.get(request), mine

@@ -20,7 +20,8 @@ _MOST_E = 1e36
 
 
 class LightMatrix(NamedTuple):
-    """The frames and weights of a `Light`, with its names, for compiled loops."""
+    """The frames and weights of a `Light`, with the names of its fields, for compiled loops. A
+    frame is flat, row after row."""
 
     frames: Annotated[Floats32, "frames chip_pixels"]
     row_start: Annotated[Ints, "slots+1"]
@@ -63,7 +64,9 @@ class Light:
     motion: Light | None = None
 
     def __post_init__(self) -> None:
-        """Raise WrongArgument for arrays of other shapes, or frames of another type."""
+        """Raise WrongArgument for frames that are not float32 (T, rows, cols), for arrays of
+        entries of other lengths, for no slot, and for weights that are not finite. Values of frames
+        are not checked."""
         if self.frames.ndim != 3 or self.frames.dtype != np.float32:
             raise wrong_argument(
                 "Light takes pictures (rows, cols) and clips (slots, rows, cols) of float32; its "
@@ -92,7 +95,8 @@ class Light:
         weight : array of float64
             (N,), seconds.
         exposure_scale_e : float
-            As for the class.
+            The factor that converted the picture's own numbers to electrons per second. It is only
+            noted.
 
         Returns
         -------
@@ -330,8 +334,8 @@ class Light:
 
     @cached_property
     def ended(self) -> NDArray[np.float32]:
-        """The frames (T, rows, cols), with 1e30 for infinite light: closed slots then contribute
-        0."""
+        """The frames (T, rows, cols), with 1e30 for infinite light, so that closed slots contribute
+        0 and not NaN; the frames themselves if no such light can meet a weight of 0."""
         if self.frame_weight.min() > 0 and not self._summed[1]:
             return self.frames
         if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
@@ -346,8 +350,8 @@ class Light:
 
     @cached_property
     def in_order(self) -> bool:
-        """Whether the light of each slot n is a multiple of frame n, with one frame for each
-        slot."""
+        """Whether there are as many frames as slots, and the light of each slot n is a multiple of
+        frame n, as in a clip with one frame for each slot."""
         count = len(self.frames)
         if not len(self.weight) == self.slots == count:
             return False

@@ -230,6 +230,7 @@ def light_of(
     is_seen = ~np.isnan(open_s) & (seen_s > 0)
     np.divide(_unbent(read_e, sensor, effects) - bias_e, seen_s, out=light, where=is_seen)
     electrons = np.maximum(light, 0.0) * open_s
+    # In electrons of the whole open time, of which exposures contain the part seen_s / open_s.
     variance_e2 = (variance_e2 + converter_e2(sensor, effects)) * (open_s / seen_s) ** 2
     if effects.find_part(CountedLight) is not None:
         variance_e2 += electrons
@@ -241,8 +242,8 @@ def light_of(
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
     """Return the charge before soft saturation of two registers in a row: `read_e`, in electrons of
-    any shape, passed through both. Charge in the linear range, and all charge if registers do not
-    saturate, stays as it is; the result is at most twice the linear range."""
+    any shape, passed through both. Charge in the linear range stays as it is, and the result is at
+    most twice the linear range. If registers do not saturate, all charge stays."""
     soft = effects.find_part(Soft)
     if soft is None:
         return read_e

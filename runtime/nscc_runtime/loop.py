@@ -102,8 +102,8 @@ def compiled(function: _F) -> _F:
 
 
 def inlined(function: _F) -> _F:
-    """Mark a function that is inlined into loops, because LLVM vectorises only inlined calls;
-    otherwise it is as `compiled`."""
+    """Mark a function that is inlined into loops, because LLVM vectorises only inlined calls. It
+    may also be called from Python, where it compiles itself first."""
     return cast(_F, _LoopFunction(cast(FunctionType, function), partial(_jitted, forceinline=True)))
 
 
@@ -120,7 +120,8 @@ def loop(function: Callable[_P, None]) -> Loop[_P]:
 
 
 class Loop(Generic[_P]):
-    """A loop as machine code, read from its module's object file or compiled on first use."""
+    """A loop as machine code, read from its module's object file or compiled on first use. It is
+    called like the function, with keyword arguments."""
 
     def __init__(self, function: FunctionType) -> None:
         """Add `function` to the loops of its module, which are compiled together."""
@@ -154,7 +155,8 @@ class Loop(Generic[_P]):
         return machine_code.read_object_file(file.name, file.folders) is not None
 
     def compiling(self, subject: str) -> str:
-        """Return a message: `subject` is compiled once, or in every run if no cache is writable."""
+        """Return a message, without a final stop, that `subject` is compiled once, or, if no cache
+        folder can be written, that loops are compiled in every run."""
         if machine_code.can_keep(object_file(self.module).folders):
             return f"compiling {subject} for this processor: once, some seconds"
         return (
@@ -216,7 +218,8 @@ class ObjectFile:
 
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
-        """The compiled loops as functions of this process, by name."""
+        """The compiled loops as functions of this process, by name; computed at the first use. They
+        take addresses and check nothing."""
         takes = {e.name: sum(len(p.arrays) for p in e.parameters.values()) for e in self.loops}
         if machine_code.IN_WEB:
             return machine_code.load_in_web(takes)
@@ -253,7 +256,8 @@ def object_file(module: str) -> ObjectFile:
 
 @dataclass(frozen=True, eq=False)
 class _LoopFunction:
-    """A function or a table for loops. Its form for numba is made when it is first needed."""
+    """A function or a table for loops. `for_loops` makes its form for numba from `function`, when
+    it is first needed."""
 
     function: FunctionType
     for_loops: Callable[[FunctionType], Any]

@@ -106,8 +106,8 @@ class LoopParameter:
 
 @dataclass(frozen=True)
 class ArrayGroup:
-    """Several arrays that are one argument of a loop, a NamedTuple; machine code receives each
-    array."""
+    """Several arrays that are one argument of a loop: `kind` is the class of the NamedTuple,
+    `arrays` describes its fields in order. Machine code receives the address of each array."""
 
     name: str
     kind: type[tuple[Any, ...]]
@@ -118,7 +118,8 @@ class ArrayGroup:
         return self
 
     def widened(self, value: Any) -> Any:
-        """Return the arrays with indices as int64, as `LoopParameter.widened` does."""
+        """Return the NamedTuple `value` with arrays of numpy's indices as int64 where the loop
+        takes these, because they have 32 bits in WebAssembly."""
         arrays = zip(self.arrays, value, strict=True)
         return self.kind(*(parameter.widened(array) for parameter, array in arrays))
 

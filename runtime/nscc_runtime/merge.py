@@ -64,6 +64,7 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
     if LIGHT in frame.told:
         # The open time of pixels that looked is known, so neighbours are not used.
         window = (1, 1)
+        # -1 us stands for states in which no pixel can end: such a pixel counts as never open.
         open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
         light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
     else:

@@ -52,8 +52,8 @@ class Taken:
     pieces: int
 
     def response(self, sensor: Sensor) -> Response:
-        """Return the response to steady light at every pixel of the picture, also if it was
-        exposed in pieces."""
+        """Return the response of `sensor` to steady light at every pixel of the picture, also if it
+        was exposed in pieces, under the effects that were simulated."""
         response = response_of(self.program, sensor, self.simulated.effects)
         open_s, gain, zero_e = map(
             self.placement.repeated, (response.open_s, response.gain, response.zero_e)
@@ -73,8 +73,9 @@ def simulate_scene(
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
     other; piece k has the noise seed `request.seed` + k. Pieces with similar light share a plan.
     The plan and audit of the result are those of the piece with the largest predicted error; a
-    relative tolerance refers to the whole scene. Raises Rejected like `simulate`, and NS0739 for
-    options that support one exposure only."""
+    relative tolerance refers to the whole scene. `scene`: the placed light of each colour. Raises
+    Rejected if the program, the light or the plan is unsuitable, and with NS0739 for options that
+    support one exposure only."""
     listener = listener or Listener()
     placement, exposed = scene[0].placement, container
     if not (len(scene) == 1 and placement.fits_one_array):
@@ -135,6 +136,7 @@ def _joined(
         for k in range(0, len(pieces), piece_count)
     ]
     frames = [with_reports(frame, container, placement) for frame in frames]
+    # Without plans all pieces count as equal, and the first is taken.
     worst = max(pieces, key=lambda piece: (piece.plan.predicted_e or 0.0) if piece.plan else 0.0)
     broken = next((piece.broken for piece in pieces if piece.broken), None)
     frame = frames[0] if colours == 1 else joined(frames, np.stack)
@@ -157,7 +159,7 @@ def _for_all(
     from nscc_runtime.planning.tolerance import tolerance_of, unit_of
 
     class All:
-        """A scene of all lights, for relative tolerances."""
+        """A scene of all lights, as `tolerance_of` takes it for relative tolerances."""
 
         def pieces(self) -> Iterator[PlannedScene]:
             """Yield what is planned for each light in turn; only one is in memory."""

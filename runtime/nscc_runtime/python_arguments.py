@@ -175,7 +175,8 @@ def refuse_removed(function: Callable[P, R]) -> Callable[P, R]:
 
     @wraps(function)
     def call(*arguments: P.args, **named: P.kwargs) -> R:
-        """Raise WrongArgument if a removed argument is given; otherwise call the function."""
+        """Raise WrongArgument if a removed argument is given by name; otherwise call the function
+        and return its result."""
         for name, instead in _REMOVED.items():
             if name in named:
                 raise wrong_argument(

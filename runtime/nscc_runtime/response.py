@@ -260,6 +260,7 @@ def expected_noise(
         return None
     row = arrays["decode_row"]
     used = np.bincount(row.reshape(-1), minlength=len(arrays["decode_gain"]))
+    # Only pixels that ever open count, each shutter as often as pixels have it.
     opened = np.unpackbits(arrays["decode_shutter"], axis=-1).any(axis=-1)
     weight = opened * used[:, None]
     if not weight.any():

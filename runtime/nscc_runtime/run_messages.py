@@ -20,8 +20,9 @@ if TYPE_CHECKING:
 
 
 def eaten(frame: Frame) -> Diagnostic | None:
-    """Return the warning (NS0793) that light lowered reset levels (black suns) in pixels of
-    `frame`; None without such pixels."""
+    """Return the warning NS0793, for the caller to show, that light lowered reset levels (black
+    suns) in pixels of `frame`; None without such pixels. A pixel counts once, whatever its buckets
+    and repeats."""
     bit, marked = marks()["level"].bit, frame.saturated_by
     pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
     count = int(np.count_nonzero(pixels))

@@ -205,6 +205,7 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
     turn, repeat = request.turn, request.repeat or 1
     figures = request.audit or request.plan is not None
     plan_request = PlanRequest(request.effects, request.tolerance, repeat, figures)
+    # Effects that the user named are not left to a plan of another scene.
     if turn is None or not request.effects.auto:
         return make_plan(scene, plan_request)
     key = scene.container, scene.sensor, scene.device_seed, plan_request

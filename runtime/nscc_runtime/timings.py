@@ -14,7 +14,8 @@ _EMULATION = ("analyse", "plan", "expose", "audit")
 
 @dataclass
 class Timings:
-    """Seconds spent in each part of a run, by name, without compiling loops."""
+    """Seconds spent in each part of a run, by name such as `expose_s`, without compiling loops; a
+    part that did not run is missing."""
 
     seconds: dict[str, float] = field(default_factory=dict)
 

@@ -21,7 +21,9 @@ FRACTION = parameter(
 
 
 def smeared(charge: Values, fraction: float) -> Values:
-    """Return q + fraction laplacian(q) of charge q (.., rows, cols); the border reflects."""
+    """Return the charge after each pixel has given the part `fraction` of its own to each of its
+    neighbours: q + fraction laplacian(q) of charge q (.., rows, cols), as a new array. A pixel at
+    the border keeps what a missing neighbour would get."""
     flow = np.zeros_like(charge)
     down = charge[..., 1:, :] - charge[..., :-1, :]
     right = charge[..., :, 1:] - charge[..., :, :-1]

@@ -19,8 +19,8 @@ from nscc_runtime.noise import key, normals, uniforms
 
 
 def _of_scamp(value: float) -> Default:
-    """Return a default that is `value` for chips with registers, and 0 for other chips, which were
-    not measured."""
+    """Return a parameter's default, a function of the target: `value` for chips with logic, and 0
+    for others, which were not measured."""
 
     def default(target: Target, _values: Mapping[str, float]) -> float:
         """Return `value` on chips with logic, 0 on others; other parameters do not matter."""

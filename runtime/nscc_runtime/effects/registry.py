@@ -68,7 +68,8 @@ def register(effect: Effect) -> None:
 
 def _clashes(effect: Effect) -> list[str]:
     """Return the conflicts of `effect`, whose declaration is complete, with the registered effects,
-    as texts that say what the effect needs."""
+    each a text that completes "it lacks"; empty if there is none. Names, random streams, parameter
+    names, bits of marks and most parts belong to one effect only."""
     known = {
         row.name: row for other_effect in _registered.values() for row in other_effect.parameters
     }

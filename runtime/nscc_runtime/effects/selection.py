@@ -160,6 +160,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
             "--effects is empty", f"write one of {', '.join(RESERVED)}, or names of effects"
         )
     auto = items[0] == "auto"
+    # A text that begins with -NAME removes from all effects; one with a name begins with none.
     on = set(optional()) if items[0] in ("auto", "all") or items[0][0] == "-" else set()
     forced: set[str] = set()
     for index, item in enumerate(items):
@@ -195,7 +196,8 @@ def named(name: str) -> Effect:
 
 
 def _invalid_selection(message: str, help_text: str) -> Rejected:
-    """Return the error (NS0756) `message` for an invalid `--effects`, with `help_text`."""
+    """Return the error NS0756, for the caller to raise, for an invalid `--effects`. `message`: what
+    is wrong. `help_text`: what to do instead. Notes explain the syntax and list the effects."""
     return rejected(
         "NS0756",
         message,

@@ -36,7 +36,8 @@ class Scene:
 
 @dataclass(eq=False, kw_only=True)
 class Device:
-    """Some pixels of a chip. `places` int64 (pixels,): row * cols + col of each."""
+    """Some pixels of a chip. `device_seed`: seed of its fixed patterns. `places` int64 (pixels,):
+    row * cols + col of each pixel."""
 
     sensor: Sensor
     device_seed: int
@@ -78,7 +79,8 @@ class Word(Protocol):
 
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
-    """All slots of complete rows. Arrays are (N, rows, cols); fixed patterns are (rows, cols)."""
+    """All slots, or intervals of slots, of complete rows of pixels, for effects on charge before it
+    falls on PIX. Arrays are (N, rows, cols), in electrons; fixed patterns are (rows, cols)."""
 
     scene: Scene
 
@@ -94,7 +96,8 @@ class Slots(Where, ABC):
 
 
 class Pixels(Where, ABC):
-    """Pixels while their words run. Arrays are (pixels,)."""
+    """Pixels while their words run, for effects of words, registers and readout. Arrays are
+    (pixels,), as are fixed patterns."""
 
     @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:

@@ -114,8 +114,8 @@ def clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
 
 @compiled
 def _flagged(shape: ArrayShape, planes: Words, y: int) -> int:
-    """Return in how many pixels of row `y` FLAG is 1: `_NONE`, `_SOME` or `_ALL`. `planes`: 64
-    pixels in each number."""
+    """Return in which pixels of row `y` of the array FLAG is 1: `_NONE`, `_SOME` or `_ALL`.
+    `planes`: 64 pixels in each number; bits beyond the last column are 0 and do not count."""
     flag, full = plane_of(shape, shape.flag, y), shape.cols // 64
     any_bits, unset_bits = _ZERO, _ZERO
     for g in range(full):
@@ -449,7 +449,10 @@ def _run_rows(
 ) -> None:
     """Run the words `first` to `stop` - 1, which contain no propagation, row by row: each word runs
     `lag` rows behind the first one, so that rows stay in the cache. Without words nothing happens.
-    The arrays are those of `run_words`."""
+
+    `operands`: three integers each. `values`, `marks`: electrons and saturation marks of analog
+    registers. `planes`: digital registers, 64 pixels a number. `marked`: one number, 1 once any
+    value has a mark."""
     for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
         for w in range(first, stop):
             word = words[w]

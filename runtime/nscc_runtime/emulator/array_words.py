@@ -35,7 +35,9 @@ class ArrayWords:
     whether any word reads or writes a register of another pixel."""
 
     def __init__(self, target: Target) -> None:
-        """Number the registers of a target, and begin an empty table of words."""
+        """Number the registers of `target`, and begin with an empty table of words. The order of
+        numbers is part of the interface: PIX and its level come last of the analog registers, FLAG,
+        SELECT and the bus last of the digital ones."""
         self.target = target
         analog = (*target.analog_registers, "PIX", "level")
         self.analog = {name: number for number, name in enumerate(analog)}

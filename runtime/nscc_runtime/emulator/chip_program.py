@@ -59,7 +59,8 @@ class ChipProgram:
         planes: Mapping[str, Bits],
         kept: Mapping[str, Values] = MappingProxyType({}),
     ) -> None:
-        """Store what a chip holds: kernels, launches, and the registers at the start of a frame."""
+        """Store what a chip holds: kernels, launches, and the registers at the start of a frame
+        (see the class). Words are translated at the first `run`."""
         self.target, self.slots, self.planes, self.kept = target, slots, planes, kept
         self._kernels, self._launches = kernels, launches
 
@@ -82,6 +83,7 @@ class ChipProgram:
                 kernel_start.append(table.append((op, in_e) for op, _ in words))
             instants.append(launch.instant)
             launched.append(numbers[launch.kernel, in_e])
+        # Boundaries 0 to N, and one entry more for the end of the last.
         launch_start = np.zeros(self.slots + 2, np.int64)
         np.cumsum(np.bincount(instants, minlength=self.slots + 1), out=launch_start[1:])
         return table, EmulatedWords(

@@ -259,7 +259,7 @@ def readouts_of(container: Container) -> Readouts:
 
 def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
     """Return the parameters of `effects` for the compiled loop, with the values of `sensor`; 0 for
-    effects that are off."""
+    effects that are off. `frame_s`, the sum of the slots, is always set."""
     mark = effects.marking("registers")
     return Numbers(
         least_lost=mark.least_e(sensor) if mark else 0.0,

@@ -327,8 +327,8 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
 
 
 def neighbours_of(places: Places, shape: tuple[int, int]) -> Places:
-    """Return the places (pixels, 4) above, below, left and right of pixels; -1 beyond the border of
-    an array of `shape` (rows, cols)."""
+    """Return the places (pixels, 4) of the neighbours above, below, left and right of the pixels at
+    `places` (pixels,); -1 beyond the border of an array of `shape` (rows, cols)."""
     rows, cols = shape
     row, col = np.divmod(places, cols)
     return np.stack(

@@ -42,7 +42,11 @@ class Switches:
 
 @record
 class Numbers:
-    """Parameters of effects, in electrons and seconds; 0 for effects that are off."""
+    """Parameters of effects, in electrons and seconds; 0 for effects that are off.
+
+    `well`: the full well. `.._error`, `compare_noise`: standard deviations of one draw. `gain`,
+    `move_gain`: of words that add, and of others. `lowest`, `highest`, `knee`: the range of a
+    register, and the fraction of it that is linear. `frame_s`: length of the frame."""
 
     well: float
     reset_error: float

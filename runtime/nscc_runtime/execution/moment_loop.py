@@ -67,8 +67,11 @@ def _covariances(
 ) -> None:
     """Set the covariances of the exposures of the pixels of `row` due to counts, in square
     electrons: covariance_e2 is (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the
-    buckets a >= b. Larger ones than `sizes.cap_e2` are set to it. For the other arguments see
-    `complete_moments`."""
+    buckets a >= b. Larger ones than `sizes.cap_e2` are set to it.
+
+    `sums` (pairs and more, pixels): covariances that light causes, first. `dark_e2` (pairs,
+    pixels): those of dark charge. `charge_e` (pixels,): the charge of each pixel in the frame, of
+    which `unknown` (4, buckets, pixels) goes to neighbours independently of its own counts."""
     cols, first, pair = sizes.cols, row * sizes.cols, 0
     for bucket in range(sizes.buckets):
         for other in range(bucket + 1):
@@ -101,9 +104,9 @@ def _separate(
     """Set the means `counts` (buckets, pixels) of the independent counts of the row of pixels that
     begins with `first`, and their weights `own_weights` if buckets overlap.
 
-    `covariance_e2`: see `_covariances`. It becomes L D L^T, where L has a unit diagonal, and both
-    replace it. Buckets that depend on earlier ones have no count of their own: its mean is 0.
-    `electron_weights` (buckets, pixels): electrons for one count."""
+    `covariance_e2`: covariances of the row, (pairs of buckets, cols). It becomes L D L^T, where L
+    has a unit diagonal, and both replace it. Buckets that depend on earlier ones have no count of
+    their own: its mean is 0. `electron_weights` (buckets, pixels): electrons for one count."""
     pixels, cols, buckets = sizes.pixels, sizes.cols, sizes.buckets
     # First a limit below which a remaining variance is a rounding error of the whole variance.
     for a in range(buckets):

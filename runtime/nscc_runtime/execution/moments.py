@@ -167,7 +167,7 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
 
     def make() -> _ChipMoments:
         """Compute everything about the moments that depends on the chip and the effects but not on
-        the light."""
+        the light. `own_weights` is None if buckets overlap: then it depends on the light."""
         device, model = program.device(device_seed), program.model(effects)
         rates = leak_rates(effects, program.sensor)
         rate_weights = _rate_weights(effects, device, rates)
@@ -315,7 +315,7 @@ def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
     """Return sums (buckets, pixels) at each pixel's own rate of leakage.
 
     `sums` (buckets * rates, pixels): those at each rate, where all rates of a bucket follow each
-    other. `rate_weights` (rates, pixels): see `_rate_weights`."""
+    other. `rate_weights` (rates, pixels): weights of the rates, which add up to 1."""
     by_rate = sums.reshape(-1, len(rate_weights), sums.shape[1])
     return np.asarray(np.einsum("brp,rp->bp", by_rate, rate_weights))
 
@@ -330,8 +330,8 @@ def _fixed_e(
     """Return the part of mean exposures that does not depend on the light, in electrons (buckets,
     pixels): dark charge and fixed errors of words; 0 if neither effect is on.
 
-    `device`: the fixed patterns of all pixels. `rates`: the rates of leakage of sums.
-    `rate_weights` (rates, pixels): see `_rate_weights`."""
+    `device`: the fixed patterns of all pixels. `rates`: the rates of leakage (1/s) at which sums
+    are computed. `rate_weights` (rates, pixels): weights that give the sum at each pixel's rate."""
     model, lanes = program.model(effects), program.lanes
     weights = [program.weights(replace(model, leak_per_s=rate)) for rate in rates]
     total = np.zeros((len(program.container.buckets), lanes.size))

@@ -129,7 +129,7 @@ class _RegisterState:
 
     def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
         """Run the bus word `word` in the lanes of the mask `in_lane` (lanes,): update weights and
-        covariance of its destinations."""
+        covariance of its destinations, with the errors of reading PIX and of the word itself."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:

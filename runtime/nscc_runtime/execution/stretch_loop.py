@@ -36,7 +36,8 @@ class Stretches(NamedTuple):
     @classmethod
     def of(cls, start: Ints, boundary: Ints32, start_s: Floats) -> Stretches:
         """Return the stretches of lanes. `start` (lanes + 1,): index of each lane's first boundary
-        in `boundary`; see `Stretches`. `start_s` (slots + 1,): seconds."""
+        in `boundary`, where a lane's boundaries ascend from 0 to the number of slots. `start_s`
+        (slots + 1,): the second at which each slot begins, then the end of the frame."""
         # The last number of each lane, for no stretch, is meaningless and not read.
         seconds = np.diff(start_s[boundary], append=np.inf)
         return cls(start, boundary, 1.0 / seconds, start_s)
@@ -73,7 +74,8 @@ class StretchMeans(NamedTuple):
 
 @record
 class Laying:
-    """Sizes and switches for the means: sites or pixels `begin` to `end` - 1."""
+    """Sizes and switches for the means: sites or pixels `begin` to `end` - 1 are computed. `sites`,
+    `slots`: how many there are. Switches are 1 if the effect is on, else 0."""
 
     begin: int
     end: int
@@ -127,7 +129,9 @@ def _exchanged(
 
 @inlined
 def _store(sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float) -> None:
-    """Set the light of stretch e of site i, before crosstalk (`own`) and after."""
+    """Store the light of stretch e of site i in electrons: `own`, before crosstalk, in `means.lit`
+    if light is counted; `total`, after crosstalk, in `means.charge` if the site is a pixel that
+    runs through its words."""
     if sizes.counts_light:
         means.lit[e * sizes.sites + i] = own
     if i < sizes.own:
@@ -204,6 +208,7 @@ def _add_missing(
     while e < end:
         high = min(boundary[e + 1], boundary[k + 1])
         share = (times[high] - at_s) / (times[boundary[k + 1]] - times[boundary[k]])
+        # Given the neighbour's count, a part of its time contains a binomial number of it.
         if share < 1.0:
             at = (k - first_of_other) * sizes.sites + other
             mean = means.lit[at] if sizes.counts_light else 0.0
@@ -302,6 +307,7 @@ def _receive(
         if own_end <= their_end:
             e += 1
             own += exchanging.pixels
+        # After the last stretch there is no next one to read.
         if their_end <= own_end and e < end:
             k += 1
             theirs += exchanging.sites
@@ -323,7 +329,8 @@ def exchange_counts(
     means `mean_e` plus the deviations `away` (stretches, sites) of counts from their means, after
     crosstalk.
 
-    `missing_e2`: see `StretchMeans`. `drawn` is working memory for `BLOCK` pixels."""
+    `missing_e2` (stretches, pixels): the variance of what pixels receive that the neighbours'
+    counts do not determine; it is drawn here. `drawn` is working memory for `BLOCK` pixels."""
     pixels, c = exchanging.pixels, exchanging.exchanged
     for first in range(exchanging.begin, exchanging.end, BLOCK):
         count = min(BLOCK, exchanging.end - first)

@@ -177,8 +177,8 @@ def _add_alike(
     `first` to `stop` - 1.
 
     `table` (sums, count, lanes): the weights. `lit_sums` (sums, count): 1 if a sum contains a
-    frame. `lanes`: the lane of each pixel. `share`: see `_moved`. `lit` and `gathered` are working
-    memory."""
+    frame. `lanes`: the lane of each pixel. `share`: a factor on the light of each pixel, for sums
+    with crosstalk. `lit` and `gathered` are working memory."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared

@@ -29,8 +29,8 @@ PIX in the level of a reset."""
 
 @inlined
 def begin(switches: Switches, state: PixelState, i: int) -> None:
-    """Set the registers of pixel number `i` of a block to 0, without saturation, as at the start of
-    a frame."""
+    """Set the registers, PIX and IN of pixel number `i` of a block to 0, without saturation marks,
+    as at the start of a frame, written at time 0. The reset level is 0."""
     for register in range(switches.registers + 2):
         at = register * BLOCK + i
         state.value[at], state.since_s[at] = 0.0, 0.0

@@ -135,7 +135,9 @@ def start_bits(container: Container) -> dict[str, Bits]:
 
 
 class _PathReplay:
-    """Replays a frame for all paths at once, with one lane for each path that differs so far."""
+    """Replays a frame for all paths at once, with one lane for each path that differs so far. Here
+    a lane is a set of bits with which pixels go on, and belongs to one segment; a comparison may
+    merge and divide lanes."""
 
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float

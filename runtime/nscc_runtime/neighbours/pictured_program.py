@@ -184,9 +184,9 @@ class PicturedProgram:
         count: int,
         settings: Sequence[HostSetting] = (),
     ) -> Iterator[Frame]:
-        """Yield frames 0 to `count` - 1 of one light, like `film` with the same light `count`
-        times: `seed` is that of the noise, `device_seed` that of the chip, `settings` what the host
-        sets before each frame."""
+        """Yield frames 0 to `count` - 1 of one light; states and kept images go on from frame to
+        frame. `seed`: of the noise. `device_seed`: of the chip's fixed patterns. `settings`: what
+        the host sets before each frame; the last one holds for all later frames."""
         return self.film(repeat(light, count), seed, device_seed, settings)
 
     def film(

@@ -40,7 +40,8 @@ class ArrayPixels(WordPixels):
     cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
 
     def __post_init__(self) -> None:
-        """Set the registers as the exposure leaves them; all others hold arbitrary values."""
+        """Set the registers as the exposure leaves them; all others, analog and digital, hold
+        arbitrary values of the device seed. IN is 0, and no word has run."""
         # Registers without an exposure have arbitrary contents: here equal in all registers.
         arbitrary = self.arbitrary(0)
         self.begin()
@@ -99,8 +100,8 @@ class ArrayPixels(WordPixels):
                 digital.run(op)
 
     def total(self, word: RunningWord) -> Values:
-        """Return the sum (e) of a word's sources in each pixel; a bus from beyond the array gives
-        0."""
+        """Return the sum of a word's sources in each pixel, electrons (pixels,). A neighbour's bus
+        is the content of NEWS there, 0 beyond the array. PIX is not read after the exposure."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name in NEIGHBOURS:

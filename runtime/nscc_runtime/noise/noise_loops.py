@@ -49,7 +49,7 @@ class Draws:
 
 @loop
 def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
-    """Set out[i] to the uniform number of the key at pixels[i]."""
+    """Set out[i] to the uniform number, inside (0, 1), of the key at the place pixels[i]."""
     for i in range(draws.count):
         out[i] = uniform(draws.key, pixels[i])
 

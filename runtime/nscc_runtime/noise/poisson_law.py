@@ -52,6 +52,7 @@ def stirling_error(k: float) -> float:
 @compiled
 def deviance(x: float, mean: float) -> float:
     """Return x log(x / mean) + mean - x without cancellation, for x and mean above 0."""
+    # Near the mean, where the formula cancels, a series in (x - mean) / (x + mean).
     if abs(x - mean) >= 0.1 * (x + mean):
         return x * math.log(x / mean) + mean - x
     v = (x - mean) / (x + mean)

@@ -62,7 +62,8 @@ class Audit:
     holds: bool = True
 
     def __str__(self) -> str:
-        """Return the measured errors and the verdict as one line."""
+        """Return the measured errors and the verdict as one line; what was not measured is left
+        out."""
         verdict = "the promise holds" if self.holds else "THE PROMISE IS BROKEN"
         text = (
             f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "
@@ -141,6 +142,7 @@ def in_distribution(report: Audit, own_e: Values, loop_e: Values) -> Audit:
     mean_e2, variance_e2, difference, own_variance, loop_variance = (
         np.where(known, part, 0.0) for part in parts
     )
+    # Without a difference, the first mean is 0 up to noise, and may be negative.
     path_e2 = np.maximum(mean_e2.mean(axis=1), 0.0) + np.abs(variance_e2.mean(axis=1))
     worst = int(path_e2.argmax())
     spread_e2 = math.hypot(mean_e2[worst].std(), variance_e2[worst].std())

@@ -98,6 +98,8 @@ def _decision(effect: Effect, choice: EffectChoice) -> Decision:
     reason = effect.absent if decision == "absent" else "named in --effects"
     if decision != "absent" and not forced:
         reason = _reason(choice, off, saved_ms, alone, then)
+    # `alone` is the exposure without the effect minus that with it, so the effect's own bias has
+    # the opposite sign; 0.0 - x is never -0.
     return Decision(
         name,
         effect.kind,

@@ -149,7 +149,8 @@ class Plan:
 
     @property
     def breach(self) -> str | None:
-        """A text that lists measured errors above their limits; None if there are none."""
+        """A text that lists the predicted errors above their limits, in electrons and of states,
+        separated by semicolons; None if there are none or nothing was measured."""
         broken_parts = []
         if self.predicted_e is not None and self.predicted_e > (self.tolerance_e or 0.0):
             broken_parts.append(
@@ -234,8 +235,8 @@ def _table(plan: Plan) -> str:
 
 
 def _errors(plan: Plan) -> list[str]:
-    """Return the lines of a plan on its errors: predicted, allowed, and in which pixels
-    measured."""
+    """Return the one or two lines of a plan on its errors: predicted, allowed, and in which
+    fraction of the pixels measured; if nothing was measured, the tolerance alone."""
     if plan.predicted_e is None:
         return [f"no error was measured; tolerance {plan.allowed or plan.tolerance}"]
     lines = [

@@ -52,8 +52,8 @@ the pixels begins a frame in a state in which it did not begin before."""
 
 @dataclass(frozen=True, eq=False)
 class PlannedScene:
-    """A program on a scene and a chip, to be planned, exposed and audited. Results do not depend on
-    `threads` (None: all processors)."""
+    """A program on a scene and a chip, to be planned, exposed and audited. `device_seed`: seed of
+    the chip's fixed patterns. Results do not depend on `threads` (None: all processors)."""
 
     container: Container
     sensor: Sensor
@@ -78,8 +78,8 @@ class PlannedScene:
             block_program(self.container, retention_us(everything(), self.sensor))
 
     def near_pixels(self, effects: Selection) -> NearSaturation:
-        """Return the pixels that may saturate; none for pixels that look, which all run through
-        their words."""
+        """Return the pixels that may saturate under `effects`; none for pixels that look, which all
+        run through their words anyway. Raises Rejected (NS0442) for words that open no shutters."""
         if self.looks:
             return NO_PIXELS
         program = analysed(self.container, self.sensor)
@@ -112,7 +112,8 @@ class PlannedScene:
         return source.frames(seed, count)
 
     def signal_e(self) -> float:
-        """Return the mean signal of a frame without effects, in electrons (see `mean_signal_e`)."""
+        """Return the mean signal of a frame without effects, in electrons: the mean of absolute
+        exposures, each limited to the full well; 0 if no exposure is a number."""
         [frame] = self.frames(selected("none"), 0, 1)
         return mean_signal_e(frame.exposure_e, self.sensor)
 
@@ -266,7 +267,8 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     reference, light = Reference.of(container, sensor, effects), scene_of(container, scene.light)
 
     def expose(number: int, _begins: States | None) -> PixelExposures:
-        """Expose frame `number` by the reference and return the sampled pixels."""
+        """Expose frame `number` of the whole scene by the reference, and return the sampled pixels,
+        without saturation marks. It begins with the states that the program starts with."""
         seeds = SEED, scene.device_seed
         executed = reference.execute(light, container.planes(), seeds, number, threads=threads)
         endings = _packed(container, executed.planes, scene.pixels)

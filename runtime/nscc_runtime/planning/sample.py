@@ -174,6 +174,7 @@ def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Va
     `near`: the pixels near saturation. `full_well_e`: full well in electrons. `chance` (rows *
     cols,): relative probabilities of `drawing_chances`."""
     pixels = chance.size
+    # Room that the pixels far from saturation do not need goes to those near it.
     far_count = min(pixels - len(near.places), int((1.0 - _NEAR_FRACTION) * count))
     near_count = min(len(near.places), count - far_count)
     if pixels <= count:

@@ -128,7 +128,8 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     electrons of a code. A percentage of a scene without signal is not found here."""
 
     class Bright:
-        """A scene with signal and noise above 0."""
+        """A scene with signal and noise above 0, so that only the tolerance itself can be
+        wrong."""
 
         def signal_e(self) -> float:
             """Return a large exposure, so that only the text of a tolerance matters."""

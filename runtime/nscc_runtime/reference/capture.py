@@ -232,8 +232,8 @@ class ProgramPixels(WordPixels):
     code: Planes
 
     def __post_init__(self) -> None:
-        """Set the digital registers: loaded ones as given, others to arbitrary bits of the device
-        seed."""
+        """Set the digital registers and FLAG: those in `code` as given, others to arbitrary bits of
+        the device seed; PIX and the analog registers to arbitrary values."""
         super().__post_init__()
         bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
@@ -279,8 +279,8 @@ class ProgramPixels(WordPixels):
             self.fallen = now
 
     def run_word(self, word: RunningWord) -> None:
-        """Execute one word in the pixels: a reset, an analog word, a comparison, or a digital
-        word."""
+        """Execute one word in all pixels: a reset, a bus word, a comparison, or a digital word. The
+        first two act where FLAG is 1 (a reset everywhere on chips whose resets ignore FLAG)."""
         flag = self.digital.read("FLAG") == 1
         match word.op.operation.effect:
             case WordEffect.RESET_PIX:

@@ -38,7 +38,8 @@ class Fallen(NamedTuple):
     valid: NDArray[np.bool_]
 
     def rows(self, rows: slice) -> Fallen:
-        """Return the charge of the slice `rows`, counted from the first of these rows."""
+        """Return the charge of some of these rows: the slice `rows`, where 0 is the first row that
+        this object has, not that of the array."""
         return Fallen(self.charge[:, rows], self.light[:, rows], self.valid[rows])
 
 

@@ -42,8 +42,8 @@ class Digital:
         return len(self.bits["FLAG"])
 
     def read(self, name: str) -> Bits:
-        """Return the bits of a register (pixels,); 0 where they were written longer ago than the
-        retention time."""
+        """Return the bits (pixels,) of the register `name`: 0, 1 or UNKNOWN; 0 where they were
+        written longer ago than the retention time. Callers do not change the array."""
         if self.retention_us == inf:
             return self.bits[name]
         is_retained = self.now_us - self.written_us[name] <= self.retention_us

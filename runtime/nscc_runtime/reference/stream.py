@@ -67,8 +67,8 @@ def expose_stream(
         )
 
     def run(part_rows: range, fallen: Fallen) -> Marked:
-        """Expose the rows `part_rows` with the charge `fallen`, and return the charge of the taps,
-        with saturation marks."""
+        """Expose the rows `part_rows` with the charge `fallen`, and return the exposures of their
+        buckets and the saturation marks, each (buckets, pixels)."""
         pixels = _Taps(
             sensor=sensor,
             seed=seeds[0],

@@ -89,7 +89,7 @@ class AnalogWord(RunningWord):
 
     @classmethod
     def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
-        """Return a word with the lanes in which it acts."""
+        """Return `word` with the mask `lanes` (lanes,) of the lanes in which it acts."""
         return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
 
 

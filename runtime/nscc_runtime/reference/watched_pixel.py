@@ -53,6 +53,7 @@ def traced(
         program=reference,
         code={name: plane[row, col : col + 1] for name, plane in container.planes().items()},
     )
+    # The charge of the whole row is needed for crosstalk; only this column runs.
     exposures, _ = watched.run(fallen.charge[:, 0, col : col + 1])
     return {
         "registers": watched.names,
@@ -67,7 +68,8 @@ class _WatchedPixel(ProgramPixels):
     `_MOST_STEPS` words."""
 
     def __post_init__(self) -> None:
-        """List the registers that the program uses; their values are recorded after each word."""
+        """Set the registers at the start of the frame, and list those that are recorded: PIX, the
+        analog and digital registers that some word reads or writes, and FLAG."""
         super().__post_init__()
         ops = [word.op for word in self.program.words]
         used = {name for op in ops for name in (*op.sources, *op.destinations)}

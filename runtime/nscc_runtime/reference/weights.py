@@ -38,8 +38,8 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
-        """Store the weights (lanes, buckets) of a name, unless all are 0. Weights stored before
-        under this name are replaced."""
+        """Store the weights (lanes, buckets) of a name, in place of those stored before; all 0
+        changes nothing. The caller does not change the array afterwards."""
         # If more than half of the lanes have weights, a list of them would save little.
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
         if 2 * len(lanes) > len(weight):
@@ -135,8 +135,9 @@ class Backward:
         return total
 
     def variance(self, at: Literal["reads", "resets", "words"]) -> Weights:
-        """Return the variance (lanes, buckets) of exposures if the errors of the kind `at` (see
-        `covariance`) are independent, each of variance 1."""
+        """Return the variance (lanes, buckets) of exposures if the errors of one kind are
+        independent, each of variance 1. `at`: errors of reading PIX, errors of resets, or the
+        random errors of words. Without such errors it is 0."""
         return np.asarray(np.einsum("bbl->lb", self.covariance(at)))
 
     @cached_property
@@ -240,7 +241,8 @@ def backward(
 
 def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backward:
     """Return the weights for a chip without logic, whose taps are reset and read once. The numbers
-    of reads and resets are those of taps. `leak_per_s`, `dead_time`: see `WeightModel`.
+    of reads and resets are those of taps. `leak_per_s`: rate (1/s) at which taps leak. `dead_time`:
+    whether no light is collected while bit planes are loaded.
 
     Errors of reading are added after the gain, so their weights are 1; errors of resets before
     it."""

@@ -78,8 +78,8 @@ class Marks:
     def gathered(
         self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
     ) -> tuple[Full, Values]:
-        """Return the marks (see `full`) and lost electrons that the result of a bus word inherits
-        from its sources, each (pixels,).
+        """Return the marks, as bits ADDED, SUBTRACTED and LEVEL, and the lost electrons that the
+        result of the bus word `op` inherits from its sources, each (pixels,).
 
         `unseen`: where the word reads the reset level without the charge of PIX; a full PIX leaves
         no mark there. `lit`: where it reads the reset level with light; LEVEL is set there if PIX
@@ -140,7 +140,8 @@ class Resets:
     reset before the frame."""
 
     def __init__(self, effects: Selection, pixels: int) -> None:
-        """Begin with no reset level in any pixel."""
+        """Begin with a reset level of 0 in all `pixels` pixels, before the first boundary.
+        `effects`: those that change levels and what words read of them."""
         self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
         self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
 
@@ -240,7 +241,8 @@ class WordPixels(Pixels):
     effects: Selection
 
     def __post_init__(self) -> None:
-        """Set PIX and the analog registers to arbitrary values of the device seed."""
+        """Set PIX and the analog registers to arbitrary values of the device seed, without
+        saturation marks."""
         self.begin()
         names = ("PIX", *self.target.analog_registers)
         start = {name: self.arbitrary(i) for i, name in enumerate(names)}
@@ -315,8 +317,8 @@ class WordPixels(Pixels):
         return total
 
     def compared(self, word: RunningWord) -> Values:
-        """Return the electrons (pixels,) that a comparison tests for being above 0, with the
-        comparator's errors."""
+        """Return the electrons (pixels,) that the comparison `word` tests for being above 0: the
+        sum of its sources, with the comparator's errors if these effects are on."""
         total = self.total(word)
         for compare in self.at("compare"):
             total = compare(self, total, word)

@@ -43,8 +43,8 @@ def exposing(
 
 
 def _exact(container: Container, light: Light, sensor: Sensor, request: Request) -> Frame:
-    """Return a frame without effects, exposed and read out once; with `request.repeat`, copies of
-    it, because it has no noise."""
+    """Return a frame without effects, exposed and read out once; with `request.repeat`, this number
+    of copies with a leading axis, because it has no noise."""
     from nscc_runtime.emulator import expose
 
     exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)

@@ -21,7 +21,8 @@ from nscc_runtime.sensor import Sensor
 
 
 class ImagesRun(RunKind):
-    """A program with images or planes."""
+    """What the runtime does for a program with images or planes: it simulates all requested
+    effects, without a plan, and takes films."""
 
     without_plan = "images and planes depend on the neighbours of every pixel"
     note_without_plan = "images and planes: all effects are simulated, without a plan"

@@ -14,7 +14,8 @@ from nscc_runtime.sensor import Sensor
 
 
 class LooksRun(RunKind):
-    """A program whose shutters depend on the light."""
+    """What the runtime does for a program whose shutters depend on the light: frames contain open
+    times and the light that follows from them."""
 
     open_times_known = False
 

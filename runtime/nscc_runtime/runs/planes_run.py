@@ -10,7 +10,8 @@ from nscc_runtime.run_kinds import RunKind
 
 
 class BitPlanesRun(RunKind):
-    """A program whose bit planes assign the light."""
+    """What the runtime does for a program of a chip without logic, whose bit planes assign the
+    light of each slot to buckets."""
 
     without_plan = "bit planes assign the light to buckets slot by slot"
 
