@@ -76,8 +76,8 @@ def capture(
 
     Parameters
     ----------
-    program : ShutterProgram, Container, str or PathLike
-        A program, or a file with one.
+    program : ShutterProgram or Container
+        A compiled program, as `nscc.compile` and `nscc.load` return it; not a path.
     light : array, Light, Scene or str
         Electrons per slot (N, rows, cols), electrons per second of a still (rows, cols), a
         `scene(..)`, or the name of a scene. Arrays of float32 are not copied.
@@ -216,8 +216,8 @@ def plan(
 
     Parameters
     ----------
-    program : ShutterProgram, Container, str or PathLike
-        A program, or a file with one.
+    program : ShutterProgram or Container
+        A compiled program, as `nscc.compile` and `nscc.load` return it; not a path.
     light : array, Light, Scene or str
         Electrons per slot (N, rows, cols), electrons per second of a still (rows, cols), a
         `scene(..)`, or the name of a scene. Arrays of float32 are not copied.
@@ -264,8 +264,8 @@ def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
 
     Parameters
     ----------
-    program : ShutterProgram, Container, str or PathLike
-        A program, or a file with one.
+    program : ShutterProgram or Container
+        A compiled program, as `nscc.compile` and `nscc.load` return it; not a path.
     light : array, Light, Scene or str
         Electrons per slot (N, rows, cols), electrons per second of a still (rows, cols), a
         `scene(..)`, or the name of a scene. Arrays of float32 are not copied.
@@ -356,7 +356,8 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
 
     Parameters
     ----------
-    program : ShutterProgram, Container, str or PathLike
+    program : ShutterProgram or Container
+        A compiled program; its chip gives the values that are not set otherwise.
     file : str or Path, optional
         A file of `nscc effects --toml` or `nscc calibrate`.
     **values : float

@@ -44,8 +44,8 @@ def film(
 
     Parameters
     ----------
-    program : ShutterProgram, Container, str or PathLike
-        A program with images or planes, or a file with one.
+    program : ShutterProgram or Container
+        A compiled program with images or planes; not a path.
     lights : iterable of array, Light, Scene or str
         The light of each frame, at least one: electrons per slot (N, rows, cols), electrons per
         second (rows, cols), a `scene(..)`, or the name of a scene.
