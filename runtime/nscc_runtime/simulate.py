@@ -234,10 +234,12 @@ digest_of = OfContainer(lambda container: sha256(to_bytes(container)).hexdigest(
 
 
 def _say_compiling(listener: Listener, loop: Loop[Any], subject: str) -> None:
-    """Tell the listener, once, that loops are compiled first, if `loop` is not compiled yet.
-    `subject`: who needs them, such as "planner"."""
+    """Tell the listener, once, that loops are compiled, and compile them, if `loop` is not compiled
+    yet: also loops that this scene may not need, so that no later run says it again. `subject`: who
+    needs them, such as "planner"."""
     if listener.say is not None and not loop.is_compiled():
         _say_once(listener, loop.compiling(f"the {subject}'s loops"))
+        loop.load()
 
 
 def _say_once(listener: Listener, line: str) -> None:

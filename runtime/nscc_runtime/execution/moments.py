@@ -291,13 +291,13 @@ def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
     leak = effects.find_part(Leak)
     if leak is None:
         return (0.0,)
-    mean, spread = 1.0 / leak.tau_s(sensor), leak.spread(sensor)
-    if spread == 0.0:
-        return (mean,)
-    sigma = math.sqrt(math.log1p(spread**2))
+    mean = 1.0 / leak.tau_s(sensor)
+    sigma = math.sqrt(math.log1p(leak.spread(sensor) ** 2))
     low, high = (mean * math.exp(side * _LEAK_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1))
     away = (high - low) / 2 * math.sqrt(0.5)
-    return (low + high) / 2 - away, (low + high) / 2 + away
+    nodes = (low + high) / 2 - away, (low + high) / 2 + away
+    # Without a spread, or with one that float64 cannot represent, both nodes are equal.
+    return nodes if nodes[0] < nodes[1] else (mean,)
 
 
 def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Values:

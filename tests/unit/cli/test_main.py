@@ -421,6 +421,24 @@ def test_doctor_says_that_loops_are_compiled_in_every_run(
     assert outcome.status == 0
 
 
+def test_loops_that_a_run_says_to_compile_are_compiled(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also loops that the scene does not need, so that the next run says nothing."""
+    pytest.importorskip("numba")
+    from nscc_runtime.execution.block_loop import run_blocks
+    from nscc_runtime.loop import Loop
+
+    compiled: list[Loop] = []
+    monkeypatch.setattr(Loop, "is_compiled", lambda loop: loop in compiled)
+    monkeypatch.setattr(Loop, "load", lambda loop: compiled.append(loop))
+    (folder / "p.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
+    line = ["run", "p.nsl", "--scene", "builtin:flat:9000", "--effects", "all", "-o", "f.npz"]
+    said = [invoke(line, folder).err.count("compiling the planner's loops") for _ in range(2)]
+    assert said == [1, 0]
+    assert compiled == [run_blocks]
+
+
 @pytest.mark.parametrize(
     "names",
     [("HOME", "XDG_CACHE_HOME"), ("NSCC_CACHE_DIR",), ("MPLCONFIGDIR", "XDG_CONFIG_HOME")],

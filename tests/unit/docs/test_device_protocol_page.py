@@ -19,7 +19,7 @@ def page(root: Path) -> str:
 
 
 def test_the_page_lists_all_kinds_of_packets(page: str) -> None:
-    listed = {int(n, 16): name for n, name in re.findall(r"^\| 0x(\w\w) ([A-Z]+) ", page, re.M)}
+    listed = {int(n, 16): name for n, name in re.findall(r"^\| 0x(\w\w) ([A-Z_]+) ", page, re.M)}
     assert listed == {kind.value: kind.name for kind in packets.PacketKind}
 
 
