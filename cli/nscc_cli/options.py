@@ -115,7 +115,7 @@ _COMPLETED: Mapping[str, click.ParamType[Any]] = {
 """The click types of options with names that a shell completes."""
 
 
-class CommaList(click.ParamType[tuple[Any, ...]]):
+class CommaList(click.ParamType):  # type: ignore[type-arg]  # not generic before click 8.3
     """Values of a list, separated by commas; "none" is an empty list if that is allowed."""
 
     name = "list"
