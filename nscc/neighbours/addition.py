@@ -110,7 +110,7 @@ def _orders(
 
 
 def _rank(node: _Node) -> tuple[object, ...]:
-    """Return the key by which unfinished orders are sorted: fewest words first, where each
+    """Return the key that sorts unfinished orders: fewest words first, where each
     neighbour that is left counts as one word.
 
     Ties are broken by the other members of the node, so that the search is deterministic."""

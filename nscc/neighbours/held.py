@@ -8,6 +8,7 @@ from fractions import Fraction
 from nscc.operations import Op, WordEffect, op
 from nscc.record import Record
 from nscc.words import pictures as p
+from nscc.words.picture_launches import LoopValue, Times
 
 Level = int | tuple[str, int] | None
 """Steps of IN, a parameter with a factor, or None for a word that does not read IN."""
@@ -23,8 +24,8 @@ class LoopWords(Record):
 
     begin: int
     end: int
-    times: p.Times
-    values: tuple[p.LoopValue, ...]
+    times: Times
+    values: tuple[LoopValue, ...]
 
 
 class PictureRefused(Exception):

@@ -13,6 +13,7 @@ from nscc.neighbours.programs import OF_STEP
 from nscc.neighbours.registers import RegisterEmitter
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect, op
 from nscc.words import pictures as p
+from nscc.words.picture_launches import LoopValue, Times
 
 _LOCK = 1 << 30
 """Reads that are added to all values while the words of a step are emitted: no register is freed,
@@ -84,7 +85,7 @@ def _emit_flood(
     begin = len(lowering.words)
     lowering.word(op("PROP.read"))
     lowering.word(op("PROP.write", [register], [register]))
-    values = (p.LoopValue(name, register),)
+    values = (LoopValue(name, register),)
     lowering.loops.append(LoopWords(begin, len(lowering.words), node.times, values))
     bits.uses[name] -= 1  # the read by its own step
     bits.planes[name] = bits.take()
@@ -113,7 +114,7 @@ def _start(lowering: RegisterEmitter, name: str, node: p.Node) -> None:
     lowering.held[name] = replace(value, name=name)
 
 
-def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p.Times) -> None:
+def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: Times) -> None:
     """Emit one step of all names in `steps`, which is valid for every step; `steps` has their
     expressions by name.
 
@@ -146,7 +147,7 @@ def _emit_steps(lowering: RegisterEmitter, steps: Mapping[str, p.Node], times: p
     for name in steps:
         register = heads[name].register if name in heads else lowering.loop_registers[name]
         sign = heads[name].sign if name in heads else 1
-        values.append(p.LoopValue(name, register, 1 if sign > 0 else -1))
+        values.append(LoopValue(name, register, 1 if sign > 0 else -1))
     lowering.loops = [loop for loop in lowering.loops if loop.end <= begin]
     lowering.loops.append(LoopWords(begin, len(lowering.words), times, tuple(values)))
 

@@ -28,17 +28,15 @@ from nscc.prove.meaning import reaches
 from nscc.syntax.parse import declared_at
 from nscc.words.container import Container
 from nscc.words.encoding import encode
+from nscc.words.picture_launches import LaunchLoop, LevelOf, TailLaunch
 from nscc.words.pictures import (
     Condition,
-    LaunchLoop,
-    LevelOf,
     Node,
     Picture,
     PictureCost,
     Pictures,
     Repeated,
     Sum,
-    TailLaunch,
     with_operands,
 )
 

@@ -24,15 +24,8 @@ from nscc.prove.meaning import Bits, Fields, PictureMeaning, Place, reaches
 from nscc.prove.proof import ALWAYS_EQUAL, FRAMES, Failure
 from nscc.words.container import Container
 from nscc.words.legality import decoded, picture_kernels
-from nscc.words.pictures import (
-    Condition,
-    LaunchLoop,
-    LevelOf,
-    LoopValue,
-    Node,
-    RepeatedImage,
-    RepeatedPlane,
-)
+from nscc.words.picture_launches import LaunchLoop, LevelOf, LoopValue
+from nscc.words.pictures import Condition, Node, RepeatedImage, RepeatedPlane
 from nscc.words.reach import Reach, RegisterReaches
 
 Launched = Sequence[Sequence[Op]]

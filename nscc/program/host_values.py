@@ -12,7 +12,8 @@ from nscc.program.field_planes import PlaneMaker
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.syntax import tree
-from nscc.words.pictures import HostParam, InputPlane, Times, packed_bits
+from nscc.words.picture_launches import HostParam, Times
+from nscc.words.pictures import InputPlane, packed_bits
 
 _OF_A_PLACE = frozenset({"x", "y"})
 

@@ -12,6 +12,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
 from nscc.words.counts import CountRange, counts_of
+from nscc.words.picture_launches import HostParam
 
 # The comparison with exchanged sides: `a > b` is `b < a`.
 _MIRRORED = {">": "<", "<": ">", ">=": "<=", "<=": ">="}
@@ -178,7 +179,7 @@ class PictureComparer(ABC):
                     return p.AboveParam(picture_sum(*without), param, -int(factor))
         return p.Above(value, steps)
 
-    def _require_level(self, param: p.HostParam, span: Span) -> None:
+    def _require_level(self, param: HostParam, span: Span) -> None:
         """Raise WrongPicture after reporting (NS0533) a parameter that is an integer, where a level
         with a unit is needed."""
         if param.kind == "integer":

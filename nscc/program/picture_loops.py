@@ -13,6 +13,7 @@ from nscc.program.picture_comparisons import PictureComparer, WrongPicture
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
+from nscc.words.picture_launches import Times
 
 Kind = Literal["image", "plane", "bucket"]
 MOST_STEPS = 1 << 16
@@ -154,7 +155,7 @@ class LoopReader(PictureComparer):
                 )
         return base
 
-    def _along(self, base: p.Node, distance: p.Times, step: tuple[int, int], name: str) -> p.Node:
+    def _along(self, base: p.Node, distance: Times, step: tuple[int, int], name: str) -> p.Node:
         """Return `base`, an image or plane, shifted along one axis by `distance`: a constant, or a
         parameter of the host plus a constant.
 
@@ -163,7 +164,7 @@ class LoopReader(PictureComparer):
         if distance.param:
             # A parameter may be negative: one loop for each direction, of which one has no steps.
             for sign in (1, -1):
-                part = p.Times(
+                part = Times(
                     sign * distance.offset,
                     most=0,  # set below, from the range of the parameter
                     param=distance.param,
@@ -190,7 +191,7 @@ class LoopReader(PictureComparer):
             # Each step moves 2 pixels. The start already does, and an odd pixel is left for the
             # end.
             start = _one_shift(base, step, 2 * sign)
-            times = p.Times(pixels // 2 - 1, pixels // 2 - 1)
+            times = Times(pixels // 2 - 1, pixels // 2 - 1)
             base, pixels = self._loop(name, base, start, times, step, pixels=2 * sign), pixels % 2
         shifted: p.Node = _one_shift(base, step, pixels * sign)
         return shifted
@@ -200,7 +201,7 @@ class LoopReader(PictureComparer):
         name: str,
         base: p.Node,
         start: p.Node,
-        times: p.Times,
+        times: Times,
         step: tuple[int, int],
         pixels: int,
     ) -> p.Node:
@@ -270,7 +271,7 @@ class LoopReader(PictureComparer):
         around = self._around(kernel)
         area, flooded = p.Bit(f"{name} bounds"), p.Bit(f"{name} flooded")
         near = p.Near("any", flooded, around)
-        times, grows = p.Times(steps, steps), f"{name}{p.GROWS}"
+        times, grows = Times(steps, steps), f"{name}{p.GROWS}"
         # `area` is 1 outside of mask and seed. A step adds neighbours, except there.
         step: p.Condition = p.Neither(p.Neither(flooded, near), area)
         pixels = self.target.propagation_pixels
@@ -279,7 +280,7 @@ class LoopReader(PictureComparer):
         # pixels a word.
         if pixels and is_cross and self.outside == 0:
             step = p.Propagated(flooded, p.Inverse(area), pixels)
-            times = p.Times(-(-steps // pixels), -(-steps // pixels))  # rounded up
+            times = Times(-(-steps // pixels), -(-steps // pixels))  # rounded up
         self.items += [
             p.Picture(area.name, p.Neither(mask, seed)),
             p.Picture(flooded.name, p.RepeatedPlane(seed, step, times, flooded.name)),

@@ -14,7 +14,8 @@ from nscc.operations import Op, Word, op
 from nscc.record import Record
 from nscc.words.encoding import encode
 from nscc.words.machine import NO_LOOKS, StateMachine, StatePlanes
-from nscc.words.pictures import NO_PICTURES, Pictures, SteeredLaunch, unpacked_bits
+from nscc.words.picture_launches import SteeredLaunch
+from nscc.words.pictures import NO_PICTURES, Pictures, unpacked_bits
 
 if TYPE_CHECKING:
     from nscc.words.stream import Stream
@@ -203,14 +204,15 @@ def kept_starts(container: Container) -> dict[int, list[str]]:
     return starts
 
 
-def steered_launches(container: Container) -> list[SteeredLaunch]:
-    """Return the launches (starts of kernels) that `with_picture_words` adds, in order, as
-    parameters change them.
+def steered_launches(container: Container) -> list[SteeredLaunch | None]:
+    """Return for each launch (start of a kernel) of `with_picture_words` how parameters change it;
+    None for the launches of the exposure, which they do not change.
 
-    First come those that set kept images to their starts. Their `kernel` and `level` are not stated
-    (0 and None)."""
+    After the exposure come launches that set kept images to their starts. Their `kernel` and
+    `level` are not stated (0 and None)."""
     start = SteeredLaunch(0, None, None, None, 0, is_start=True)
-    return [*[start] * len(kept_starts(container)), *container.pictures.steered()]
+    starts, exposing = len(kept_starts(container)), len(container.launches)
+    return [*[None] * exposing, *[start] * starts, *container.pictures.steered()]
 
 
 def starting(registers: Sequence[str]) -> tuple[Op, ...]:

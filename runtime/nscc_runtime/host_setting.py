@@ -16,7 +16,8 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.record import Record
 from nscc.words.container import Container
-from nscc.words.pictures import HostParam, InputPlane, unpacked_bits
+from nscc.words.picture_launches import HostParam
+from nscc.words.pictures import InputPlane, unpacked_bits
 
 _UNITS = ("%", "lsb", "e")
 

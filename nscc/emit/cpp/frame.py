@@ -20,7 +20,7 @@ from nscc.operations import WordEffect
 from nscc.words.assembly_text import ranges_text
 from nscc.words.container import Container, StoredKernel
 from nscc.words.encoding import decode
-from nscc.words.pictures import HostParam, SteeredLaunch
+from nscc.words.picture_launches import HostParam, SteeredLaunch
 
 LONGEST_GAP_US = 1 << 30
 """Longest wait: a 32-bit clock can order times that differ by less than half of its range."""
@@ -98,18 +98,17 @@ class LaunchSchedule:
         return [(number, row, of) for number, row, of in rows if of is not None and of.is_changed]
 
 
-def schedule_of(container: Container, steered: Sequence[SteeredLaunch] = ()) -> LaunchSchedule:
+def schedule_of(container: Container, steered: Sequence[SteeredLaunch | None]) -> LaunchSchedule:
     """Return the times of all launches (starts of kernels) of a frame.
 
     Launches at equal intervals with the same kernel (list of words) and level are one row. Rows
     that only wait divide long intervals, and the last row is not before the end of the last slot.
-    `steered` belong to the container's last launches, in order: how parameters change them."""
+    `steered` says of each launch how parameters change it, as `steered_launches` returns it."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
-    before, first = Fraction(0), len(container.launches) - len(steered)
-    for number, launch in enumerate(container.launches):
-        of = steered[number - first] if number >= first else None
+    before = Fraction(0)
+    for launch, of in zip(container.launches, steered, strict=True):
         # Launches at boundary 0 set up the frame, before the exposure begins.
         at = boundary[launch.instant] if launch.instant else Fraction(0)
         rows += _rests(before, at, launch.instant)

@@ -104,9 +104,8 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
     film = film_reaches(exposure) if exposure.pictures.reports else []
-    follow = any(loop.times.param for loop in exposure.pictures.loops)
     # Margins are constant tables in C++; `film` is None if they grow with every frame.
-    if film is None or (film and follow):
+    if film is None or (film and exposure.pictures.steps_are_set):
         way_out = "read the plane instead of reporting it"
         reason = MARGINS_FOLLOW if film else MARGINS_GROW
         raise Rejected(_no_cpp(program, devkit, reason, way_out))

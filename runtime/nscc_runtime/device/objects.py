@@ -50,7 +50,8 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.legality import loader_fault, refuse_planes
-from nscc.words.pictures import Pictures, SteeredLaunch
+from nscc.words.picture_launches import SteeredLaunch
+from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, film_reaches
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.device.messages import Begin, ObjectEntry, plane_bytes
@@ -168,7 +169,7 @@ def program_digest(target: bytes, label: bytes, entries: bytes) -> bytes:
 
 
 def target_digest(target: Target) -> bytes:
-    """Return the SHA-256 digest (32 bytes) by which loader and host identify a target: of all its
+    """Return the SHA-256 digest (32 bytes) that identifies a target to loader and host: of all its
     values but the description."""
     values = target_dict(target)
     del values["description"]
@@ -313,17 +314,17 @@ class ScheduleRow(Record):
 
 
 def schedule_rows(
-    container: Container, steered: Sequence[SteeredLaunch] = ()
+    container: Container, steered: Sequence[SteeredLaunch | None]
 ) -> Iterator[ScheduleRow]:
     """Yield the rows of a schedule, each for equal launches of `container`.
 
-    `steered`: its last launches, as parameters change them. The steps of a loop with one launch are
-    one row. The light never falls before a launch that may be left out, but before a kernel without
-    words, whose number is the next after those of the container."""
-    at, first = 0, len(container.launches) - len(steered)
+    `steered` says of each launch how parameters change it, as `steered_launches` returns it. The
+    steps of a loop with one launch are one row. The light never falls before a launch that may be
+    left out, but before a kernel without words, whose number is the next after those of the
+    container."""
+    at = 0
     steps: list[tuple[tuple[Any, ...], SteeredLaunch | None]] = []
-    for number, launch in enumerate(container.launches):
-        of = steered[number - first] if number >= first else None
+    for number, (launch, of) in enumerate(zip(container.launches, steered, strict=True)):
         if of is not None and (of.times is not None or of.is_start) and launch.instant > at:
             steps.append(((launch.instant - at, len(container.kernels), None), None))
             at = launch.instant
@@ -378,7 +379,7 @@ def device_reports(container: Container) -> dict[str, tuple[int, Reach]]:
     Planes that are read are sent anyway, and are not reported. A margin that changes from frame to
     frame, or with a parameter, is known to the host only: then there are no reports, {}."""
     pictures, target = container.pictures, container.target
-    if not pictures.reports or any(loop.times.param for loop in pictures.loops):
+    if not pictures.reports or pictures.steps_are_set:
         return {}
     film = film_reaches(container)
     if film is None or len(film) > 1:

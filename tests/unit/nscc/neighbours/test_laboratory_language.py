@@ -25,7 +25,7 @@ from nscc.words.container import Container
 from nscc.words.encoding import encode, matching
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.legality import picture_words
-from nscc.words.pictures import LaunchLoop, Times
+from nscc.words.picture_launches import LaunchLoop, Times
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
