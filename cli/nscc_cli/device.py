@@ -190,12 +190,12 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
         settings = settings_of(container, options["params"], options["inputs"])
     else:
         refuse_ignored("no program is named", "params", "inputs")
-    if program is None and options["pixels"]:
-        raise rejected(
-            "NS0770",
-            "--pixels needs a program, but none is named",
-            helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
-        )
+        if options["pixels"]:
+            raise rejected(
+                "NS0770",
+                "--pixels needs a program, but none is named",
+                helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
+            )
     with SerialLink(port, **values_given(LinkSettings, options)) as link:
         chip = DeviceChip(link, progress=progress)
         target = container.target if container else target_of(chip, options["target"])

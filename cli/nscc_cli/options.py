@@ -127,7 +127,7 @@ class CommaList(click.ParamType):  # type: ignore[type-arg]  # not generic befor
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> tuple[Any, ...]:
-        """Return the values in a text; such as "2,4"; raise BadParameter for one that is not
+        """Return the values in a text such as "2,4"; raise BadParameter for one that is not
         allowed. Blanks around values are dropped."""
         element, values = self.kind.element, []
         empty = getattr(self.kind, "may_be_empty", False) and value.strip() == "none"

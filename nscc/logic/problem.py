@@ -11,7 +11,7 @@ frame, and t0, .. are scratch registers. `nscc.lower.schedule` maps them to the 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from typing import Annotated, Any
@@ -187,8 +187,7 @@ class Solution(Record):
     def masked_state(self) -> str | None:
         """Return the state that masked gates write, which must be in the masked register; None if
         no gate is masked. Only one state may be written so; the first is returned."""
-        gates = chain.from_iterable(self.segments())
-        return next((gate.destination for gate in gates if gate.masked), None)
+        return masked_destination(chain.from_iterable(self.segments()))
 
     def in_masked_register(self, registers: int) -> str | None:
         """Return the virtual register that the masked register holds on a chip with `registers`
@@ -199,6 +198,11 @@ class Solution(Record):
         used = len(self.planes) + self.states + self.scratch
         full = used >= registers and self.planes
         return self.masked_state() or (f"p{quietest(self.writes())}" if full else None)
+
+
+def masked_destination(gates: Iterable[Gate]) -> str | None:
+    """Return the register that the first masked one of `gates` writes; None if none is masked."""
+    return next((gate.destination for gate in gates if gate.masked), None)
 
 
 def quietest(writes: Sequence[int]) -> int:

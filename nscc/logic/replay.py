@@ -34,7 +34,8 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
     try:
         planes, states, scratch = len(solution.planes), solution.states, solution.scratch
         # Only a plane or a masked state may be in the masked register.
-        empty = machine.masked and not planes and not solution.masked_state()
+        masked_state = solution.masked_state() if machine.masked else None
+        empty = machine.masked and not planes and masked_state is None
         room = machine.registers - empty
         if min(states, scratch) < 0 or planes + states + scratch > room:
             raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
@@ -48,7 +49,7 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
         for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
             if not _possible(gate, registers, machine):
                 raise _Wrong(f"the machine has no gate {gate}")
-            if gate.masked and not (machine.masked and gate.destination == solution.masked_state()):
+            if gate.masked and gate.destination != masked_state:
                 raise _Wrong(f"{gate} does not write the masked register")
         _Frame(problem, machine, solution).replay()
     except _Wrong as wrong:

@@ -25,6 +25,7 @@ from nscc.logic.problem import (
     Problem,
     Segment,
     Solution,
+    masked_destination,
     quietest,
 )
 from nscc.logic.script import Script
@@ -134,7 +135,7 @@ class _Walker:
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
-        masked = next((gate.destination for gate in _all_gates(script) if gate.masked), None)
+        masked = masked_destination(_all_gates(script))
         if masked is not None:
             self.quiet = masked
         elif self.machine.masked and script.planes:

@@ -135,8 +135,9 @@ def _by_run(folder: RunFolder, wanted: EvaluationSettings) -> DecodeScene:
     if wanted.effects:
         file = folder.path / SENSOR_FILE
         sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
-        changed = wanted.changes or None
-        sensor = changed and load_sensor(folder.setup.target, sensor_file, changed)
+        sensor = None
+        if wanted.changes:
+            sensor = load_sensor(folder.setup.target, sensor_file, wanted.changes)
         decode = by_chip(folder.setup, wanted.effects, sensor, wanted.seed)
     else:
         decode = by_model(folder.setup, seed=wanted.seed)
