@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -215,23 +216,28 @@ def emulated_sensor(
     exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     size = (container.target.rows, container.target.cols)
-    readout = np.stack(
-        [
-            ReadoutNoise.of(sensor, chosen, chip, size).codes(chip, 0, 1)[0]
-            for chip in range(_READ_CHIPS)
-        ]
-    ).astype(np.float16)
-    arrays = light_e, share, code, spread, full, readout
-    levels, shares, codes, spreads, marked, errors = map(torch.from_numpy, arrays)
+    arrays = light_e, share, code, spread, full
+    levels, shares, codes, spreads, marked = map(torch.from_numpy, arrays)
     return EmulatedSensor(
         levels,
         share=shares,
         code=codes,
         spread=spreads,
         full=marked,
-        readout=errors,
+        readout=_readout_frames(sensor, chosen, size),
         crosstalk=crosstalk,
     )
+
+
+@lru_cache(4)
+def _readout_frames(sensor: Sensor, effects: Selection, size: tuple[int, int]) -> Tensor:
+    """Return errors of the readout, in codes, float16 (chips, rows, cols), of one frame of `size`
+    (rows, cols) for each of `_READ_CHIPS` chips. They do not depend on the program, so all tables
+    of a search share them."""
+    frames = np.empty((_READ_CHIPS, *size), np.float16)
+    for chip, frame in enumerate(frames):
+        frame[:] = ReadoutNoise.of(sensor, effects, chip, size).codes(chip, frame=0, buckets=1)[0]
+    return torch.from_numpy(frames)
 
 
 def _measured(
