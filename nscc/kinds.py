@@ -40,7 +40,7 @@ Base = TypeVar("Base")
 
 
 class KindTable(Generic[Base]):
-    """The classes by which one package treats each kind of program (`images`, `looks`, `stream`).
+    """The classes with which one package treats each kind of program (`images`, `looks`, `stream`).
 
     `base` is for fixed shutters; the others are given by kind as "module:class" and imported on
     first use. A kind that this package does not treat differently is left out."""

@@ -20,7 +20,7 @@ _MOST_ROWS = 24
 _COLUMNS = 360
 """Most columns of a bar; with more slots, each column shows the share of open time."""
 _SHADES = 4
-"""Steps of opacity by which a column shows its share of open time."""
+"""Steps of opacity of a column, which shows its share of open time."""
 _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 """Pixels for labels, chart width, row height and the time axis."""
 

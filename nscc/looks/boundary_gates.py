@@ -44,7 +44,7 @@ class GateSequence(Record):
 
     @property
     def price(self) -> tuple[int, int]:
-        """The key by which sequences are compared: number of words, then number of scratch
+        """The key that orders sequences: number of words, then number of scratch
         registers."""
         return self.words, len(self.scratch)
 

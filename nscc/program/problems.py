@@ -104,7 +104,7 @@ class Problems:
 
 
 def _place(diagnostic: Diagnostic) -> tuple[int, int]:
-    """Return the key by which diagnostics are sorted: start and end of their place, (-1, -1)
+    """Return the key that sorts diagnostics: start and end of their place, (-1, -1)
     without one."""
     if diagnostic.label is None:
         return (-1, -1)

@@ -29,7 +29,7 @@ SLOPED = ("straight-through", "sigmoid", "gumbel")
 """Relaxations that pass gradients through the quantisation."""
 
 RELAXATIONS = (*SLOPED, "tried", "search")
-"""Methods by which codes are learned.
+"""Methods of learning codes.
 
 `straight-through` uses hard shutters in the forward pass and a surrogate slope in the backward
 pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that a schedule lowers.
@@ -41,7 +41,7 @@ is not trained meanwhile, compares the results (`nscc_training.loop.searching`).
 
 @dataclass(frozen=True)
 class ShutterSpec:
-    """A class of shutters (the rule by which a pixel's code opens it), with its number of slots and
+    """A class of shutters (the rule that opens a pixel by its code), with its number of slots and
     its tile (the small array of codes that is repeated over the sensor).
 
     Parameters

@@ -21,7 +21,7 @@ Decoder = Callable[[Measured[NDArray[Any]]], Clips]
 _WEIGHTS = (0.05, 0.1, 0.2, 0.5, 1.0)
 """Weights of total variation to choose from: noise and motion decide which is best."""
 _SIDE = 128
-"""Rows and columns in the middle of the frame, by which methods are compared."""
+"""Rows and columns of the middle of the frame, where methods are compared."""
 _BLOCK = 4
 """One pixel of each square of this side is left out."""
 

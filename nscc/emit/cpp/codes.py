@@ -396,8 +396,8 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
 
 
 def _operands(match: Match) -> str:
-    """Return the four numbers by which the devkit selects pixels: row, column, and the masks of
-    both."""
+    """Return the four numbers that tell the devkit which pixels to select: row, column, and the
+    masks of both."""
     return f"{match.row}, {match.col}, {match.row_mask}, {match.col_mask}"
 
 

@@ -141,7 +141,7 @@ _MOST_CODES = 3
 _LATER = 8
 """With kept states, this later frame is drawn beside the first."""
 _ROUND = 4.0
-"""Factor by which the lights shown extend beyond the outermost thresholds."""
+"""The lights shown end at the outermost thresholds, divided or multiplied by this factor."""
 _MOST_RANGE = 1e7
 """Largest ratio of the lights shown."""
 _HEIGHT, _BETWEEN, _TIMES, _GAP, _ABOVE = 3.0, 0.95, 1.5, 0.35, 0.3
