@@ -66,7 +66,7 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     if not 3 <= len(shape) <= 5 or 0 in (*shape[:-3], *shape[-2:]):
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
     if shape[-3] == 0 and not pictured:
-        raise InvalidArrays("it has neither exposures nor images or planes")
+        raise InvalidArrays("it has no exposures")
     for name, array in arrays.items():
         if name != "meta" and array.dtype.kind not in "buif":
             raise InvalidArrays(f"`{name}` is {array.dtype}, not real numbers")
