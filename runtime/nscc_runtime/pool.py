@@ -47,13 +47,15 @@ after_fork(_pool.cache_clear)
 
 def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
     """Call `run(begin, end)`, for the numbers from `begin` up to before `end`, for parts of the
-    numbers below `count`, `threads` at a time; return when all are done. An error of a part is
-    raised here.
+    numbers below `count`, `threads` at a time; return when all are done. The first error of a
+    part is raised here, after all parts have ended.
 
     Parts begin at multiples of `multiple`. For 0 numbers, `run(0, 0)` is called. If it is called
     from a thread of a pool itself, that thread runs all as one part. `run` must not wait for such
     threads. Before Python 3.12, threads wait for each other's `cached_property` of one object, so
     compute those that use `in_parts` before."""
+    from concurrent.futures import wait
+
     name = threading.current_thread().name
     blocks = -(-count // multiple)
     threads = min(threads, blocks)
@@ -63,7 +65,10 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
     cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]
     # This thread runs one part, so one thread less has to wake up.
     futures = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]
-    run(cuts[0], cuts[1])
+    try:
+        run(cuts[0], cuts[1])
+    finally:  # the caller owns what the parts write, so none may go on after an error
+        wait(futures)
     for future in futures:
         future.result()
 

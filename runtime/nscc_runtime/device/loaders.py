@@ -9,6 +9,7 @@ from typing import NamedTuple
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.source import Source, Span
 from nscc.words.container import Container, steered_launches, with_picture_words
+from nscc_runtime.device.objects import schedule_rows
 
 
 class Loader(NamedTuple):
@@ -39,15 +40,9 @@ def loader_notes(container: Container, source: Source, frame: Span) -> list[Diag
     sent = with_picture_words(container)
     needed = {
         "kernels": len(sent.kernels),
-        "rows of its schedule": len(sent.launches),
+        "rows of its schedule": sum(1 for _ in schedule_rows(sent, steered_launches(container))),
         "runs of equal slots": sum(1 for _ in groupby(container.slot_us)),
     }
-    # Equal launches share a row: rows are counted only if one for each would be too many.
-    if needed["rows of its schedule"] > min(loader.rows for loader in LOADERS):
-        from nscc_runtime.device.objects import schedule_rows  # a row can repeat a launch
-
-        steered = steered_launches(container)
-        needed["rows of its schedule"] = sum(1 for _ in schedule_rows(sent, steered))
     notes = []
     for loader in LOADERS:
         room = zip(needed.items(), (loader.kernels, loader.rows, loader.runs), strict=True)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import pages
-from nscc_runtime.scenes.colour import Colours, grey
+from nscc_runtime.scenes.colour import Colours, grey, white_of
 from nscc_runtime.scenes.errors import clamped, refuse_no_light
 from nscc_runtime.scenes.light_arrays import check_type
 
@@ -66,6 +66,7 @@ def picture_light(
         floats = stored.dtype.kind == "f"
         # Integers cannot be slightly negative: peak 0 tolerates nothing.
         peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
+        peak /= white or white_of(stored.dtype)  # as a fraction of white, like the light
         region = stored[rows, cols]
         strips = (region[top : top + _STRIP] for top in range(0, len(region), _STRIP))
         bands = (grey(strip, colours, channel, white) for strip in strips)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from threading import Lock
+from time import sleep
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ from reference_programs import sensor_of
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import chip_program as emulator
 from nscc_runtime.emulator import expose
-from nscc_runtime.pool import in_strips
+from nscc_runtime.pool import in_parts, in_strips
 from nscc_runtime.reference.capture import Reference, scene_of
 
 ROWS, COLS = 12, 16
@@ -32,6 +33,21 @@ def test_every_row_is_done_once(rows: range, threads: int, most: int) -> None:
     in_strips(run, rows, most, threads)
     assert sorted(row for strip in done for row in strip) == list(rows)
     assert max(map(len, done)) <= max(1, most // threads)
+
+
+@pytest.mark.parametrize("failing", [0, 1, 2])
+def test_an_error_is_raised_after_all_parts_have_ended(failing: int) -> None:
+    ended: list[int] = []
+
+    def run(begin: int, _: int) -> None:
+        if begin == failing:
+            raise OSError(f"part {begin}")
+        sleep(0.05)
+        ended.append(begin)
+
+    with pytest.raises(OSError, match=f"part {failing}"):
+        in_parts(run, 3, 3)
+    assert sorted([*ended, failing]) == [0, 1, 2]
 
 
 def test_threads_change_no_bit_of_the_reference() -> None:

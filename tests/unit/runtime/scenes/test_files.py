@@ -11,6 +11,7 @@ import pytest
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import ExposureLevel, load_scene, parse_crop, parse_exposure
+from nscc_runtime.scenes.picture_light import picture_light
 
 ROWS, COLS = 16, 24
 SLOT_US = (100.0, 200.0, 400.0)
@@ -248,6 +249,18 @@ def test_tiny_negatives_are_counted_and_clamped(tmp_path: Path) -> None:
     picture[0, 0] = -0.5
     write_float(tmp_path / "p.pfm", picture)
     assert rejection(tmp_path / "p.pfm", exposure=ExposureLevel(10.0)).code == "NS0736"
+
+
+@pytest.mark.parametrize("white", [0.005, 1.0, 200.0])
+def test_negatives_are_tolerated_as_fractions_of_white(tmp_path: Path, white: float) -> None:
+    picture = np.full((ROWS, COLS, 3), white, np.float32)
+    picture[0, 0] = -1e-4 * white
+    light = picture_light(picture, "linear", "p", white=white)
+    assert light[0, 0] == 0
+    picture[0, 0] = -0.1 * white
+    with pytest.raises(Rejected) as raised:
+        picture_light(picture, "linear", "p", white=white)
+    assert raised.value.diagnostics[0].code == "NS0736"
 
 
 @pytest.mark.parametrize("outside", [np.inf, np.nan])
