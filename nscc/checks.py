@@ -98,8 +98,8 @@ def check_gates(gated: Gated) -> None:
 
 
 def check_schedule(choice: Choice) -> None:
-    """Check the kernels (lists of words) of all lowerings of `choice`, and when they start; raise
-    Inconsistent if they are wrong.
+    """Check the kernels (lists of words) of all lowerings (ways to compute the exposure) of
+    `choice`, and when they start; raise Inconsistent if they are wrong.
 
     Kernels must start in the order of boundaries, each at least once, and name only registers of
     the chip."""

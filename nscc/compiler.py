@@ -57,8 +57,8 @@ def _with_ways_out(
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
 
     def attempt(source: Source, codes: Codes, level: int) -> Lowered | None:
-        """Compile the similar program `source` up to its lowering, with these `codes` and at this
-        optimisation `level`; return None if it is rejected."""
+        """Compile the similar program `source` up to its lowering (a way to compute the exposure),
+        with these `codes` and at this optimisation `level`; return None if it is rejected."""
         try:
             return run_passes(source, base, replace(alike, codes=codes, level=level)).lowered
         except Rejected:

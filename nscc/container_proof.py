@@ -70,9 +70,9 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
 def prove_container(container: Container, name: str) -> Proof:
     """Return the proof that a container's words match its decode table.
 
-    `name` is the container in messages. Raises Rejected for invalid words and, with status 1,
-    NS0443 if it has no decode table, NS0440 if the proof fails, and NS0533 or NS0544 if an image or
-    plane cannot be proved."""
+    `name` is the container (a compiled program) in messages. Raises Rejected for invalid words and,
+    with status 1, NS0443 if it has no decode table, NS0440 if the proof fails, and NS0533 or NS0544
+    if an image or plane cannot be proved."""
     kind, kernels = KINDS.of(container), decoded(container)
     if not container.has_table:
         raise rejected(

@@ -37,8 +37,8 @@ def is_compiled(path: Path) -> bool:
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Return the container of an `.icw` file, or of a program that is compiled with `options`
-    (None: the defaults); and the messages of its compilation, none for an .icw file.
+    """Return the container (a compiled program) of an `.icw` file, or of a program that is compiled
+    with `options` (None: the defaults); and the messages of its compilation, none for an .icw file.
 
     Raises Rejected if the program does not compile or a file cannot be read, and ValueError if the
     options leave it open whether the program fits."""
@@ -55,8 +55,8 @@ def with_pixels(
     name: str | Path,
     pixels: Path | Mapping[str, NDArray[Any]] | None = None,
 ) -> Container:
-    """Return the container with pixel codes: those of `pixels` (a file, or arrays by field), or its
-    own.
+    """Return the container (a compiled program) with pixel codes: those of `pixels` (a file, or
+    arrays by field), or its own.
 
     A program without fields needs none. `name` is the container in messages, and the path of its
     program, in whose folder files are looked up. Raises Rejected: NS0741 (status 2) if there are no

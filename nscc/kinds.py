@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class HasKind(Protocol):
-    """What has a kind: a program, or its container."""
+    """What has a kind: a program, or its container (a compiled program)."""
 
     @property
     def target(self) -> Target: ...
@@ -52,8 +52,8 @@ class KindTable(Generic[Base]):
         self._combined = cache(self._combine)
 
     def of(self, program: HasKind) -> Base:
-        """Return the object that treats a program, or a container, of any combination of kinds.
-        Programs of the same combination share the object."""
+        """Return the object that treats a program, or a container (a compiled program), of any
+        combination of kinds. Programs of the same combination share the object."""
         kinds = (kind for kind, belongs in _BELONGS.items() if belongs(program))
         return self._combined(*(self._classes[kind] for kind in kinds if kind in self._classes))
 

@@ -138,7 +138,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     `job` has the options and the stored search results. Plans that cannot be better than one that
     fits are not tried, unless all costs are requested. The errors are NS0502 if no gates are found,
     which does not prove that none exist, and NS0905 if a generator of another package returns
-    invalid gates; NS0504 warns of a generator that fails."""
+    invalid gates; NS0504 warns of a generator (a method that finds gates) that fails."""
     options, results = job.options, job.results
     search = partial(
         find_gates,
@@ -206,7 +206,7 @@ class Compiled(Record):
         return float(self.layout.shortest_slot_us)
 
     def __repr__(self) -> str:
-        """Return name, class and container as one line."""
+        """Return name, class and container (a compiled program) as one line."""
         words = "no words" if self.container is None else f"{self.container!r}"
         return f"Compiled({self.program.source.name!r}, class {self.program.class_name}: {words})"
 
@@ -233,7 +233,8 @@ class ProgramKind:
     """Whether programs with simpler rules are suggested for one that does not fit."""
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of `layout`, the value of the pass `schedule`, and diagnostics.
+        """Return the container (a compiled program) of `layout`, the value of the pass `schedule`,
+        and diagnostics.
 
         `job` has the options. With images and planes there may be errors: NS0535, NS0540 and NS0541
         if they exceed the chip's resources."""
@@ -248,7 +249,8 @@ class ProgramKind:
         return readout_failure(container)
 
     def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
-        """Return the proof that decoded words, or bit planes, do what the container says."""
+        """Return the proof that decoded words, or bit planes, do what the container says. A
+        container is a compiled program."""
         return prove(container, kernels, self.replay, self.after_frame)
 
     def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
@@ -256,7 +258,7 @@ class ProgramKind:
         order of the decode table.
 
         Raises Rejected (NS0442, status 1) if the words do not implement shutters. `name` is the
-        container in the message."""
+        container (a compiled program) in the message."""
         opened = shutters(container, decoded(container))
         if opened is None:
             raise rejected(
@@ -336,8 +338,8 @@ KINDS = KindTable(
 
 
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
-    """Return the proof of a container, by replaying its words or following the light of its bit
-    planes; and errors.
+    """Return the proof of a container (a compiled program), by replaying its words or following the
+    light of its bit planes; and errors.
 
     `job` has the program's text, for the place of an error. A failed proof is a fault of the
     compiler, not an error of the program. The errors are NS0533 and NS0544, for an image or plane

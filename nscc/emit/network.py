@@ -69,7 +69,8 @@ class NetworkMaker:
     """A network of gates under construction.
 
     `network` has the nodes so far, and `holds` the node of the current value of each virtual
-    register and of FLAG. Gates must be added in execution order, after the planes."""
+    register and of FLAG. Gates must be added in execution order, after the planes. FLAG is the bit
+    that lets a pixel act."""
 
     def __init__(self, lowered: Lowered, encoding: str) -> None:
         """Begin with an empty network; its graph attributes name encoding, lowering (way to compute
@@ -131,9 +132,9 @@ class NetworkMaker:
         boundary.
 
         `kind` is "gate" or "look", `function` the attribute of that name, `name` a virtual register
-        or FLAG. `look` has further attributes of the answer of a comparison; a gate has the number
-        of its words instead. Return the node's name. Raises ValueError if the boundary does not run
-        the words."""
+        or FLAG (the bit that lets a pixel act). `look` has further attributes of the answer of a
+        comparison; a gate has the number of its words instead. Return the node's name. Raises
+        ValueError if the boundary does not run the words."""
         node = self._named(kind[0])
         self.network.add_node(
             node,
@@ -152,7 +153,7 @@ class NetworkMaker:
         needed for at a boundary. FLAG must have been written.
 
         `edge` is "open", "rise", "fall" or "reset", and `bucket` is the bucket's name, "" for a
-        reset."""
+        reset. A demand is a set of shutters that FLAG must select at a boundary."""
         node = self._named("d")
         self.network.add_node(node, kind="demand", edge=edge, bucket=bucket, boundary=boundary)
         self.network.add_edge(self.holds["FLAG"], node)

@@ -98,7 +98,7 @@ def word_cost_text(compiled: Compiled) -> str:
 def _words(compiled: Compiled) -> tuple[int, int]:
     """Return how many words a chip stores, and how many it executes in a frame.
 
-    With a container, these include the words of images and planes."""
+    With a container (a compiled program), these include the words of images and planes."""
     if compiled.container is not None:
         return compiled.container.words_stored, compiled.container.words_per_frame
     assert compiled.lowered is not None

@@ -44,8 +44,9 @@ class _Points:
     """Points: groups of shutters that no demand distinguishes.
 
     `bits`, bool (predicates, points), are the distinct predicates that planes may hold; the first
-    `demanded` of them are demands. `names` describe the predicates in words. `shutters` (shutters,)
-    is the number of each shutter's point."""
+    `demanded` of them are demands (sets of shutters that FLAG must select at boundaries). `names`
+    describe the predicates in words. `shutters` (shutters,) is the number of each shutter's point.
+    FLAG is the bit that lets a pixel act."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -59,11 +60,12 @@ _Choice = tuple[tuple[int, bool], ...]
 
 @dataclass(frozen=True)
 class _Plan:
-    """Chosen predicates to store, and how the others are computed.
+    """Chosen predicates (sets of shutters) to store, and how the others are computed.
 
     `choice` names the predicates; `planes`, bool (planes, points), are what is stored, which may
     differ from them in places. `scratch` is the number of scratch registers, and `cascades` has the
-    cascade of every task. `words` are those of all gates of a frame."""
+    cascade of every task. `words` are those of all gates of a frame. A cascade is a chain of gates,
+    each of which reads the one before."""
 
     choice: _Choice
     planes: NDArray[np.bool_]
@@ -112,9 +114,10 @@ class _Finder:
     then plans, until the budget is used up."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
-        """Reduce the problem's demands to tasks on distinct points, and count equal tasks.
+        """Reduce the problem's demands (sets of shutters that FLAG must select at boundaries) to
+        tasks on distinct points, and count equal tasks.
 
-        Raises GaveUp if the budget of steps is used up."""
+        Raises GaveUp if the budget of steps is used up. FLAG is the bit that lets a pixel act."""
         self._problem = problem
         self._machine = machine
         self._budget = budget
@@ -131,7 +134,8 @@ class _Finder:
         better one.
 
         Raises GaveUp at once if there are more than MOST_POINTS points, or if the planes that
-        distinguish them leave no register for results; later when no steps are left."""
+        distinguish them leave no register for results; later when no steps are left. A plane is the
+        content of a code register."""
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
         # One register is left for intermediate results.
@@ -182,10 +186,11 @@ class _Finder:
 
     def solution(self, plan: _Plan) -> Solution:
         """Return the solution that stores a plan's predicates and computes the others by its
-        cascades.
+        cascades (chains of gates, each of which reads the one before).
 
-        `plan` must have a cascade for every task. The solution has one answer for each demand; it
-        is empty if FLAG already holds the predicate."""
+        `plan` must have a cascade for every task. The solution has one answer for each demand (a
+        set of shutters that FLAG must select at a boundary); it is empty if FLAG already holds the
+        predicate."""
         points = self._points
         answers: list[tuple[Segment, ...]] = []
         for task in self._tasks:
@@ -226,10 +231,11 @@ class _Finder:
         )
 
     def _tasks_of_demands(self) -> list[_Task | None]:
-        """Return the task of every demand, in order; None where FLAG already holds the demand's
-        predicate.
+        """Return the task of every demand (a set of shutters that FLAG must select at a boundary),
+        in order; None where FLAG already holds the demand's predicate.
 
-        Predicates are numbered in the order of their first demands, as in `_Points.bits`."""
+        Predicates are numbered in the order of their first demands, as in `_Points.bits`. FLAG is
+        the bit that lets a pixel act."""
         problem = self._problem
         number: dict[int, int] = {}
         for demand in problem.demands:
@@ -248,7 +254,7 @@ class _Finder:
         with a beam of `width` values; None if the search found none.
 
         `scratch` is the number of registers for intermediate results. Raises GaveUp if no steps are
-        left."""
+        left. A predicate is a set of shutters."""
         planes = _separating(self._points.bits, choice)
         times = self._times
         # The search counts each distinct task once; every repetition costs at least one word more.
@@ -270,26 +276,27 @@ class _Finder:
         return _Plan(choice, planes, scratch, cascades, words) if words <= most else None
 
     def _search(self, planes: NDArray[np.bool_], scratch: int) -> Search:
-        """Return a search for gates that reads these stored predicates and `scratch` free
-        registers.
+        """Return a search for gates that reads these stored predicates (sets of shutters) and
+        `scratch` free registers.
 
         `planes`, bool (planes, points), are the contents of the stored predicates. Spends steps of
-        the budget; raises GaveUp if none are left."""
+        the budget; raises GaveUp if none are left. A plane is the content of a code register."""
         sets = packed(planes)
         self._budget.spend(_STEPS_A_CHOICE + (sets.shape[1] << len(planes)) // 64)
         table = Planes(sets, planes.shape[1], self._machine)
         return Search(table, self._machine, scratch, self._budget)
 
     def _predicates_and_flag(self, tasks: list[_Task]) -> tuple[Points, Points]:
-        """Return two arrays of sets, uint64 (tasks, words of 64 points): the predicate of every
-        task, and the content of FLAG before it (the empty set if unknown)."""
+        """Return two arrays of sets, uint64 (tasks, words of 64 points): the predicate (a set of
+        shutters) of every task, and the content of FLAG before it (the empty set if unknown). FLAG
+        is the bit that lets a pixel act."""
         predicates, flag_predicates = np.array(tasks).T
         known = np.where((flag_predicates >= 0)[:, None], self._sets[flag_predicates], np.uint64(0))
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
-        """Improve the choice of stored predicates by exchanging or inverting one at random; yield
-        each plan with fewer words than all before.
+        """Improve the choice of stored predicates (sets of shutters) by exchanging or inverting one
+        at random; yield each plan with fewer words than all before.
 
         `best` is the plan to begin with, `width` the width of the beam. Ends when only `until`
         steps of the budget are left."""
@@ -321,7 +328,8 @@ class _Finder:
         """Search for shorter cascades of the plan `best` with the same planes and a beam of `width`
         values, the longest cascade first; yield each better plan.
 
-        Raises GaveUp if no steps are left."""
+        Raises GaveUp if no steps are left. A cascade is a chain of gates, each of which reads the
+        one before. A plane is the content of a code register."""
         search = self._search(best.planes, best.scratch)
         for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
@@ -334,10 +342,12 @@ class _Finder:
 
 
 def _points(problem: Problem) -> _Points:
-    """Return the points of a problem: shutters that are equal in all demands are one point.
+    """Return the points of a problem: shutters that are equal in all demands (sets of shutters that
+    FLAG must select at boundaries) are one point.
 
     The open shutters of each slot of each bucket are added as candidates for planes, except where
-    all or none are open, because such a plane distinguishes nothing."""
+    all or none are open, because such a plane distinguishes nothing. FLAG is the bit that lets a
+    pixel act."""
     names: dict[int, str] = {}
     for demand in problem.demands:
         names.setdefault(demand.predicate, describe_demand(demand))
@@ -359,7 +369,8 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     that no two points are equal in all planes.
 
     `bits` (predicates, points) are the candidates of `_Points`. The caller ensures that there are
-    at most 2^planes points."""
+    at most 2^planes points. A predicate is a set of shutters. A plane is the content of a code
+    register."""
     stored, inverted = np.array(choice).T
     planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
@@ -379,5 +390,5 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
 
 
 def _names(planes: Iterable[int]) -> list[str]:
-    """Return the names of code planes by number."""
+    """Return the names of code planes (contents of code registers) by number."""
     return [f"p{plane}" for plane in planes]

@@ -43,10 +43,11 @@ _NEXT_CUBES = 2
 class Link:
     """One link of a cascade: an OR, or a NOR if `negated`, of its inputs.
 
-    Its value goes to FLAG if `to_flag`, else to a scratch register. `cubes` are bit masks of
-    planes, each computed as a NOR in its own scratch register; `planes` are numbers of planes that
-    are read directly. A link that `reads_flag` also reads FLAG as it was before the cascade. Every
-    link except the innermost also reads the value of the next link in the list."""
+    Its value goes to FLAG if `to_flag`, else to a scratch register (for intermediate results).
+    `cubes` are bit masks of planes, each computed as a NOR in its own scratch register; `planes`
+    are numbers of planes that are read directly. A link that `reads_flag` also reads FLAG as it was
+    before the cascade (a chain of gates, each of which reads the one before). Every link except the
+    innermost also reads the value of the next link in the list."""
 
     to_flag: bool
     negated: bool
@@ -58,7 +59,7 @@ class Link:
 @dataclass(frozen=True)
 class Cascade:
     """The links of a cascade, the last executed link first, and its number of words. A cascade
-    without links does not occur: its last word loads FLAG."""
+    without links does not occur: its last word loads FLAG (the bit that lets a pixel act)."""
 
     links: tuple[Link, ...]
     words: int
@@ -84,9 +85,10 @@ class _Values:
     one row for each value.
 
     `on` and `off`, (n, words of 64 points), are the points at which the value must be 1 and 0; all
-    others are free. `task` is the index of the predicate. `via` is the number of the value that
-    reads this value (-1: none, it is the predicate itself), as a source of a NOR if `negated`, else
-    of an OR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if there are fewer."""
+    others are free. `task` is the index of the predicate (a set of shutters). `via` is the number
+    of the value that reads this value (-1: none, it is the predicate itself), as a source of a NOR
+    if `negated`, else of an OR. `cubes` (n, scratch) are masks of the cubes (NORs of registers) of
+    the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -150,12 +152,13 @@ At the end of a cascade, the last item says whether the old FLAG is read."""
 
 
 class Search:
-    """A search for cascades over one set of planes, with `scratch` registers for cubes and values
-    of links. One search may be used for several predicates, one call of `find` after the other."""
+    """A search for cascades over one set of planes, with `scratch` registers for cubes (NORs of
+    registers) and values of links. One search may be used for several predicates (sets of
+    shutters), one call of `find` after the other."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
-        """Prepare a search with the cubes of `planes`, `scratch` registers for intermediate results
-        and a limit on steps.
+        """Prepare a search with the cubes (NORs of registers) of `planes`, `scratch` registers for
+        intermediate results and a limit on steps.
 
         `machine` gives the limits on sources; None, for no limit, becomes a number that no gate
         reaches."""
@@ -174,15 +177,16 @@ class Search:
         width: int,
         most_total: int,
     ) -> list[Cascade | None]:
-        """Return for each predicate of `on` a cascade that computes it in FLAG, or None if the beam
-        found none.
+        """Return for each predicate (a set of shutters) of `on` a cascade that computes it in FLAG,
+        or None if the beam found none.
 
         `on` and `flag_before` are sets of points, uint64 (n, words of 64 points), one row for each
         predicate. Cascade i has at most `most_words[i]` words. FLAG holds `flag_before` before the
-        cascade, the empty set if its content is unknown. `width` is the number of values of each
-        predicate that the beam keeps. The search ends early when all cascades together are unlikely
-        to have as few as `most_total` words; predicates without a cascade so far then have None.
-        Raises GaveUp if the budget is used up."""
+        cascade (a chain of gates, each of which reads the one before), the empty set if its content
+        is unknown. `width` is the number of values of each predicate that the beam keeps. The
+        search ends early when all cascades together are unlikely to have as few as `most_total`
+        words; predicates without a cascade so far then have None. Raises GaveUp if the budget is
+        used up."""
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
         # One value for each task, with no link yet: `via` is -1, nothing is negated, no cubes.
@@ -239,8 +243,8 @@ class Search:
         """Record the values as starting points of further links, and return them as parents: `via`
         is their own number, and nothing is negated or decided by cubes yet.
 
-        `in_flag` says whether the values are in FLAG. Numbers continue after those recorded
-        before."""
+        `in_flag` says whether the values are in FLAG (the bit that lets a pixel act). Numbers
+        continue after those recorded before. A cube is a NOR of registers."""
         first = 0
         if self._recorded:
             before, last, _ = self._recorded[-1]
@@ -259,7 +263,8 @@ class Search:
         An inner value is what the link before must compute; it lacks the points that the link's
         planes and cubes decide. `words` is the number of words of later links, and `width` the
         number of values that the beam keeps. Values without undecided points are recorded as ends
-        of cascades. Raises GaveUp if no steps are left."""
+        of cascades. Raises GaveUp if no steps are left. A cube is a NOR of registers. A scratch
+        register holds an intermediate result."""
         scratch = self._scratch
         most = self._most_cubes(in_flag)
         # First links without cubes, which read planes only.
@@ -297,12 +302,13 @@ class Search:
                         grown[used + 1, spent + price].append(wider)
 
     def _most_cubes(self, to_flag: bool) -> int:
-        """Return the most cubes in one link; a link to a scratch register can be in place."""
+        """Return the most cubes (NORs of registers) in one link; a link to a scratch register (for
+        intermediate results) can be in place."""
         return min(self._scratch, self._where_limit if to_flag else self._or_limit - 1)
 
     def _room(self, to_flag: bool, *, cubes: bool, inner: bool) -> int:
-        """Return the number of planes that a link can read besides its cubes and its inner value; 0
-        or more.
+        """Return the number of planes (contents of code registers) that a link can read besides its
+        cubes (NORs of registers) and its inner value; 0 or more.
 
         `to_flag`: the link is a WHERE. `cubes`: sources are reserved for as many cubes as a link
         may have. `inner`: a WHERE without cubes reserves a source for the inner value; all other
@@ -319,8 +325,8 @@ class Search:
         """Return the values without the points of `on` that at most `room` single planes decide;
         unchanged if `room` is 0 or less.
 
-        Only planes that are 0 on all of `off` may be read. They are chosen greedily, most newly
-        decided points first."""
+        Only planes (contents of code registers) that are 0 on all of `off` may be read. They are
+        chosen greedily, most newly decided points first."""
         planes = self._table.planes
         if room <= 0:
             return values
@@ -344,8 +350,8 @@ class Search:
         """Yield (words of the cube, values after one more cube) for the cubes that decide most
         points of each value, at most _FIRST_CUBES or _NEXT_CUBES of each price.
 
-        A cube must be 0 on `off` and decide at least one point. `used` is the number of cubes that
-        the link already has. Raises GaveUp if no steps are left."""
+        A cube (a NOR of registers) must be 0 on `off` and decide at least one point. `used` is the
+        number of cubes that the link already has. Raises GaveUp if no steps are left."""
         top = _FIRST_CUBES if used == 0 else _NEXT_CUBES
         for price, cubes, masks in self._table.groups:
             batch = max(1, _BATCH // cubes.size)
@@ -369,8 +375,8 @@ class Search:
         """Record, for every task, the first value without undecided points as the end of its
         cascade of `words` words, unless a cascade as short is known.
 
-        With `inner`, the content of FLAG before the cascade is also read and may decide points.
-        `in_flag` says whether the link writes FLAG."""
+        With `inner`, the content of FLAG (the bit that lets a pixel act) before the cascade is also
+        read and may decide points. `in_flag` says whether the link writes FLAG."""
         undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
@@ -388,9 +394,10 @@ class Search:
 
     def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
         """Return the cascade whose end, (words, way), was found for the predicate `on`, with the
-        planes that each link reads; None if `end` is None.
+        planes (contents of code registers) that each link reads; None if `end` is None.
 
-        `on` is a set of points, (words of 64 points,). The links are the last executed first."""
+        `on` is a set of points, (words of 64 points,). The links are the last executed first. A
+        predicate is a set of shutters."""
         if end is None:
             return None
         words, way = end
@@ -413,7 +420,8 @@ class Search:
 
     def _way(self, number: int) -> _Way:
         """Return how the recorded value with this number was made: from which value (-1: it is a
-        predicate), negated or not, with which cubes, and whether it is in FLAG."""
+        predicate), negated or not, with which cubes (NORs of registers), and whether it is in FLAG.
+        A predicate is a set of shutters."""
         at = bisect_right(self._recorded, number, key=lambda entry: entry[0]) - 1
         first, values, in_flag = self._recorded[at]
         i = number - first
@@ -423,12 +431,13 @@ class Search:
     def _read(
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
-        """Return the numbers, ascending, of the planes that a link reads besides its cubes, and the
-        points of `on` left undecided.
+        """Return the numbers, ascending, of the planes that a link reads besides its cubes (NORs of
+        registers), and the points of `on` left undecided.
 
-        A link is one gate of the cascade. `on` and `off` are the sets of points at which it must be
-        1 and 0; `cubes` are masks of planes. At most `room` planes are read, chosen greedily; one
-        that decides no point besides the cubes and earlier planes is left out."""
+        A link is one gate of the cascade (a chain of gates, each of which reads the one before).
+        `on` and `off` are the sets of points at which it must be 1 and 0; `cubes` are masks of
+        planes. At most `room` planes are read, chosen greedily; one that decides no point besides
+        the cubes and earlier planes is left out."""
         target = on
         table = self._table.planes
         pure = disjoint(table, off[None])

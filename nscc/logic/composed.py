@@ -78,7 +78,8 @@ _Code = Literal["values", "gray", "binary"]
 @dataclass
 class _Covered:
     """A part whose values are ORs of `cubes[i]` at demand i, or the inverse of that OR if
-    `inverted[i]`. An empty list is 0."""
+    `inverted[i]`. An empty list is 0. A demand is a set of shutters that FLAG must select at a
+    boundary."""
 
     cubes: list[list[Cube]]
     inverted: list[bool]
@@ -90,12 +91,13 @@ class _State:
 
     `register` is a name such as s0, and `masked` tells whether it is the masked register. The
     register holds the part's value if `positive`, else its inverse. `closes`: the part only closes,
-    else it only opens. `changes` maps the index of the demand at which shutters change to their
-    number. The NOR of the planes (numbers `planes`, lowest bit first) at which a number has a 0
-    selects the number and its submasks, which have changed before. So it is for the `low_bits`
-    lowest planes; higher planes are in Gray code and inverted over time. With `second` the register
-    holds the exclusive or with that part. `steps` are the disjoint parts in which `second` then
-    differs from its value at the demand before."""
+    else it only opens. `changes` maps the index of the demand (a set of shutters that FLAG must
+    select at a boundary) at which shutters change to their number. The NOR of the planes (numbers
+    `planes`, lowest bit first) at which a number has a 0 selects the number and its submasks, which
+    have changed before. So it is for the `low_bits` lowest planes; higher planes are in Gray code
+    and inverted over time. With `second` the register holds the exclusive or with that part.
+    `steps` are the disjoint parts in which `second` then differs from its value at the demand
+    before. FLAG is the bit that lets a pixel act."""
 
     register: str
     masked: bool
@@ -113,12 +115,12 @@ _Planned = _State | _Covered | tuple[Operator, "_Planned", "_Planned"]
 
 @dataclass
 class _Writer:
-    """The planes, states and gates of one frame, under construction; make a new one for each
-    script.
+    """The planes (contents of code registers), states and gates of one frame, under construction;
+    make a new one for each script.
 
-    `submask_bits` is the most low bits of a state's number whose cubes are submasks. `code` chooses
-    the planes of parts that cubes cover. With `kept`, an exclusive or is kept in the masked
-    register."""
+    `submask_bits` is the most low bits of a state's number whose cubes (NORs of registers) are
+    submasks. `code` chooses the planes of parts that cubes cover. With `kept`, an exclusive or is
+    kept in the masked register."""
 
     problem: Problem
     machine: Machine
@@ -133,7 +135,8 @@ class _Writer:
         gates of the rule. Call it once; it fills the writer's planes and states.
 
         Raises GaveUp if no register is left for intermediate results, or if a part takes too many
-        cubes."""
+        cubes (NORs of registers). A demand is a set of shutters that FLAG must select at a
+        boundary."""
         planned = self._planned(rule, inverse=False)
         scratch = self.machine.registers - len(self.planes) - len(self.states)
         if scratch < 1:
@@ -168,9 +171,9 @@ class _Writer:
         rule with its parts replaced.
 
         A part that only opens or only closes becomes a state that counts to its time of change; any
-        other part is covered by cubes. With `inverse`, the gates will read the rule's inverse, so a
-        state in the masked register is stored inverted. Raises GaveUp if a part takes too many
-        cubes."""
+        other part is covered by cubes (NORs of registers). With `inverse`, the gates will read the
+        rule's inverse, so a state in the masked register is stored inverted. Raises GaveUp if a
+        part takes too many cubes. A plane is the content of a code register."""
         if isinstance(rule, RulePart):
             for closes in (True, False):
                 if only_opens(~rule.open if closes else rule.open):
@@ -193,8 +196,8 @@ class _Writer:
         return rule.operator, first, second
 
     def _state(self, part: RulePart, closes: bool, inverse: bool) -> _State:
-        """Add a state for a part, with planes that hold the number of a shutter's change, and
-        return it.
+        """Add a state for a part, with planes (contents of code registers) that hold the number of
+        a shutter's change, and return it.
 
         `closes`: the part only closes, else it only opens. `inverse`: its gates read the inverse.
         The first state goes into the masked register, if there is one, where both polarities take
@@ -222,7 +225,8 @@ class _Writer:
         numbers.
 
         The part's values at the demands are stored as they are, whatever the code, if that takes no
-        more planes than numbers of its kinds of shutters."""
+        more planes than numbers of its kinds of shutters. A cube is a NOR of registers. A demand is
+        a set of shutters that FLAG must select at a boundary."""
         base, name = len(self.planes), " and ".join(part.fields)
         # Kinds of shutters are numbered in the order of field values, the first field first:
         # `lexsort` takes the most significant key last.
@@ -262,7 +266,8 @@ class _Writer:
 
         Cubes read the planes with the numbers `planes`. Raises GaveUp if these do not distinguish a
         predicate's shutters from the others, if a predicate needs more than `_MOST_CUBES`, or if
-        the search takes too many steps."""
+        the search takes too many steps. A cube is a NOR of registers. A predicate is a set of
+        shutters."""
         vectors, everything = [self.planes[p][0] for p in planes], self.problem.everything
         # A part whose covers take more steps than this is given up.
         budget = Budget(20_000 * len(predicates))
@@ -283,11 +288,11 @@ class _Writer:
         return _Covered([cubes for cubes, _ in chosen], [inverted for _, inverted in chosen])
 
     def _disjoint(self, predicates: list[int], planes: Sequence[int]) -> tuple[_Covered, ...]:
-        """Return parts whose exclusive or is open in `predicates`, each with at most one cube, or
-        its inverse, at each demand; none if all predicates are empty.
+        """Return parts whose exclusive or is open in `predicates`, each with at most one cube (a
+        NOR of registers), or its inverse, at each demand; none if all predicates are empty.
 
-        `predicates` are truth vectors, one for each demand; `planes` are the numbers of the planes
-        that cubes may read."""
+        `predicates` are truth vectors, one for each demand (a set of shutters that FLAG must select
+        at a boundary); `planes` are the numbers of the planes that cubes may read."""
         parts: list[_Covered] = []
         while any(predicates):
             part = self._covered(predicates, planes)
@@ -302,14 +307,16 @@ class _Writer:
         return tuple(parts)
 
     def _vector(self, cube: Cube) -> int:
-        """Return the truth vector of a cube, from the planes as stored at the start. The empty cube
-        is 1 everywhere."""
+        """Return the truth vector (an integer with one bit for each shutter) of a cube, from the
+        planes as stored at the start. The empty cube is 1 everywhere. A plane is the content of a
+        code register."""
         zeros = union(self.planes[p][0] ^ (self.problem.everything * value) for p, value in cube)
         return self.problem.everything ^ zeros
 
     def _advance(self, state: _State, index: int) -> None:
         """Append the gates that update a state before demand `index`: first the inversions where
-        its second part changes, then the change of its own shutters, if any."""
+        its second part changes, then the change of its own shutters, if any. A demand is a set of
+        shutters that FLAG must select at a boundary."""
         for step in state.steps:
             if step.cubes[index] or step.inverted[index]:
                 inverse = self._direct(step, index)
@@ -345,7 +352,8 @@ class _Writer:
         those in which all planes `changed` (names) are 0.
 
         If the state also holds the exclusive or with a second part, its new content depends on the
-        cubes of that part."""
+        cubes (NORs of registers) of that part. A demand is a set of shutters that FLAG must select
+        at a boundary."""
         cubes, content = list[Cube](), _after(state)
         if state.second is not None:
             cubes, content = state.second.cubes[index], content ^ state.second.inverted[index]
@@ -363,7 +371,7 @@ class _Writer:
             self.gates.add(Gate("CLR" if content else "SET", state.register, (), masked=True))
 
     def _end_segment(self) -> None:
-        """Add the gates so far as a segment, if there are any."""
+        """Add the gates so far as a segment (gates that run together), if there are any."""
         if pending := self.gates.take():
             self.segments.append(pending)
 
@@ -371,8 +379,8 @@ class _Writer:
         """Add the gates that set FLAG to the OR of the registers `sources`, of which FLAG may be
         one.
 
-        Raises GaveUp if WHERE takes fewer sources and no scratch register is free to gather
-        them."""
+        Raises GaveUp if WHERE takes fewer sources and no scratch register (for intermediate
+        results) is free to gather them. FLAG is the bit that lets a pixel act."""
         limit = self.machine.where_sources
         # FLAG as a source of WHERE is not possible on every chip, so a register takes the OR first.
         if "FLAG" in sources:
@@ -387,7 +395,8 @@ class _Writer:
         it writes: free scratch, or a scratch source that is not in `kept`.
 
         The other scratch registers among the sources become free, except those in `kept`, which are
-        read later. Raises GaveUp if no register is left."""
+        read later. Raises GaveUp if no register is left. A scratch register holds an intermediate
+        result."""
         spent = [s for s in dict.fromkeys(sources) if s[0] == "t" and s not in kept]
         target = next(iter([*self.free, *spent]), None)
         if target is None:
@@ -401,7 +410,8 @@ class _Writer:
         """Add gates for a rule at demand number `index`; return registers whose OR is the value of
         the rule, or with `inverse` the inverse of the value.
 
-        `planned` is the rule as `_planned` returns it. Raises GaveUp if no register is left."""
+        `planned` is the rule as `_planned` returns it. Raises GaveUp if no register is left. A
+        demand is a set of shutters that FLAG must select at a boundary."""
         if isinstance(planned, _Covered):
             return self._cubes(planned, index, inverse)
         if isinstance(planned, _State):
@@ -436,9 +446,10 @@ class _Writer:
 
     def _in_flag(self, names: list[str]) -> list[str]:
         """Move the OR of the scratch registers among `names` to FLAG, and return the names with
-        FLAG instead of them. The scratch registers are then free.
+        FLAG instead of them. The scratch registers (for intermediate results) are then free.
 
-        Raises GaveUp if none of the names is scratch, or if FLAG is in use."""
+        Raises GaveUp if none of the names is scratch, or if FLAG (the bit that lets a pixel act) is
+        in use."""
         scratch = [name for name in names if name[0] == "t"]
         if not scratch or self.flag_busy:
             raise GaveUp("no register is left to compute with")
@@ -449,7 +460,8 @@ class _Writer:
 
     def _needs_scratch(self, planned: _Planned, index: int, inverse: bool) -> bool:
         """Return whether the gates that `_sources` adds for a rule at demand `index`, inverted if
-        `inverse`, write a scratch register."""
+        `inverse`, write a scratch register (for intermediate results). A demand is a set of
+        shutters that FLAG must select at a boundary."""
         if self._direct(planned, index) != inverse:
             return True
         if isinstance(planned, tuple):
@@ -459,7 +471,8 @@ class _Writer:
 
     def _direct(self, planned: _Planned, index: int) -> bool:
         """Return whether registers with the inverse of a rule, at demand number `index`, take fewer
-        gates than those with its value. For an exclusive or the result is False."""
+        gates than those with its value. For an exclusive or the result is False. A demand is a set
+        of shutters that FLAG must select at a boundary."""
         if isinstance(planned, _State):
             return not planned.positive
         if isinstance(planned, _Covered):
@@ -469,7 +482,8 @@ class _Writer:
     def _is_low(self, cubes: Sequence[Cube]) -> bool:
         """Return whether the registers that are read for `cubes` hold the inverse of their OR. They
         do for one cube of several planes (a NOR is still to come), and for a single plane whose
-        register holds the inverse of the literal; not for several cubes, nor for none."""
+        register holds the inverse of the literal; not for several cubes (NORs of registers), nor
+        for none. A plane is the content of a code register."""
         if len(cubes) != 1 or len(cubes[0]) > 1:
             return len(cubes) == 1
         ((plane, value),) = cubes[0]
@@ -480,7 +494,8 @@ class _Writer:
         of the part, or with `inverse` its inverse.
 
         The part is an OR of cubes, or the inverse of one; a cube is the NOR of its planes. Planes
-        are inverted first where needed. Raises GaveUp if no register is left."""
+        are inverted first where needed. Raises GaveUp if no register is left. A demand is a set of
+        shutters that FLAG must select at a boundary."""
         cubes, low = covered.cubes[index], self._is_low(covered.cubes[index])
         inverse ^= covered.inverted[index]
         names = self._literals(cubes[0]) if len(cubes) == 1 else []
@@ -494,15 +509,17 @@ class _Writer:
         return names if low == inverse else [self._joined("NOR", names)]
 
     def _literals(self, cube: Cube) -> list[str]:
-        """Return the names of the planes of a cube, whose NOR is the cube. Planes of several are
-        first inverted where needed; a single plane stays as it is."""
+        """Return the names of the planes (contents of code registers) of a cube (a NOR of
+        registers), whose NOR is the cube. Planes of several are first inverted where needed; a
+        single plane stays as it is."""
         if len(cube) > 1:
             self._turn(cube)
         return [f"p{plane}" for plane, _ in cube]
 
     def _turn(self, cube: Cube) -> None:
-        """Append the gates, if any, that invert planes so that a cube is their NOR. They end the
-        segment before them and are segments of their own."""
+        """Append the gates, if any, that invert planes (contents of code registers) so that a cube
+        is their NOR. They end the segment (gates that run together) before them and are segments of
+        their own."""
         if any(self.standing.inverted[plane] != value for plane, value in cube):
             self._end_segment()
             self.segments += self.standing.turn(cube)

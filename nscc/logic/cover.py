@@ -23,7 +23,8 @@ class Nor(NamedTuple):
     the present one on, inside which it lies (at least 1).
 
     `sources` are indices of the values that it reads. `words` is its cost, more than one if it has
-    more sources than one word accepts."""
+    more sources than one word accepts. A demand is a set of shutters that FLAG must select at a
+    boundary. A truth vector is an integer with one bit for each shutter."""
 
     sources: tuple[int, ...]
     vector: int
@@ -32,7 +33,8 @@ class Nor(NamedTuple):
 
     @property
     def cost(self) -> float:
-        """The number of words per served demand."""
+        """The number of words per served demand (a set of shutters that FLAG must select at a
+        boundary). FLAG is the bit that lets a pixel act."""
         return self.words / self.life
 
 
@@ -40,8 +42,8 @@ class Cover(NamedTuple):
     """A cover of a predicate: it is the OR of the values with the indices `positive` and of
     `cubes`.
 
-    `cost` is in words; the words of reused cubes are divided by the number of demands that they
-    serve."""
+    `cost` is in words; the words of reused cubes (NORs of registers) are divided by the number of
+    demands that they serve. A demand is a set of shutters that FLAG must select at a boundary."""
 
     positive: tuple[int, ...]
     cubes: tuple[Nor, ...]
@@ -59,7 +61,7 @@ class Covers(NamedTuple):
     """A search for covers within `budget`, the steps for all calls together.
 
     `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
-    accepts (None: any number)."""
+    accepts (None: any number). A truth vector is an integer with one bit for each shutter."""
 
     everything: int
     fan_in: int | None
@@ -68,12 +70,13 @@ class Covers(NamedTuple):
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """Return a cheap cover of ahead[0] by values and at most `most_cubes` cubes; None if not
-        found.
+        """Return a cheap cover of ahead[0] by values and at most `most_cubes` cubes (NORs of
+        registers); None if not found.
 
         `values` are truth vectors; `usable[i]` says whether value i may be a source of the OR
-        (cubes may read all values). `ahead` are the predicates of this demand and the next ones;
-        cubes that the next ones can reuse are preferred. Raises GaveUp if the budget is used up."""
+        (cubes may read all values). `ahead` are the predicates of this demand (a set of shutters
+        that FLAG must select at a boundary) and the next ones; cubes that the next ones can reuse
+        are preferred. Raises GaveUp if the budget is used up."""
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
@@ -96,8 +99,8 @@ class Covers(NamedTuple):
     def _candidates(
         self, values: Sequence[int], ahead: Sequence[int], uncovered: int
     ) -> list[Nor] | None:
-        """Return cubes of `values` inside ahead[0] that together cover the shutters `uncovered`;
-        None if they cannot, or would take more than _MOST_SEEDS rounds.
+        """Return cubes (NORs of registers) of `values` inside ahead[0] that together cover the
+        shutters `uncovered`; None if they cannot, or would take more than _MOST_SEEDS rounds.
 
         Of equal cubes, the one with the fewest sources is kept."""
         nor_by_vector: dict[int, Nor] = {}
@@ -135,10 +138,10 @@ class Covers(NamedTuple):
         """Return (sources, truth vector) of a prime cube over the literals `zeros` that avoids
         `outside`; None if even all literals together do not avoid it.
 
-        `zeros` are indices into `values`, `outside` and `uncovered` are truth vectors. The cube
-        starts with all literals and drops one after another, each time the literal whose removal
-        adds most of `uncovered`, the first of equal ones. A cube is prime if no literal can be
-        dropped."""
+        `zeros` are indices into `values`, `outside` and `uncovered` are truth vectors (integers
+        with one bit for each shutter). The cube starts with all literals and drops one after
+        another, each time the literal whose removal adds most of `uncovered`, the first of equal
+        ones. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
         # A literal that alone keeps out a part of `outside` can never be dropped.
@@ -176,8 +179,9 @@ class Covers(NamedTuple):
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:
-    """Return the number of consecutive predicates, from ahead[0] on, that contain the truth vector
-    `vector`: 0 if ahead[0] does not, all for an empty vector."""
+    """Return the number of consecutive predicates (sets of shutters), from ahead[0] on, that
+    contain the truth vector `vector`: 0 if ahead[0] does not, all for an empty vector. A truth
+    vector is an integer with one bit for each shutter."""
     for count, predicate in enumerate(ahead):
         if vector & ~predicate:
             return count
@@ -199,16 +203,17 @@ def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> 
     """Return the cheapest set of at most `most` cubes that covers the shutters `uncovered`, a truth
     vector, by branch and bound; None if it finds no such set.
 
-    The cost of a cube is its words per served demand. After 2000 visits the best set so far
-    counts."""
+    The cost of a cube is its words per served demand (a set of shutters that FLAG must select at a
+    boundary). After 2000 visits the best set so far counts. A truth vector is an integer with one
+    bit for each shutter."""
     ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")
     visits = 0
 
     def descend(remaining: int, chosen: list[Nor], cost: float) -> None:
-        """Extend `chosen` by cubes until no shutter is left in `remaining`; keep the cheapest
-        choice found in `best`.
+        """Extend `chosen` by cubes (NORs of registers) until no shutter is left in `remaining`;
+        keep the cheapest choice found in `best`.
 
         `cost` is that of `chosen`, which is as before when the call returns. A branch that costs at
         least the best choice so far is cut."""

@@ -18,10 +18,11 @@ Cube = tuple[tuple[int, int], ...]
 
 
 class Encoding(Record):
-    """The content of the planes, and each demand's predicate as an OR of cubes.
+    """The content of the planes, and each demand's predicate as an OR of cubes (NORs of registers).
 
     `name` describes the encoding in words. `cubes[i]` cover demand i, or its complement if
-    `inverted[i]`; an empty `inverted` means that none is."""
+    `inverted[i]`; an empty `inverted` means that none is. A demand is a set of shutters that FLAG
+    must select at a boundary."""
 
     name: str
     planes: Planes
@@ -49,13 +50,14 @@ class Budget:
 
 
 def cover(on: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
-    """Return prime cubes whose union is the predicate `on`, a truth vector; none if it is empty.
+    """Return prime cubes (NORs of registers) whose union is the predicate `on`, a truth vector;
+    none if it is empty.
 
     `planes` are truth vectors, `everything` that of all shutters. Codes without a shutter are
     don't-cares. With 13 planes there are too many primes to enumerate (Quine, McCluskey). Each cube
     starts as the code of one uncovered shutter and is expanded greedily by newly covered shutters
     (like Espresso, Brayton et al., 1984). Raises GaveUp if a shutter in `on` and one outside have
-    the same code, or if the budget is used up."""
+    the same code, or if the budget is used up. A predicate is a set of shutters."""
     literals = [(everything & ~plane, plane) for plane in planes]
     cubes: list[Cube] = []
     uncovered, off = on, everything & ~on
@@ -84,9 +86,9 @@ def _expand(
     """Drop literals of `cube`, in place, each time the one whose removal adds most of the shutters
     `uncovered`, while the cube avoids the shutters `off`; return it.
 
-    `literals[plane]` are the truth vectors of the plane's literals with value 0 and 1; the other
-    vectors are of shutters, too. Of equal literals the first is dropped. Raises GaveUp if the
-    budget is used up."""
+    `literals[plane]` are the truth vectors (integers with one bit for each shutter) of the plane's
+    literals with value 0 and 1; the other vectors are of shutters, too. Of equal literals the first
+    is dropped. Raises GaveUp if the budget is used up. A cube is a NOR of registers."""
     while cube:
         budget.spend(len(cube) * (1 + everything.bit_length() // 512))
         # The cube without each literal: the product of those before and after it.
@@ -109,10 +111,11 @@ def _expand(
 
 
 def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
-    """Return the solution whose gates compute an encoding's cubes in FLAG, demand by demand.
+    """Return the solution whose gates compute an encoding's cubes (NORs of registers) in FLAG,
+    demand by demand.
 
     Raises GaveUp if there are more planes than registers, or too few registers for intermediate
-    results."""
+    results. A demand is a set of shutters that FLAG must select at a boundary."""
     planes = len(encoding.planes)
     free_registers = machine.registers - planes
     if free_registers < 0:
@@ -146,39 +149,43 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """The polarity of each plane while gates are emitted: `inverted[plane]` is 1 if the register
-    now holds the inverse of what it held at the start, else 0."""
+    """The polarity of each plane (the content of a code register) while gates are emitted:
+    `inverted[plane]` is 1 if the register now holds the inverse of what it held at the start, else
+    0."""
 
     def __init__(self, gates: Gates, planes: int) -> None:
-        """Begin with all planes not inverted."""
+        """Begin with all planes (contents of code registers) not inverted."""
         self._gates = gates
         self.inverted = [0] * planes
 
     def flip(self, plane: int) -> Segment:
-        """Invert a plane (by number) in place, and record its new polarity; return the segment,
-        which begins with the gates that wait in the list."""
+        """Invert a plane (by number) in place, and record its new polarity; return the segment
+        (gates that run together), which begins with the gates that wait in the list."""
         self.inverted[plane] ^= 1
         self._gates.invert(f"p{plane}")
         return self._gates.take()
 
     def turn(self, cube: Cube) -> list[Segment]:
         """Invert the planes of `cube` so that their NOR is the cube, that is, so that each holds 0
-        where its literal is met. Return the segments of the inversions, one for each plane; none if
-        all have the right polarity."""
+        where its literal is met. Return the segments (groups of gates that run together) of the
+        inversions, one for each plane; none if all have the right polarity. A cube is a NOR of
+        registers."""
         return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
 
     def restore(self) -> tuple[Segment, ...]:
-        """Give every plane its polarity at the start of the frame, and return the segments that do
-        so."""
+        """Give every plane its polarity at the start of the frame, and return the segments (groups
+        of gates that run together) that do so. A plane is the content of a code register."""
         return tuple(self.turn(tuple((plane, 0) for plane in range(len(self.inverted)))))
 
 
 class _Emitter:
-    """A list of gates under construction, with the polarities of planes; `used` counts the scratch
-    registers used so far, up to the highest number."""
+    """A list of gates under construction, with the polarities of planes (contents of code
+    registers); `used` counts the scratch registers used so far, up to the highest number. A scratch
+    register holds an intermediate result."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
-        """Begin with all planes as stored, not inverted, and `scratch` free registers."""
+        """Begin with all planes (contents of code registers) as stored, not inverted, and `scratch`
+        free registers."""
         self._machine = machine
         self._scratch = [f"t{i}" for i in range(scratch)]
         self._gates = Gates(machine)
@@ -186,10 +193,11 @@ class _Emitter:
         self.used = 0
 
     def answer(self, cubes: Sequence[Cube], inverted: bool) -> tuple[Segment, ...]:
-        """Return segments that compute the OR of `cubes`, or its complement, in FLAG.
+        """Return segments (groups of gates that run together) that compute the OR of `cubes`, or
+        its complement, in FLAG.
 
-        Without cubes the OR is 0. The polarities of planes may change. Raises GaveUp if the
-        registers do not suffice."""
+        Without cubes (NORs of registers) the OR is 0. The polarities of planes may change. Raises
+        GaveUp if the registers do not suffice."""
         segments: list[Segment] = []
         single = [cube[0] for cube in cubes if len(cube) == 1]
         wide = [cube for cube in cubes if len(cube) != 1]
@@ -222,13 +230,13 @@ class _Emitter:
         return tuple(segments)
 
     def _close(self, segments: list[Segment]) -> None:
-        """End a segment if there are pending gates."""
+        """End a segment (gates that run together) if there are pending gates."""
         if pending := self._gates.take():
             segments.append(pending)
 
     def _free(self, terms: Sequence[str]) -> str:
-        """Return the first scratch register that none of the `terms` (names of registers) occupies,
-        and count it as used; raise GaveUp if there is none."""
+        """Return the first scratch register (for intermediate results) that none of the `terms`
+        (names of registers) occupies, and count it as used; raise GaveUp if there is none."""
         for i, name in enumerate(self._scratch):
             if name not in terms:
                 self.used = max(self.used, i + 1)
@@ -240,7 +248,8 @@ class _Emitter:
 
         `terms` are names of registers. If all scratch registers hold terms, these are combined by
         an OR, or are kept in FLAG if there is only one. Raises GaveUp if no scratch register
-        exists."""
+        exists. A scratch register holds an intermediate result. FLAG is the bit that lets a pixel
+        act."""
         scratch_terms = [name for name in terms if name in self._scratch]
         if len(scratch_terms) < len(self._scratch):
             return terms
@@ -259,9 +268,10 @@ class _Emitter:
         """Make the inverse of a plane (by number) readable, and return the terms with the register
         that holds it.
 
-        `terms` are names of registers. The inverse is computed in a scratch register. Without
-        scratch registers, the plane is inverted in place, and the gates so far are appended to
-        `segments` first. Raises GaveUp if the plane itself is a term."""
+        `terms` are names of registers. The inverse is computed in a scratch register (for
+        intermediate results). Without scratch registers, the plane is inverted in place, and the
+        gates so far are appended to `segments` first. Raises GaveUp if the plane itself is a term.
+        """
         name = f"p{plane}"
         if name in terms:
             raise GaveUp("a plane is needed both ways round at once")
@@ -278,7 +288,8 @@ class _Emitter:
         """Append the gates that load FLAG with the OR of the registers `terms`, one of which may be
         FLAG itself.
 
-        Raises GaveUp if this needs a scratch register and none is free."""
+        Raises GaveUp if this needs a scratch register (for intermediate results) and none is free.
+        FLAG is the bit that lets a pixel act."""
         spare = next((name for name in self._scratch if name in terms), None)
         limit = self._machine.where_sources
         if spare is None and limit is not None and len(terms) > limit:
@@ -295,8 +306,8 @@ class _Emitter:
         """Append the gates that load FLAG with the OR of the registers `terms`, or with their NOR
         if `inverted`.
 
-        The NOR overwrites a term if no scratch register is free. Raises GaveUp if there is no
-        scratch register."""
+        The NOR overwrites a term if no scratch register (for intermediate results) is free. Raises
+        GaveUp if there is no scratch register. FLAG is the bit that lets a pixel act."""
         if not inverted:
             self._load_flag(terms)
             return

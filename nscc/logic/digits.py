@@ -47,16 +47,19 @@ Planes = list[tuple[int, str]]
 
 
 def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
-    """Split planes into the fields `planes` and `holders` of a solution."""
+    """Split planes into the fields `planes` and `holders` of a solution. A plane is the content of
+    a code register."""
     return tuple(plane for plane, _ in planes), tuple(holder for _, holder in planes)
 
 
 def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
-    """Return the `bits` lowest binary digits of numbers (shutters,), as planes, lowest digit first.
-    They are described as `name` and the number of the digit: `name 0`, `name 1`, and so on."""
+    """Return the `bits` lowest binary digits of numbers (shutters,), as planes (contents of code
+    registers), lowest digit first. They are described as `name` and the number of the digit: `name
+    0`, `name 1`, and so on."""
     return [(plane, f"{name} {i}") for i, plane in enumerate(number_planes(numbers, bits))]
 
 
 def turned_over(planes: Iterable[int]) -> tuple[Segment, ...]:
-    """Return segments that invert these planes (by number) in place, one for each plane."""
+    """Return segments (groups of gates that run together) that invert these planes (by number) in
+    place, one for each plane. A plane is the content of a code register."""
     return tuple((Gate("NOT", f"p{plane}", (f"p{plane}",)),) for plane in planes)

@@ -17,11 +17,12 @@ from nscc.truth import members, union
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return the encoding with one plane for each distinct predicate, so that every demand takes
-    one word.
+    """Return the encoding with one plane for each distinct predicate (a set of shutters), so that
+    every demand takes one word.
 
     Free bits and thermometer codes of a stop are examples. Raises GaveUp for more predicates than
-    registers. The budget is not used."""
+    registers. The budget is not used. A demand is a set of shutters that FLAG must select at a
+    boundary."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
@@ -33,16 +34,17 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
 
 
 def describe_demand(demand: Demand) -> str:
-    """Return a demand in words, such as `open in slot 3` or `fall at boundary 4`. The bucket is not
-    named."""
+    """Return a demand (a set of shutters that FLAG must select at a boundary) in words, such as
+    `open in slot 3` or `fall at boundary 4`. The bucket is not named. FLAG is the bit that lets a
+    pixel act."""
     if demand.edge == "open":
         return f"open in slot {demand.boundary - 1}"
     return f"{demand.edge} at boundary {demand.boundary}"
 
 
 def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return the encoding with one plane for each shutter: a predicate is the OR of its shutters'
-    planes. Shutters in no predicate get no plane.
+    """Return the encoding with one plane (the content of a code register) for each shutter: a
+    predicate is the OR of its shutters' planes. Shutters in no predicate get no plane.
 
     Raises GaveUp for more shutters than registers. The budget is not used."""
     if problem.shutters > machine.registers:
@@ -62,7 +64,8 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
     The times of the k-th events of one kind (rise or fall of a bucket) form a field. Its planes
     hold the Gray code of the event number. One in-place NOT before each event updates "now". Raises
-    GaveUp if the planes leave no register for intermediate results. The budget is not used."""
+    GaveUp if the planes leave no register for intermediate results. The budget is not used. A plane
+    is the content of a code register."""
     planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
@@ -95,7 +98,8 @@ def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
 
 
 def _equality(code: int, base: int, width: int) -> Cube:
-    """Return the cube of the shutters whose planes base .. base + width - 1 hold `code`."""
+    """Return the cube (a NOR of registers) of the shutters whose planes base .. base + width - 1
+    hold `code`. A plane is the content of a code register."""
     return tuple((base + bit, code >> bit & 1) for bit in range(width))
 
 
@@ -108,7 +112,8 @@ def event_fields(problem: Problem, most: int) -> Events:
     A key is (edge, bucket, rank): the first events of the shutters have rank 0, the next 1, and so
     on; keys are sorted. A pair holds the index of a demand and the numbers of the shutters,
     ascending. Demands that FLAG already meets are omitted. Raises GaveUp if there are more than
-    `most` fields."""
+    `most` fields. A demand is a set of shutters that FLAG must select at a boundary. FLAG is the
+    bit that lets a pixel act."""
     event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
@@ -129,8 +134,9 @@ def event_fields(problem: Problem, most: int) -> Events:
 
 
 def _index_planes(problem: Problem, machine: Machine) -> Planes:
-    """Return planes with the Gray code of every shutter's number, as few as possible but at least
-    one. Raises GaveUp if no register is left for intermediate results."""
+    """Return planes (contents of code registers) with the Gray code of every shutter's number, as
+    few as possible but at least one. Raises GaveUp if no register is left for intermediate results.
+    """
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
@@ -146,8 +152,8 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return shutter numbers in Gray code; each shutter of a predicate is one test for equality.
 
     This takes many words and much time, but few stored words: one kernel serves all equality tests,
-    and one kernel inverts each plane. Raises GaveUp if the planes leave no register for
-    intermediate results, or if the budget is too small."""
+    and one kernel inverts each plane (the content of a code register). Raises GaveUp if the planes
+    leave no register for intermediate results, or if the budget is too small."""
     budget.spend(_STEPS_A_MEMBER * sum(demand.predicate.bit_count() for demand in problem.demands))
     planes = _index_planes(problem, machine)
     cubes = tuple(
@@ -161,10 +167,10 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return shutter numbers in Gray code; each predicate is covered by cubes.
+    """Return shutter numbers in Gray code; each predicate is covered by cubes (NORs of registers).
 
     Raises GaveUp if the planes leave no register for intermediate results, or if the budget is used
-    up."""
+    up. A plane is the content of a code register."""
     planes = _index_planes(problem, machine)
     return _covered(problem, "shutter number in Gray code", planes, budget)
 
@@ -174,7 +180,7 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
     inversions.
 
     Raises GaveUp if both polarities and two scratch registers need more registers than there are,
-    or if the budget is used up."""
+    or if the budget is used up. A scratch register holds an intermediate result."""
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
@@ -198,12 +204,14 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
 
 
 def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return the values of the code's fields in Gray code; each predicate is covered by cubes.
+    """Return the values of the code's fields in Gray code; each predicate is covered by cubes (NORs
+    of registers).
 
     Rules are written in fields, so events of one field are equality tests. Shutters that differ
     otherwise, for example those that never open, cost a few cubes at a few boundaries. Raises
     GaveUp for fewer than two fields, if the planes leave no register for intermediate results, if
-    the fields do not distinguish the shutters of a predicate, or if the budget is used up."""
+    the fields do not distinguish the shutters of a predicate, or if the budget is used up. A plane
+    is the content of a code register."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []
@@ -217,10 +225,11 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Return the encoding whose planes are the shutters open in each slot; an opening or closing
-    edge is one cube of two neighbouring slots.
+    edge is one cube (a NOR of registers) of two neighbouring slots.
 
     Raises GaveUp if the different levels leave no register for intermediate results, if they do not
-    distinguish the shutters of a predicate, or if the budget is used up."""
+    distinguish the shutters of a predicate, or if the budget is used up. A predicate is a set of
+    shutters."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:
@@ -234,7 +243,7 @@ def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Enc
 
     The complement of a predicate is covered instead if this saves more than the gate that inverts
     the result. Raises GaveUp if the planes do not distinguish the shutters of a predicate from the
-    others, or if the budget is used up."""
+    others, or if the budget is used up. A plane is the content of a code register."""
     predicates = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
     covers: dict[int, tuple[tuple[Cube, ...], bool]] = {}

@@ -30,7 +30,8 @@ class _Field:
     and number.
 
     `name` describes the field. Numbers are below `count`; shutters without an event have the last.
-    An event of shutters with several numbers has that of its first shutter."""
+    An event of shutters with several numbers has that of its first shutter. A demand is a set of
+    shutters that FLAG must select at a boundary."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -43,7 +44,7 @@ class _Form:
     """A layout of a field: groups in `bits` binary digits, the places of a group in `width` planes,
     `width` // 2 of which are 1 at a place.
 
-    `turns` is the number of inversions in a frame."""
+    `turns` is the number of inversions in a frame. A plane is the content of a code register."""
 
     bits: int
     width: int
@@ -51,7 +52,7 @@ class _Form:
 
     @property
     def planes(self) -> int:
-        """The number of planes."""
+        """The number of planes (contents of code registers)."""
         return self.bits + self.width
 
     @property
@@ -83,7 +84,8 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
 
     `steps` limits the search for the gates of each solution. Yields nothing if no layout fits or no
     search succeeds. Raises GaveUp if the demands are levels (what is open in each slot), if there
-    are too many kinds of events, or if numbers cannot distinguish the events of one kind."""
+    are too many kinds of events, or if numbers cannot distinguish the events of one kind. A demand
+    is a set of shutters that FLAG must select at a boundary."""
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
@@ -135,8 +137,9 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
     """Return the field that numbers the shutters by their event, so that a demand is a test for
     equality with one number.
 
-    `events` are pairs of a demand and the truth vector of its shutters; `shutters` is the number of
-    all shutters. Raises GaveUp if numbers cannot distinguish the events."""
+    `events` are pairs of a demand and the truth vector (an integer with one bit for each shutter)
+    of its shutters; `shutters` is the number of all shutters. Raises GaveUp if numbers cannot
+    distinguish the events."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
         raise GaveUp("the remaining events are not unions of each other")
@@ -168,7 +171,8 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 def _forms(field: _Field, room: int) -> list[_Form]:
     """Return ways to store a field's number in at most `room` planes, as a group and a place in it,
-    most digits of the group first; an empty list if none fits."""
+    most digits of the group first; an empty list if none fits. A plane is the content of a code
+    register."""
     forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         form = _Form(bits, 0, 0)
@@ -220,7 +224,9 @@ def _script(
 
     `events` are the fields as (name, events), `chosen` the layout of each. The last `stored`
     demands that FLAG does not already meet have planes of their own, and their events are left out
-    of the fields. Raises GaveUp if numbers cannot distinguish the other events of a field."""
+    of the fields. Raises GaveUp if numbers cannot distinguish the other events of a field. A demand
+    is a set of shutters that FLAG must select at a boundary. FLAG is the bit that lets a pixel act.
+    """
     # The numbers of the demands whose predicates are stored as they are.
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]

@@ -29,7 +29,7 @@ def folded_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding
     A shutter that is open from the start rises at boundary 0. `budget` is not used; covers have a
     budget of their own. Raises GaveUp for other shutters, for more shutters than the square has
     cells, and where folding gains nothing: one time follows from the other, or each time has enough
-    planes of its own."""
+    planes (contents of code registers) of its own."""
     events = event_fields(problem, 2)
     if [edge for edge, _, _ in events] != ["fall", "rise"]:
         raise GaveUp("the events are not one rise and one fall")

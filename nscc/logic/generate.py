@@ -83,13 +83,14 @@ class Generator(Record):
     @property
     def least_level(self) -> int:
         """The lowest optimisation level that uses this generator: its own `from_level`, or its
-        kind's default."""
+        kind's default. A generator is a method that finds gates."""
         return FROM_LEVEL[self.kind] if self.from_level is None else self.from_level
 
 
 def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
-    """Return the generator of a `kind` that chooses planes with `encode` and then emits their
-    gates: one solution, or GaveUp from either."""
+    """Return the generator (a method that finds gates) of a `kind` that chooses planes (contents of
+    code registers) with `encode` and then emits their gates: one solution, or GaveUp from either.
+    """
 
     def solve(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
         """Return the one solution that follows from an encoding."""
@@ -122,7 +123,7 @@ _GROUP: Group = "nscc.encodings"
 
 
 def added_generators() -> dict[str, Generator]:
-    """Return the generators that other distributions add, by name.
+    """Return the generators (methods that find gates) that other distributions add, by name.
 
     Raises Rejected (NS0905) if one is not a Generator, has an unknown `kind`, a `solve` that cannot
     be called, or a `from_level` outside LEAST_ADDED..3, and for an invalid declaration."""
@@ -140,7 +141,8 @@ def added_generators() -> dict[str, Generator]:
 
 
 class GeneratorFault(Record):
-    """An unexpected exception of a generator, or of the improvement of its solutions ("improve").
+    """An unexpected exception of a generator (a method that finds gates), or of the improvement of
+    its solutions ("improve").
 
     `generator` is its name, `level` the optimisation level, `error` the exception's class and
     message in one line, and `traceback` the whole traceback as text."""
@@ -152,7 +154,8 @@ class GeneratorFault(Record):
 
     def diagnostic(self) -> Diagnostic:
         """Return the warning (NS0504) that an added generator raised an exception and was left out.
-        The name is cut to 60 characters; the whole name and the traceback are in its data."""
+        The name is cut to 60 characters; the whole name and the traceback are in its data. A
+        generator is a method that finds gates."""
         return Diagnostic(
             "NS0504",
             f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
@@ -169,7 +172,7 @@ def note_fault(
     """Add an exception of the generator `name`, at this optimisation level, to `faults`.
 
     The exception is raised again if `faults` is None, or if it is a diagnostic or a MemoryError.
-    The message is cut to 200 characters."""
+    The message is cut to 200 characters. A generator is a method that finds gates."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
     message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
@@ -179,14 +182,16 @@ def note_fault(
 def solutions(
     problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
 ) -> Iterator[Solution]:
-    """Yield solutions of a problem from different generators; none if every generator gives up.
+    """Yield solutions of a problem from different generators (methods that find gates); none if
+    every generator gives up.
 
     `level` is the optimisation level, 0 to 3. Solutions are computed lazily, usually the cheapest
     first. The caller computes their costs, because these depend on the surrounding words. If a
     generator raises an unexpected exception, it is added to `faults` and the search continues;
     without `faults` it propagates, and diagnostics (Rejected) always do. A problem without demands
-    has one solution, without planes and gates. If a generator of the kind "direct" succeeds, only
-    the direct solution with the fewest planes is yielded."""
+    (sets of shutters that FLAG must select at boundaries) has one solution, without planes and
+    gates. If a generator of the kind "direct" succeeds, only the direct solution with the fewest
+    planes is yielded."""
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
@@ -194,8 +199,8 @@ def solutions(
     steps = SEARCH_STEPS[level]
 
     def solve_kinds(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
-        """Yield the solutions of all generators of these kinds, each with at most `allowed`
-        steps; faults are noted."""
+        """Yield the solutions of all generators (methods that find gates) of these kinds, each with
+        at most `allowed` steps; faults are noted."""
         for kind in kinds:
             for name, generator in known.items():
                 if generator.kind == kind and level >= generator.least_level:
@@ -245,10 +250,11 @@ def solutions(
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """Yield the solutions of one generator until it ends or gives up.
+    """Yield the solutions of one generator (a method that finds gates) until it ends or gives up.
 
     `name` is the generator's name in the table; `steps` limits its search. Solutions of added
-    generators are checked: raises Rejected (NS0905) for one that does not meet its demands."""
+    generators are checked: raises Rejected (NS0905) for one that does not meet its demands (sets of
+    shutters that FLAG must select at boundaries)."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):

@@ -14,15 +14,16 @@ Indices = NDArray[np.int64]
 
 
 class Planes:
-    """Code planes and all cubes that one NOR of them can compute, by cost.
+    """Code planes (contents of code registers) and all cubes (NORs of registers) that one NOR of
+    them can compute, by cost.
 
     `planes` (P, W) are sets of points in W words of 64 points, `everything` (W,) is the set of all
     points. `groups` are tuples (cost in words, cubes (M, W), bit masks (M,) of the planes that each
     cube reads), the cheapest group first."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
-        """Compute all different cubes of these planes, in groups of equal cost in words, cheapest
-        first.
+        """Compute all different cubes (NORs of registers) of these planes, in groups of equal cost
+        in words, cheapest first.
 
         `planes`, uint64 (planes, words of 64 points), are sets of `points` points. Each group holds
         its cost, the cubes as sets, and the mask of planes that each cube's NOR reads. Of equal
@@ -78,7 +79,8 @@ def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
     """Return the number of points of each set of `on` in each cube, 0 if the cube contains a point
     of `off`, as int32 (n, M).
 
-    `cubes` are M sets (M, W); `on` and `off` are n sets each (n, W), in pairs."""
+    `cubes` are M sets (M, W); `on` and `off` are n sets each (n, W), in pairs. A cube is a NOR of
+    registers."""
     gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
     excluded = np.zeros(gain.shape, dtype=np.bool_)
     for word in range(cubes.shape[1]):

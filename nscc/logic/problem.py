@@ -34,7 +34,8 @@ class Gate:
 
     `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR: SET writes 1 and CLR 0,
     without sources; MOV and NOT have one source. A gate whose destination is among its sources is
-    an in-place pair of words. A `masked` gate writes a state only where t0, the mask, is 1."""
+    an in-place pair of words. A `masked` gate writes a state only where t0, the mask, is 1. FLAG is
+    the bit that lets a pixel act."""
 
     name: str
     destination: str
@@ -52,7 +53,8 @@ class Gate:
         return (*self.sources, MASK, self.destination) if self.masked else self.sources
 
     def result(self, contents: Mapping[str, int], everything: int) -> int:
-        """Return the truth vector of the destination after the gate.
+        """Return the truth vector (an integer with one bit for each shutter) of the destination
+        after the gate.
 
         `contents` has the truth vectors of at least the registers in `reads`, by name; `everything`
         is that of all shutters. A gate without sources is 0 (CLR) or 1 (SET) where it writes."""
@@ -81,8 +83,9 @@ class Demand(Record):
 
     The predicate is neither empty nor all shutters. `edge` is "rise" (shutters that open), "fall"
     (that close) or "open" (all that are open), of bucket number `bucket`. `flag_kept` means that
-    FLAG still holds the predicate of the previous demand. `scratch_kept` means that no refresh
-    happened since then, which only code and states survive."""
+    FLAG still holds the predicate of the previous demand (a set of shutters that FLAG must select
+    at a boundary). `scratch_kept` means that no refresh happened since then, which only code and
+    states survive. A truth vector is an integer with one bit for each shutter."""
 
     boundary: int
     edge: str
@@ -106,10 +109,11 @@ class AllCodes(Record):
 class Problem(Record):
     """Demands in time order over `shutters` distinct shutters.
 
-    `opens[bucket][slot]` are the truth vectors of the open shutters. `flag_lasts` means that FLAG
-    and scratch registers do not decay within the frame. `values` gives, for each field of the code,
-    the value of every shutter (shutters,), taken from one of its codes; predicates are often simple
-    in these values. `codes` is None if every shutter has one code."""
+    `opens[bucket][slot]` are the truth vectors (integers with one bit for each shutter) of the open
+    shutters. `flag_lasts` means that FLAG and scratch registers do not decay within the frame.
+    `values` gives, for each field of the code, the value of every shutter (shutters,), taken from
+    one of its codes; predicates (sets of shutters) are often simple in these values. `codes` is
+    None if every shutter has one code."""
 
     demands: tuple[Demand, ...]
     shutters: int
@@ -120,12 +124,13 @@ class Problem(Record):
 
     @property
     def everything(self) -> int:
-        """The truth vector of all shutters."""
+        """The truth vector (an integer with one bit for each shutter) of all shutters."""
         return (1 << self.shutters) - 1
 
     def answered(self, index: int) -> bool:
-        """Return whether FLAG already holds the predicate of demand `index`, so that it needs no
-        gates. Demand 0 is never answered, if its `flag_kept` is False, as it must be."""
+        """Return whether FLAG already holds the predicate (a set of shutters) of demand `index`, so
+        that it needs no gates. Demand 0 is never answered, if its `flag_kept` is False, as it must
+        be. A demand is a set of shutters that FLAG must select at a boundary."""
         demand = self.demands[index]
         return demand.flag_kept and demand.predicate == self.demands[index - 1].predicate
 
@@ -136,7 +141,7 @@ class Machine(Record):
     `registers` is the number of one-bit registers of a pixel. `masked` means that one of them (R12
     on SCAMP-5) is written only where another (R0) is 1. `or_sources` and `where_sources` are the
     most sources of one OR or NOR, and of one WHERE; None for any number. `where_reads_flag` means
-    that FLAG may be a source of WHERE."""
+    that FLAG (the bit that lets a pixel act) may be a source of WHERE."""
 
     registers: int
     masked: bool
@@ -160,11 +165,12 @@ class Machine(Record):
 class Solution(Record):
     """Gates and encoding that solve a problem.
 
-    `encoding` names the encoding. `planes` are the truth vectors of p0, p1, .. at the start of a
-    frame; `holders` describe them in words. `states` and `scratch` are the numbers of registers s0,
-    s1, .. and t0, t1, .. that the gates use. `answers` has one entry for each demand, empty if FLAG
-    already holds its predicate; `opening` runs at boundary 0 before any demand and `closing` at
-    boundary N after the last."""
+    `encoding` names the encoding. `planes` are the truth vectors (integers with one bit for each
+    shutter) of p0, p1, .. at the start of a frame; `holders` describe them in words. `states` and
+    `scratch` are the numbers of registers s0, s1, .. and t0, t1, .. that the gates use. `answers`
+    has one entry for each demand (a set of shutters that FLAG must select at a boundary), empty if
+    FLAG already holds its predicate; `opening` runs at boundary 0 before any demand and `closing`
+    at boundary N after the last."""
 
     encoding: str
     planes: tuple[Annotated[int, HEX], ...]
@@ -176,11 +182,11 @@ class Solution(Record):
     closing: tuple[Segment, ...]
 
     def segments(self) -> Sequence[Segment]:
-        """Return all segments in execution order."""
+        """Return all segments (groups of gates that run together) in execution order."""
         return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
 
     def writes(self) -> list[int]:
-        """Return how often a frame writes each plane."""
+        """Return how often a frame writes each plane (the content of a code register)."""
         times = Counter(gate.destination for segment in self.segments() for gate in segment)
         return [times[f"p{i}"] for i in range(len(self.planes))]
 
@@ -193,8 +199,8 @@ class Solution(Record):
         """Return the virtual register that the masked register holds on a chip with `registers`
         one-bit registers, of which one is masked.
 
-        It is the masked state, or the plane with the fewest writes if all registers are used; None
-        if the masked register is left empty."""
+        It is the masked state, or the plane (the content of a code register) with the fewest writes
+        if all registers are used; None if the masked register is left empty."""
         used = len(self.planes) + self.states + self.scratch
         full = used >= registers and self.planes
         return self.masked_state() or (f"p{quietest(self.writes())}" if full else None)
@@ -206,8 +212,8 @@ def masked_destination(gates: Iterable[Gate]) -> str | None:
 
 
 def quietest(writes: Sequence[int]) -> int:
-    """Return the index of the plane to put in the masked register if all registers are needed: the
-    one with the fewest writes.
+    """Return the index of the plane (the content of a code register) to put in the masked register
+    if all registers are needed: the one with the fewest writes.
 
     `writes[i]` is how often a frame writes plane i, for at least one plane. Each write costs the
     mask and one more word. Of equal planes, the first in the order of their names as text is taken
@@ -216,7 +222,8 @@ def quietest(writes: Sequence[int]) -> int:
 
 
 class GaveUp(Exception):
-    """Raised if a generator found no solution; the text is the reason. This proves nothing."""
+    """Raised if a generator found no solution; the text is the reason. This proves nothing. A
+    generator is a method that finds gates."""
 
 
 def words_of(sources: int, fan_in: int | None) -> int:
@@ -268,7 +275,8 @@ class Gates:
         """Add FLAG := OR(sources); `sources` must not be empty.
 
         If WHERE takes fewer sources, some are first gathered in the register `scratch`, which may
-        be one of the sources. Raises ValueError if that is needed and `scratch` is None."""
+        be one of the sources. Raises ValueError if that is needed and `scratch` is None. FLAG is
+        the bit that lets a pixel act."""
         limit = self._machine.where_sources
         if limit is not None and len(sources) > limit:
             if scratch is None:

@@ -28,9 +28,9 @@ class _Wrong(Exception):
 def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
     """Return why `solution` does not solve `problem` on `machine`, in words; None if it does.
 
-    Only the first fault is named: numbers of registers, planes and answers are checked first, then
-    each gate, then the frame. A solution whose fields have wrong types may raise other
-    exceptions."""
+    Only the first fault is named: numbers of registers, planes (contents of code registers) and
+    answers are checked first, then each gate, then the frame. A solution whose fields have wrong
+    types may raise other exceptions."""
     try:
         planes, states, scratch = len(solution.planes), solution.states, solution.scratch
         # Only a plane or a masked state may be in the masked register.
@@ -65,8 +65,8 @@ def _names(kind: str, count: int) -> list[str]:
 def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
     """Return whether the machine has this gate: known name, legal registers and number of sources.
 
-    `registers` are the names of the solution's registers, without FLAG. FLAG is written by WHERE
-    only, and WHERE reads it only if the machine can."""
+    `registers` are the names of the solution's registers, without FLAG (the bit that lets a pixel
+    act). FLAG is written by WHERE only, and WHERE reads it only if the machine can."""
     if gate.name not in _SOURCES:
         return False
     is_where = gate.name == "WHERE"
@@ -84,12 +84,13 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
 
 
 class _Frame:
-    """One frame of a solution; `contents` are truth vectors by register, None if unknown. `masked`
-    is the virtual register in the masked register, None if there is none."""
+    """One frame of a solution; `contents` are truth vectors (integers with one bit for each
+    shutter) by register, None if unknown. `masked` is the virtual register in the masked register,
+    None if there is none."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
-        """Set the registers as they are before a frame: planes known, states and scratch
-        unknown."""
+        """Set the registers as they are before a frame: planes known, states and scratch unknown. A
+        plane is the content of a code register."""
         self.problem = problem
         self.solution = solution
         self.scratch = _names("t", solution.scratch)
@@ -102,8 +103,9 @@ class _Frame:
         self.contents["FLAG"] = None
 
     def replay(self) -> None:
-        """Run the frame; raise _Wrong at the first unmet demand, or unknown content that a gate
-        reads. At the end, every plane must hold its code again."""
+        """Run the frame; raise _Wrong at the first unmet demand (a set of shutters that FLAG must
+        select at a boundary), or unknown content that a gate reads. At the end, every plane must
+        hold its code again. FLAG is the bit that lets a pixel act."""
         solution, demands = self.solution, self.problem.demands
         self._run(solution.opening)
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
@@ -119,7 +121,8 @@ class _Frame:
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
         """Make FLAG unknown unless it is kept until the next demand, and the scratch registers
-        unless they are kept."""
+        unless they are kept. A demand is a set of shutters that FLAG must select at a boundary. A
+        scratch register holds an intermediate result."""
         if not flag_kept:
             self._forget(("FLAG",))
         if not scratch_kept:
@@ -130,16 +133,17 @@ class _Frame:
         self.contents |= dict.fromkeys(registers)
 
     def _known(self, name: str, gate: Gate) -> int:
-        """Return the content of the register `name`, a truth vector; raise _Wrong if it is unknown.
-        The message names `gate`, which reads it."""
+        """Return the content of the register `name`, a truth vector (an integer with one bit for
+        each shutter); raise _Wrong if it is unknown. The message names `gate`, which reads it."""
         content = self.contents[name]
         if content is None:
             raise _Wrong(f"{gate} reads {name}, whose contents are unknown")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        """Run the gates of `segments`, in order, on the truth vectors of all registers. Writing the
-        masked register by a gate that is not masked makes t0 unknown.
+        """Run the gates of `segments`, in order, on the truth vectors (integers with one bit for
+        each shutter) of all registers. Writing the masked register by a gate that is not masked
+        makes t0 unknown.
 
         Raises _Wrong if a gate reads unknown contents, or no register is free for the mask."""
         contents, everything, masked = self.contents, self.problem.everything, self.masked

@@ -29,7 +29,8 @@ _MOST_FIELDS = 5
 @dataclass(frozen=True)
 class RulePart:
     """A part of a rule: what it opens, bool (shutters, demands), and the fields that it reads, each
-    with its value in every shutter (shutters,)."""
+    with its value in every shutter (shutters,). A demand is a set of shutters that FLAG must select
+    at a boundary."""
 
     open: Open
     fields: Fields
@@ -52,7 +53,8 @@ def composition(problem: Problem) -> Composition | None:
     """Return the parts of the rule of `problem`.
 
     None for events, for problems without demands, for fewer than two or more than _MOST_FIELDS
-    fields, and for a rule that is not composed."""
+    fields, and for a rule that is not composed. A demand is a set of shutters that FLAG must select
+    at a boundary."""
     levels_only = all(demand.edge == "open" for demand in problem.demands)
     if not (levels_only and problem.demands and 2 <= len(problem.values) <= _MOST_FIELDS):
         return None
@@ -81,7 +83,8 @@ def decomposed(is_open: Open, fields: Fields) -> Rule:
 
     `is_open`, bool (shutters, demands), is what the rule opens; `fields` gives for each field its
     value in every shutter (shutters,). The smallest groups of fields are tried first, and the first
-    division that works is taken."""
+    division that works is taken. A demand is a set of shutters that FLAG must select at a boundary.
+    """
     names = sorted(fields)
     for size in range(1, len(names)):
         for chosen in combinations(names, size):
@@ -138,7 +141,8 @@ def _splits(
 
 def only_opens(bits: Open) -> bool:
     """Return whether no shutter closes again after it has opened. `bits` is bool (shutters,
-    demands); the demands are in time order."""
+    demands); the demands (sets of shutters that FLAG must select at boundaries) are in time order.
+    FLAG is the bit that lets a pixel act."""
     return not np.any(bits[:, :-1] & ~bits[:, 1:])
 
 
@@ -146,7 +150,8 @@ def _any_of(bits: Open, number: NDArray[np.intp]) -> Open:
     """Return for each shutter, at each demand, whether a bit is set in any shutter of the same
     number.
 
-    `bits` is bool (shutters, demands), as is the result; `number` is (shutters,)."""
+    `bits` is bool (shutters, demands), as is the result; `number` is (shutters,). A demand is a set
+    of shutters that FLAG must select at a boundary."""
     order = np.argsort(number, kind="stable")
     starts = np.flatnonzero(np.diff(number[order], prepend=-1))
     joined: Open = np.logical_or.reduceat(bits[order], starts, axis=0)[number]
@@ -158,7 +163,7 @@ def _filled(bits: Open, unknown: Open) -> Open:
     each shutter's bits only fall over the demands, or else only rise.
 
     All shutters fall or all rise; falling is tried first. If neither is possible, return `bits`
-    unchanged."""
+    unchanged. A demand is a set of shutters that FLAG must select at a boundary."""
     # Accumulated backwards in time: 1 until the last demand with a 1, so the bits only fall.
     later = np.logical_or.accumulate(bits[:, ::-1], axis=1)[:, ::-1]
     earlier = np.logical_or.accumulate(bits, axis=1)

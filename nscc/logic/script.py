@@ -10,12 +10,13 @@ from nscc.logic.problem import Segment
 
 @dataclass(frozen=True)
 class Script:
-    """An encoding and the gates that do not depend on how demands are met.
+    """An encoding and the gates that do not depend on how demands (sets of shutters that FLAG must
+    select at boundaries) are met.
 
     `encoding` describes it in words, and `states` is the number of state registers. `before[i]`
     runs before the gates of demand i (no key: nothing); it may overwrite states, scratch registers
-    and FLAG. `opening` runs before the first demand, `closing` after the last; the planes must then
-    be as at the start."""
+    (for intermediate results) and FLAG. `opening` runs before the first demand, `closing` after the
+    last; the planes must then be as at the start."""
 
     encoding: str
     planes: Planes

@@ -38,8 +38,8 @@ class _Choice(Record):
     `names`.
 
     If `turned` is not None, the last name stands for the inverse of the register `turned`, which
-    must be computed first. `price` is the number of words, with shares of cubes that later demands
-    reuse."""
+    must be computed first. `price` is the number of words, with shares of cubes (NORs of registers)
+    that later demands reuse. A demand is a set of shutters that FLAG must select at a boundary."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -63,7 +63,7 @@ def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iter
     """Yield the solution of a script, found in `steps` of search.
 
     Nothing is yielded if the script leaves too few registers, if a demand cannot be met, or if the
-    steps are used up."""
+    steps are used up. A demand is a set of shutters that FLAG must select at a boundary."""
     scratch = machine.registers - len(script.planes) - script.states
     if scratch >= 0:
         script = _within_fan_in(script, machine)
@@ -81,8 +81,8 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
     gates = Gates(machine)
 
     def narrow(segment: Segment) -> Segment:
-        """Return the segment with every OR and NOR of too many sources divided into several
-        gates."""
+        """Return the segment (gates that run together) with every OR and NOR of too many sources
+        divided into several gates."""
         for gate in segment:
             if len(gate.sources) <= limit or gate.name == "WHERE":
                 gates.add(gate)
@@ -93,7 +93,8 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
         return gates.take()
 
     def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
-        """Return segments in which no gate reads more sources than the machine allows."""
+        """Return segments (groups of gates that run together) in which no gate reads more sources
+        than the machine allows."""
         return tuple(narrow(segment) for segment in run)
 
     return replace(
@@ -112,11 +113,13 @@ def _all_gates(script: Script) -> Iterator[Gate]:
 
 @dataclass
 class _Walker:
-    """One run through a script's demands; make a new one for each run.
+    """One run through a script's demands (sets of shutters that FLAG must select at boundaries);
+    make a new one for each run.
 
-    `scratch` is the number of scratch registers. `values` are the known truth vectors of registers
-    by name, now. `quiet` is the name of the register that is in the masked register, empty if none
-    is. `used` is the number of scratch registers used so far."""
+    `scratch` is the number of scratch registers. `values` are the known truth vectors (integers
+    with one bit for each shutter) of registers by name, now. `quiet` is the name of the register
+    that is in the masked register, empty if none is. `used` is the number of scratch registers used
+    so far."""
 
     problem: Problem
     machine: Machine
@@ -128,10 +131,12 @@ class _Walker:
     used: int = 0
 
     def solution(self) -> Solution:
-        """Run the script and return the gates for every demand.
+        """Run the script and return the gates for every demand (a set of shutters that FLAG must
+        select at a boundary).
 
         Raises GaveUp if a demand has no cover within the scratch registers, if the script reads an
-        unknown value or does not restore its planes, or if the steps are used up."""
+        unknown value or does not restore its planes, or if the steps are used up. A scratch
+        register holds an intermediate result."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
         writes = Counter(gate.destination for gate in _all_gates(script))
@@ -174,9 +179,11 @@ class _Walker:
         )
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        """Update the truth vectors of registers by the script's own gates.
+        """Update the truth vectors (integers with one bit for each shutter) of registers by the
+        script's own gates.
 
-        Raises GaveUp if a gate reads an unknown value or needs another scratch register."""
+        Raises GaveUp if a gate reads an unknown value or needs another scratch register (for
+        intermediate results)."""
         for gate in chain.from_iterable(segments):
             for name in gate.reads:
                 if name not in self.values:
@@ -191,15 +198,16 @@ class _Walker:
                     raise GaveUp("the script needs more scratch registers than there are")
 
     def _use(self, scratch: str) -> None:
-        """Count a scratch register as used."""
+        """Count a scratch register (for intermediate results) as used."""
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
         """Return the gates for demand `index`, from the cheapest cover for which registers suffice;
         update the values.
 
-        Covers use all registers, then planes and states only, which frees scratch registers; one
-        value may be inverted first. Raises GaveUp if there is no cover."""
+        Covers use all registers, then planes and states only, which frees scratch registers (for
+        intermediate results); one value may be inverted first. Raises GaveUp if there is no cover.
+        A demand is a set of shutters that FLAG must select at a boundary."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]
@@ -231,7 +239,9 @@ class _Walker:
         """Yield a cover of a demand and one of its complement, where there is one, by the values of
         the registers `names` and, unless `turned` is None, the inverse of the register `turned`.
 
-        `ahead` are the predicates of this and the next demands, `against` their complements."""
+        `ahead` are the predicates of this and the next demands (sets of shutters that FLAG must
+        select at boundaries), `against` their complements. FLAG is the bit that lets a pixel act.
+        """
         values = [self.values[name] for name in names]
         scratch = self.scratch
         if turned is not None:
@@ -253,12 +263,12 @@ class _Walker:
                 )
 
     def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
-        """Append the gates of a cover for one demand, which load FLAG; its cubes overwrite the
-        scratch values that are needed last.
+        """Append the gates of a cover for one demand (a set of shutters that FLAG must select at a
+        boundary), which load FLAG; its cubes overwrite the scratch values that are needed last.
 
         `ahead` are the predicates of this and the next demands (inverted, if the cover is), which
         decide what is needed. Raises GaveUp if no register is free; the gates and values are then
-        incomplete, and the caller restores them."""
+        incomplete, and the caller restores them. A cube is a NOR of registers."""
         names = list(choice.names)
         # Cubes that read scratch come first, because later ones may overwrite it; then those with
         # most sources, whose registers are most likely overwritten.
@@ -306,14 +316,16 @@ class _Walker:
 
     def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
         """Return the scratch register, not in `busy`, whose value serves the fewest of the next
-        demands; a register that holds nothing serves none.
+        demands (sets of shutters that FLAG must select at boundaries); a register that holds
+        nothing serves none.
 
         `ahead` are the predicates of this and the next demands. Of equal registers the lowest is
-        taken. None if all scratch registers are in `busy`."""
+        taken. None if all scratch registers (for intermediate results) are in `busy`."""
 
         def missed(name: str) -> int:
             """Return how many of the next demands, one after the other, can still use the value of
-            a register; 0 if it holds none."""
+            a register; 0 if it holds none. A demand is a set of shutters that FLAG must select at a
+            boundary."""
             vector = self.values.get(name)
             return life(vector, ahead[1:]) if vector else 0
 
@@ -329,17 +341,18 @@ class _Walker:
         self._use(destination)
 
     def _or(self, sources: Sequence[str], inverted: bool) -> int:
-        """Return the truth vector of the OR of the registers `sources`, or of their NOR if
-        `inverted`. All their values must be known."""
+        """Return the truth vector (an integer with one bit for each shutter) of the OR of the
+        registers `sources`, or of their NOR if `inverted`. All their values must be known."""
         value = union(self.values[name] for name in sources)
         return self.problem.everything & ~value if inverted else value
 
     def _load_flag(self, sources: Sequence[str]) -> None:
-        """Append the gates that load FLAG with the OR of the registers `sources`, and compute its
-        content.
+        """Append the gates that load FLAG (the bit that lets a pixel act) with the OR of the
+        registers `sources`, and compute its content.
 
         If WHERE takes fewer sources, a scratch register gathers some first, which overwrites it;
-        its content is then unknown. Raises GaveUp if no register is free."""
+        its content is then unknown. Raises GaveUp if no register is free. A scratch register holds
+        an intermediate result."""
         limit = self.machine.where_sources
         spare = None
         if limit is not None and len(sources) > limit:

@@ -32,7 +32,8 @@ class GateSequence(Record):
     """Gates that compute a truth vector in a register: an integer with one bit for each lane (node
     of the state machine with one outcome of the look).
 
-    `scratch` are pairs (scratch register that they write, truth vector that remains there)."""
+    `scratch` are pairs (scratch register that they write, truth vector that remains there). A
+    scratch register holds an intermediate result."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
@@ -44,8 +45,8 @@ class GateSequence(Record):
 
     @property
     def price(self) -> tuple[int, int]:
-        """The key that orders sequences: number of words, then number of scratch
-        registers."""
+        """The key that orders sequences: number of words, then number of scratch registers (for
+        intermediate results)."""
         return self.words, len(self.scratch)
 
 
@@ -74,17 +75,18 @@ class RegisterContents:
         return RegisterContents(self.machine, self.everything, dict(self.values), list(self.gates))
 
     def first_unused_scratch(self) -> str:
-        """Return the name of the first unused scratch register."""
+        """Return the name of the first unused scratch register (for intermediate results)."""
         return next(self.unused_scratch())
 
     def unused_scratch(self, excluded: str = "") -> Iterator[str]:
-        """Yield the names of unused scratch registers, except `excluded`, without end."""
+        """Yield the names of unused scratch registers (for intermediate results), except
+        `excluded`, without end."""
         scratch = (f"t{number}" for number in count())
         return (name for name in scratch if name not in self.values and name != excluded)
 
     def copy_to_scratch(self, name: str) -> None:
         """Append a gate that copies a register, or FLAG (the bit that lets a pixel act), to an
-        unused scratch register.
+        unused scratch register (for intermediate results).
 
         Raises KeyError if the content of `name` is unknown."""
         scratch = self.first_unused_scratch()
@@ -92,10 +94,11 @@ class RegisterContents:
         self.values[scratch] = self.values[name]
 
     def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
-        """Append the gates of a sequence; set its scratch registers, and those of `changes`, to
-        their new values.
+        """Append the gates of a sequence; set its scratch registers (for intermediate results), and
+        those of `changes`, to their new values.
 
-        `changes` are pairs (register, truth vector)."""
+        `changes` are pairs (register, truth vector). A truth vector is an integer with one bit for
+        each simulated pixel."""
         self.gates += sequence.gates
         self.values.update((*sequence.scratch, *changes))
 
@@ -110,14 +113,16 @@ class RegisterContents:
         registers.
 
         They can if no two lanes (nodes of the state machine, each with one outcome) have equal
-        contents, but different bits in a vector. Without vectors, return True."""
+        contents, but different bits in a vector. Without vectors, return True. A truth vector is an
+        integer with one bit for each simulated pixel."""
         return all(map(self._distinguishes, vectors))
 
     def _distinguishes(self, vector: int) -> bool:
         """Return whether gates can compute the truth vector `vector` from the contents of
         registers.
 
-        They can if no two lanes have equal contents, but different bits in `vector`."""
+        They can if no two lanes (simulated pixels) have equal contents, but different bits in
+        `vector`. A truth vector is an integer with one bit for each simulated pixel."""
         # Groups of lanes with equal contents, of which some are in `vector` and some are not.
         mixed = [self.everything]
         # `everything` comes first, so that a constant vector needs no register.
@@ -132,9 +137,10 @@ class RegisterContents:
         self, target: int, destination: str, most: float = inf
     ) -> GateSequence | None:
         """Return the shortest gate sequence that writes the truth vector `target` to the register
-        `destination`; of equals, one with the fewest scratch registers.
+        `destination`; of equals, one with the fewest scratch registers (for intermediate results).
 
-        Return None if no sequence of at most `most` words is found."""
+        Return None if no sequence of at most `most` words is found. A truth vector is an integer
+        with one bit for each simulated pixel."""
         if most < 1:
             return None
         ways = (
@@ -149,7 +155,8 @@ class RegisterContents:
         that lets a pixel act); None if none is found.
 
         The sequence is empty if FLAG has this value already. It may overwrite unused scratch
-        registers."""
+        registers (for intermediate results). A truth vector is an integer with one bit for each
+        simulated pixel."""
         if self.values.get(FLAG) == target:
             return GateSequence((), ())
         name = self.first_unused_scratch()
@@ -163,7 +170,9 @@ class RegisterContents:
         pixel act).
 
         `sequence` writes it to the scratch register `name`; a WHERE then copies that to FLAG. WHERE
-        replaces a final OR or copy if it may read the sources of that gate."""
+        replaces a final OR or copy if it may read the sources of that gate. A truth vector is an
+        integer with one bit for each simulated pixel. A scratch register holds an intermediate
+        result."""
         last, limit = sequence.gates[-1], self.machine.where_sources
         reads = set(last.sources)
         if (
@@ -184,7 +193,8 @@ class RegisterContents:
         each an OR of NORs for it or for its complement.
 
         Some may have more than `most` words. None is yielded if the search finds none, for example
-        because the contents do not distinguish the lanes."""
+        because the contents do not distinguish the lanes (simulated pixels). A truth vector is an
+        integer with one bit for each simulated pixel."""
         # Of registers with equal contents, the first: those of code and states before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -219,7 +229,8 @@ class RegisterContents:
 
         `names` and `values` are the readable registers and their contents, in parallel; a name that
         begins with "~" is the complement of that register. `destination` is a register. A search
-        that takes more than `_STEPS` steps counts as without result."""
+        that takes more than `_STEPS` steps counts as without result. A truth vector is an integer
+        with one bit for each simulated pixel."""
         for inverted in (False, True):
             target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
@@ -243,15 +254,16 @@ class RegisterContents:
 
         If `inverted`, that gate writes the inverse. `names` and `values` are the registers that a
         cover may read and their contents, in parallel; a cube refers to them by index. Names that
-        begin with "~" stand for complements, which are first computed in unused scratch registers.
-        """
+        begin with "~" stand for complements, which are first computed in unused scratch registers
+        (for intermediate results)."""
         gates = Gates(self.machine)
         scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
         names_left = self.unused_scratch(destination)
 
         def scratch(vector: int) -> str:
-            """Return the next scratch register, and note that it holds the truth vector."""
+            """Return the next scratch register (for intermediate results), and note that it holds
+            the truth vector (an integer with one bit for each simulated pixel)."""
             name = next(names_left)
             scratch_values[name] = vector
             return name
@@ -302,8 +314,9 @@ def write_simultaneously(contents: RegisterContents, new_values: dict[str, int])
 def _with_changes(
     contents: RegisterContents, new_values: dict[str, int], most: float
 ) -> Iterator[RegisterContents]:
-    """Yield copies of the contents with a further scratch register: the truth vector of the lanes
-    in which several registers become 1.
+    """Yield copies of the contents with a further scratch register: the truth vector (an integer
+    with one bit for each simulated pixel) of the lanes (simulated pixels) in which several
+    registers become 1.
 
     Each of these registers can then be ORed with it. `new_values` are truth vectors by register.
     Computing the further register takes at most `most` words."""
@@ -324,8 +337,9 @@ def _ordered(
     """Return the contents after writing all new values, one after the other, in the order of fewest
     words.
 
-    `new_values` are truth vectors by register. `best` are the contents that an earlier attempt
-    reached, or None. Return `best` if no order takes fewer words, or if none works."""
+    `new_values` are truth vectors (integers with one bit for each simulated pixel) by register.
+    `best` are the contents that an earlier attempt reached, or None. Return `best` if no order
+    takes fewer words, or if none works."""
     if best is not None and contents.words + len(new_values) >= best.words:
         return best  # every value takes at least one word
     if not new_values:
@@ -349,7 +363,8 @@ def _ordered(
 
 
 def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
-    """Return the truth vectors by register without that of the register `name`."""
+    """Return the truth vectors (integers with one bit for each simulated pixel) by register without
+    that of the register `name`."""
     return {register: v for register, v in new_values.items() if register != name}
 
 
@@ -359,8 +374,9 @@ def _written(
     """Return the contents after writing the new value of the register `name`; `contents` stay
     unchanged.
 
-    `new_values` are truth vectors by register. The old value is saved first if the other new values
-    need it. Return None if that exceeds `most` words in all, or no gates are found."""
+    `new_values` are truth vectors (integers with one bit for each simulated pixel) by register. The
+    old value is saved first if the other new values need it. Return None if that exceeds `most`
+    words in all, or no gates are found."""
     sequence = contents.shortest_gates(new_values[name], name, most - contents.words)
     if sequence is None:
         return None

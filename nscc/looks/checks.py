@@ -47,7 +47,7 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
     """Return a truth vector (an integer with one bit for each lane, the lowest for lane 0) as an
-    array, bool (lanes,)."""
+    array, bool (lanes,). A lane is a simulated pixel."""
     flags = np.zeros(lanes, np.bool_)
     flags[members(vector, lanes)] = True
     return flags

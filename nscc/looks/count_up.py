@@ -57,10 +57,11 @@ def count_up(contents: RegisterContents, names: Sequence[str], lanes: int) -> No
 
 
 def _lanes_of_ones(contents: RegisterContents, names: Sequence[str], count: int) -> int:
-    """Return the truth vector of the lanes in which the `count` lowest bits of a counter are all 1;
-    all lanes if `count` is 0.
+    """Return the truth vector of the lanes (simulated pixels) in which the `count` lowest bits of a
+    counter are all 1; all lanes if `count` is 0.
 
-    `names` are the counter's registers, lowest bit first."""
+    `names` are the counter's registers, lowest bit first. A truth vector is an integer with one bit
+    for each simulated pixel."""
     lanes = contents.everything
     for name in names[:count]:
         lanes &= contents.values[name]
@@ -97,8 +98,8 @@ def _carry_register(contents: RegisterContents, names: Sequence[str], lanes: int
 def _answer_below_limit(
     contents: RegisterContents, name: str, positive: bool, ones: Sequence[str]
 ) -> str:
-    """Append gates for the lanes in which the register `name` is 1, without those where all
-    registers `ones` are 1; return their register.
+    """Append gates for the lanes (simulated pixels) in which the register `name` is 1, without
+    those where all registers `ones` are 1; return their register.
 
     If not `positive`, the lanes where `name` is 0 are meant. `ones` may be empty only then: the
     result is the inverse of `name`."""

@@ -92,7 +92,7 @@ def _outlasts(machine: StateMachine, k: int) -> bool:
     which it was given.
 
     `k` is the index of the state that holds the answer. An answer that rules read only at its own
-    boundary needs no register, because FLAG has it there."""
+    boundary needs no register, because FLAG (the bit that lets a pixel act) has it there."""
     other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
         np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True

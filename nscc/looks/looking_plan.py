@@ -56,10 +56,11 @@ class Moment(Record, eq=False):
         return (1 << len(self.before)) - 1
 
     def below(self, comparison: int) -> int:
-        """Return the truth vector of the lanes in which a comparison finds the signal at most at
-        its level.
+        """Return the truth vector of the lanes (simulated pixels) in which a comparison finds the
+        signal at most at its level.
 
-        `comparison` is its index in `comparisons`."""
+        `comparison` is its index in `comparisons`. A truth vector is an integer with one bit for
+        each simulated pixel."""
         return vector(np.flatnonzero(self.outcomes >> comparison & 1 == 0))
 
 
@@ -96,15 +97,18 @@ class LookingPlan(Record, eq=False):
         return all(copy or not fall for fall, copy in falls) and not any(rises)
 
     def sampled(self, *registers: str) -> Op:
-        """Return the word that writes -(PIX + the sum of `registers`) to the scratch register.
+        """Return the word that writes -(PIX + the sum of `registers`) to the scratch register (for
+        intermediate results).
 
-        If `reference` holds the negative reset level, that is included in the sum."""
+        If `reference` holds the negative reset level, that is included in the sum. PIX is the
+        photodiode."""
         level = (self.reference,) if self.latches else ()
         return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
     def register_to_scratch(self, register: str) -> Op:
         """Return the word that writes to the scratch register so that the sum of the registers
-        `scratched` is minus the value of `register`."""
+        `scratched` is minus the value of `register`. A scratch register holds an intermediate
+        result."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 

@@ -51,12 +51,13 @@ class Looks(ProgramKind):
     has_simpler_programs = False
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of the best lowered program of `layout` (the value of the pass
-        `schedule`), and no diagnostics."""
+        """Return the container (a compiled program) of the best lowered program of `layout` (the
+        value of the pass `schedule`), and no diagnostics."""
         return container_of(layout.best, job.options.level), ()
 
     def replay(self, container: Container, kernels: Sequence[Sequence[Op]]) -> ReplayPixels:
-        """Return the symbolic replay of a container whose pixels look at their light.
+        """Return the symbolic replay of a container (a compiled program) whose pixels look at their
+        light.
 
         `kernels` are the words of each kernel, decoded."""
         return LookingReplay(container, kernels)

@@ -85,8 +85,9 @@ class LookingReplay(ReplayPixels):
     def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
         """Return the bits that the states' registers should hold in the lanes' nodes, by register.
 
-        States without registers in the container are left out and, with `kept_only`, states that
-        are not kept. Raises ReplayError if a state has a value without bits."""
+        States without registers in the container (a compiled program) are left out and, with
+        `kept_only`, states that are not kept. Raises ReplayError if a state has a value without
+        bits."""
         known_registers: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
@@ -180,8 +181,8 @@ class LookingReplay(ReplayPixels):
         self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
     def compare(self, word: Op) -> Bits:
-        """Check that a comparison is one of the program's at this boundary, and split every lane in
-        two, one for each answer.
+        """Check that a comparison is one of the program's at this boundary, and split every lane (a
+        simulated pixel) in two, one for each answer.
 
         Return FLAG (the bit that lets a pixel act) of all lanes. Raises ReplayError if the sum that
         `word` tests is not a signal minus its level or the negative of that, or if FLAG excludes
@@ -238,7 +239,7 @@ class LookingReplay(ReplayPixels):
         return FLAG (the bit that lets a pixel act).
 
         FLAG is 1 where the signal is above its level if `above`, else where it is not. Raises
-        ReplayError beyond `MOST_LANES` transitions."""
+        ReplayError beyond `MOST_LANES` transitions. A lane is a simulated pixel."""
         count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:

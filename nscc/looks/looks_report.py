@@ -20,7 +20,7 @@ def moments_text(plan: LookingPlan) -> str:
     as lines of text.
 
     The changes are shutters that close ("fall") or open ("rise") and resets ("reset"), counted over
-    the lanes: pairs of a node of the state machine and an outcome."""
+    the lanes: pairs of a node of the state machine and an outcome. A lane is a simulated pixel."""
     lines = [f"{register:<5} {holder}" for register, holder in plan.registers.items()]
     for moment in plan.moments:
         changes = [("fall", v) for v in moment.falls] + [("reset", moment.resets)]

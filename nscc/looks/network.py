@@ -19,7 +19,7 @@ class LookingNetwork(NetworkMaker):
 
     It leads from codes, states and answers to shutter changes, resets and final states.
     `resets_some` tells whether the chip can reset PIX (the photodiode) in some pixels only, so that
-    a reset depends on FLAG."""
+    a reset depends on FLAG. FLAG is the bit that lets a pixel act."""
 
     def __init__(self, lowered: LookingLowered) -> None:
         """Begin an empty network of a lowered program with senses; `build_network` fills it."""

@@ -320,7 +320,7 @@ def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
     """Return the analog plan of a program with senses, and no errors.
 
     If there is none, return the reason (Misfit) and the error NS0413 or NS0414. `job` has the
-    lowering that the user chose."""
+    lowering (a way to compute the exposure) that the user chose."""
     lowering = job.options.lowering
     plan = plan_looks(program, program.machine, lowering)
     if isinstance(plan, Misfit):
@@ -364,7 +364,8 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
 
 
 def container_of(lowered: Lowered, level: int) -> Container:
-    """Return the container of a lowered program with senses; `level` is that of `-O`.
+    """Return the container (a compiled program) of a lowered program with senses; `level` is that
+    of `-O`.
 
     It has the state machine and the registers of each state that is read or kept."""
     assert isinstance(lowered, LookingLowered)

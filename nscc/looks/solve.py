@@ -41,8 +41,8 @@ class LookingSolution(Record, eq=False):
     p0, p1, .. keep their content over frames. `planes` are their contents before the first frame,
     as truth vectors: integers with one bit for each behaviour (set of codes that act alike).
     `holders` say what they hold. s0, s1, .. are states within a frame, initially 0, whose names are
-    `states`; t0, .. are scratch registers, `scratch` of them. `registers` names the virtual
-    registers of each state, in the order of the encoding's bits."""
+    `states`; t0, .. are scratch registers (for intermediate results), `scratch` of them.
+    `registers` names the virtual registers of each state, in the order of the encoding's bits."""
 
     encoding: LooksEncoding
     planes: tuple[int, ...]
@@ -130,7 +130,7 @@ class Solver:
         """Return the content of every register by name, for lanes that are at these nodes of the
         state machine, one node for each lane.
 
-        A content is a truth vector: an integer with one bit for each lane."""
+        A content is a truth vector: an integer with one bit for each lane (a simulated pixel)."""
         contents = dict(
             zip(
                 self.code,
@@ -147,8 +147,8 @@ class Solver:
         return contents
 
     def _columns(self, value_bits: ValueBits, values: NDArray[np.signedinteger]) -> list[int]:
-        """Return the contents of the registers that hold `values`, one value for each lane, in the
-        order of the encoding's bits.
+        """Return the contents of the registers that hold `values`, one value for each lane (a
+        simulated pixel), in the order of the encoding's bits.
 
         A content is a truth vector: an integer with one bit for each lane. All values must be among
         those of `value_bits`."""
@@ -161,7 +161,7 @@ class _Moment:
     """The words of one boundary, under construction, in `emitted`.
 
     `contents` are what registers hold now, and `new_values` the truth vectors that the boundary
-    must write, by register."""
+    must write, by register. A truth vector is an integer with one bit for each simulated pixel."""
 
     def __init__(self, solver: Solver, moment: Moment) -> None:
         """Compute the register contents before the boundary of `moment`, and the new values that
@@ -314,7 +314,8 @@ class _Moment:
 
         The truth vectors `later`, which FLAG must have later, and the new values of registers
         depend on it. `written` are pairs (scratch register that is about to be written, truth
-        vector). Return False if the content of FLAG is unknown."""
+        vector). Return False if the content of FLAG is unknown. A truth vector is an integer with
+        one bit for each simulated pixel. A scratch register holds an intermediate result."""
         contents = self.contents
         if FLAG not in contents.values:
             return False
@@ -328,8 +329,8 @@ class _Moment:
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:
-    """Return the same gates with as few scratch registers as the values that are alive at once
-    need.
+    """Return the same gates with as few scratch registers (for intermediate results) as the values
+    that are alive at once need.
 
     Scratch registers are those whose names begin with "t"; the new ones are t0, t1 and so on. The
     words between the gates read no scratch registers."""

@@ -24,10 +24,11 @@ Before = Literal["nothing", "all", "keep", "load"]
 
 
 class Decoding(Record):
-    """A plan with the gates that compute its predicates.
+    """A plan with the gates that compute its predicates (sets of shutters).
 
     `problem` has a demand for each step of the plan that has a predicate, `solution` the gates;
-    `actions` say how each step obtains FLAG, one for each step."""
+    `actions` say how each step obtains FLAG, one for each step. A demand is a set of shutters that
+    FLAG must select at a boundary."""
 
     plan: ExposurePlan
     problem: Problem
@@ -40,10 +41,10 @@ def problem_of(
 ) -> tuple[Problem, tuple[Before, ...]]:
     """Return the demands that gates must meet for a plan, and how every step obtains FLAG.
 
-    A demand says that FLAG must equal a predicate at a boundary; there is one for each step with a
-    predicate, in order. `plan` and `time` belong to `program`. `opens` are the open shutters by
-    bucket and slot, as truth vectors. The actions are one for each step, with or without a
-    predicate."""
+    A demand says that FLAG must equal a predicate (a set of shutters) at a boundary; there is one
+    for each step with a predicate, in order. `plan` and `time` belong to `program`. `opens` are the
+    open shutters by bucket and slot, as truth vectors (integers with one bit for each shutter). The
+    actions are one for each step, with or without a predicate."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
@@ -101,8 +102,9 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
     """Return for each step of a plan whether FLAG is loaded, set in all pixels, kept from the step
     before, or does not matter (`Before`).
 
-    FLAG is lost at refreshes, and with time (`time.keep_us`). A step for all pixels needs FLAG only
-    if it has words that obey it: bus words and, on some targets, resets of PIX."""
+    FLAG (the bit that lets a pixel act) is lost at refreshes, and with time (`time.keep_us`). A
+    step for all pixels needs FLAG only if it has words that obey it: bus words and, on some
+    targets, resets of PIX (the photodiode)."""
     actions: list[Before] = []
     flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None

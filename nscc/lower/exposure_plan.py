@@ -111,8 +111,9 @@ Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 class PlanStep(NamedTuple):
     """Analog words at one boundary, executed in the pixels of the truth vector `predicate`.
 
-    A predicate of None means every pixel, independent of FLAG. `role` says what the words are for.
-    `bucket` is the bucket's index, -1 for steps of the whole frame."""
+    A predicate (a set of shutters) of None means every pixel, independent of FLAG. `role` says what
+    the words are for. `bucket` is the bucket's index, -1 for steps of the whole frame. A truth
+    vector is an integer with one bit for each shutter."""
 
     boundary: int
     role: Role
@@ -122,7 +123,7 @@ class PlanStep(NamedTuple):
 
 
 class ExposurePlan(Record):
-    """The analog part of a program, for one lowering.
+    """The analog part of a program, for one lowering (a way to compute the exposure).
 
     `registers` describes the content of every used analog register; `bucket_registers` are those
     that hold the exposures, in the order of the buckets. `shutters` and `slots` are numbers.
@@ -139,7 +140,7 @@ class ExposurePlan(Record):
 
     @property
     def everywhere(self) -> int:
-        """The truth vector of all shutters."""
+        """The truth vector (an integer with one bit for each shutter) of all shutters."""
         return (1 << self.shutters) - 1
 
 
@@ -147,7 +148,8 @@ class Misfit(Record):
     """The reason why a lowering cannot be used: an unmet condition, or too few registers.
 
     `resource` names the kind of registers, of which `required` are needed and `available` exist;
-    None for other reasons. `searched` means that no gates were found, which proves nothing."""
+    None for other reasons. `searched` means that no gates were found, which proves nothing. A
+    lowering is a way to compute the exposure."""
 
     reason: str
     resource: str | None = None
@@ -175,8 +177,8 @@ Opens = tuple[tuple[int, ...], ...]
 class Planned(Record):
     """A program with its exposure plans, fewest analog writes first.
 
-    `misfits` says why other lowerings that were tried have no plan; a lowering that was not asked
-    for is in neither."""
+    `misfits` says why other lowerings (ways to compute the exposure) that were tried have no plan;
+    a lowering that was not asked for is in neither."""
 
     program: Program
     time: Timeline
@@ -186,8 +188,8 @@ class Planned(Record):
 
 
 def plan_exposures(program: Program, option: LoweringOption) -> Planned:
-    """Return the exposure plans of `program` for one lowering, or with the option "auto" for all of
-    them.
+    """Return the exposure plans of `program` for one lowering (a way to compute the exposure), or
+    with the option "auto" for all of them.
 
     There may be no plan; the reasons are then in `misfits`."""
     opens = levels(program)
@@ -209,7 +211,8 @@ def frame_time(program: Program) -> Timeline:
 
 
 def levels(program: Program) -> Opens:
-    """Return the open shutters of every bucket and slot, as truth vectors: item [bucket][slot]."""
+    """Return the open shutters of every bucket and slot, as truth vectors: item [bucket][slot]. A
+    truth vector is an integer with one bit for each shutter."""
     shutters = program.table.shutters
     return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
 
@@ -232,7 +235,8 @@ def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> Exposur
 def analog_registers(
     program: Program, lowering: Lowering, *, reference: bool
 ) -> AnalogRegisters | Misfit:
-    """Return the registers of a lowering, with one for the reset level if it needs a `reference`.
+    """Return the registers of a lowering (a way to compute the exposure), with one for the reset
+    level if it needs a `reference`.
 
     Registers are taken in the order of the target: buckets first, then the reset level. Returns a
     Misfit if the chip has too few; a lowering without a `reference` may still fit."""
@@ -276,16 +280,18 @@ RESET = (op("rpix"), op("rpix"), op("nop"))
 
 class _Builder:
     """The steps of a plan in execution order (`steps`), under construction; make a new one for each
-    plan. `everywhere` is the truth vector of all shutters."""
+    plan. `everywhere` is the truth vector (an integer with one bit for each shutter) of all
+    shutters."""
 
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
     ) -> None:
         """Begin a plan without steps.
 
-        `opens` lists for each bucket and slot the shutters that are open, as a truth vector.
-        `analog` holds the exposure registers, the register of the reset level, the scratch
-        register, and what each register holds."""
+        `opens` lists for each bucket and slot the shutters that are open, as a truth vector (an
+        integer with one bit for each shutter). `analog` holds the exposure registers, the register
+        of the reset level, the scratch register (for intermediate results), and what each register
+        holds."""
         self.program = program
         self.lowering = lowering
         self.opens = opens
@@ -296,8 +302,8 @@ class _Builder:
         self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
-        """Return the plan: clear the registers, reset PIX, then the steps of the lowering. Call it
-        once; it adds to the steps."""
+        """Return the plan: clear the registers, reset PIX (the photodiode), then the steps of the
+        lowering (a way to compute the exposure). Call it once; it adds to the steps."""
         scratch = self.scratch
         # A bus word writes minus the sum of its sources, so one without sources writes 0.
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
@@ -327,7 +333,8 @@ class _Builder:
         self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
     ) -> None:
         """Add a step for the pixels of `predicate` unless it is empty. If it contains all shutters,
-        the step is for every pixel (a predicate of None), which needs no gates."""
+        the step is for every pixel (a predicate of None), which needs no gates. A predicate is a
+        set of shutters."""
         if predicate:
             taking_part = None if predicate == self.everywhere else predicate
             self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
@@ -336,19 +343,20 @@ class _Builder:
         """Return words for register += PIX - reference.
 
         A bus word writes minus the sum of its sources: scratch = -(register + PIX), then register =
-        -(scratch + reference)."""
+        -(scratch + reference). PIX is the photodiode."""
         first_sources, second_sources = (register, "PIX"), (self.scratch, *self.zero)
         return op("bus", (self.scratch,), first_sources), op("bus", (register,), second_sources)
 
     def _subtract(self, register: str) -> tuple[Op, ...]:
         """Return words for register -= PIX - reference, that is, register = -(scratch + PIX) with
-        scratch = -(register + reference)."""
+        scratch = -(register + reference). PIX is the photodiode."""
         before, after = (register, *self.zero), (self.scratch, "PIX")
         return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _accumulate(self) -> None:
-        """Append the steps of the lowering `accumulate`: read PIX after each slot in pixels with an
-        open shutter, and reset it before the next."""
+        """Append the steps of the lowering `accumulate`: read PIX (the photodiode) after each slot
+        in pixels with an open shutter, and reset it before the next. A lowering is a way to compute
+        the exposure."""
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             # The setup resets PIX for slot 0; for a slot in which no shutter is open nobody reads
@@ -361,8 +369,9 @@ class _Builder:
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
     def _latch(self) -> None:
-        """Add copies of PIX at boundaries where a shutter closes, in the pixels that were open
-        before; a pixel that stays open copies again later, and only its last copy counts."""
+        """Add copies of PIX (the photodiode) at boundaries where a shutter closes, in the pixels
+        that were open before; a pixel that stays open copies again later, and only its last copy
+        counts."""
         assert self.reference is not None
         sample = op("bus", (self.scratch,), ("PIX",))
         copies = [
@@ -375,11 +384,11 @@ class _Builder:
                     self._step(boundary, "open", bucket, before, copies[bucket])
 
     def _edges(self) -> None:
-        """Append the steps of the lowering `edges`: PIX is added where a shutter closes, and
-        subtracted, or reset, where it opens.
+        """Append the steps of the lowering `edges`: PIX (the photodiode) is added where a shutter
+        closes, and subtracted, or reset, where it opens.
 
-        Falls come before rises, because a rise may reset PIX before another bucket's fall reads
-        it."""
+        Falls come before rises, because a rise may reset PIX before another bucket's fall reads it.
+        A lowering is a way to compute the exposure."""
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
         rises = [RESET if resets else self._subtract(register) for register in self.registers]
@@ -394,7 +403,7 @@ class _Builder:
 
     def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
         """Yield the boundaries where shutters change, with each bucket's open shutters before and
-        after, as truth vectors.
+        after, as truth vectors (integers with one bit for each shutter).
 
         Before slot 0 and after the last slot all are closed. Boundaries at which no bucket changes
         are left out."""
@@ -405,9 +414,9 @@ class _Builder:
                 yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
-        """Return whether pixels may reset PIX when a shutter opens: the target resets only pixels
-        whose FLAG is 1, the reset level is stored, and in no pixel is another bucket open then,
-        which would lose light."""
+        """Return whether pixels may reset PIX (the photodiode) when a shutter opens: the target
+        resets only pixels whose FLAG is 1, the reset level is stored, and in no pixel is another
+        bucket open then, which would lose light. FLAG is the bit that lets a pixel act."""
         if self.program.target.reset_honours_flag != "yes" or self.reference is None:
             return False
         for boundary in range(1, self.slots):

@@ -151,7 +151,8 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
     """Return the error (NS0502) that the search at this `level` found no gates for any plan, which
     is not proved.
 
-    `misfits` has the reason of each lowering that was tried, at least one."""
+    `misfits` has the reason of each lowering (a way to compute the exposure) that was tried, at
+    least one."""
     available = len(program.target.digital_registers)
     return Diagnostic(
         "NS0502",
@@ -174,7 +175,7 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
 
 def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
     """Return why each lowering in `misfits` does not fit, with the lowering's name in front unless
-    the reason begins with it."""
+    the reason begins with it. A lowering is a way to compute the exposure."""
     return [
         misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
         for name, misfit in misfits.items()
@@ -182,9 +183,9 @@ def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
 
 
 def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
-    """Return all errors of the best lowering of `choice`, compiled at this `level`: retention,
-    slots that are too short, too many words at a boundary, too many stored words. The list is empty
-    if it fits."""
+    """Return all errors of the best lowering (a way to compute the exposure) of `choice`, compiled
+    at this `level`: retention, slots that are too short, too many words at a boundary, too many
+    stored words. The list is empty if it fits."""
     lowered = choice.best
     diagnostics = []
     if not lowered.retained:

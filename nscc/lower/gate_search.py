@@ -31,11 +31,12 @@ _PRICE = attrgetter("price")
 
 @dataclass
 class GateSearch:
-    """The search for gates that answer the demands of a plan.
+    """The search for gates that answer the demands (sets of shutters that FLAG must select at
+    boundaries) of a plan.
 
     `problem` and `actions` are those of the plan. `most_words` is the largest allowed number of
-    words at a boundary (None: any). `faults` collects unexpected exceptions of generators; with
-    None they propagate."""
+    words at a boundary (None: any). `faults` collects unexpected exceptions of generators (methods
+    that find gates); with None they propagate."""
 
     program: Program
     plan: ExposurePlan
@@ -62,7 +63,8 @@ class GateSearch:
 
         More steps change where generators stop, so the result of a level is not always better than
         that of the level below. Level 0 is only searched if nothing fits, or if `level` is 0. A
-        problem without demands needs one level only."""
+        problem without demands needs one level only. A demand is a set of shutters that FLAG must
+        select at a boundary. A generator is a method that finds gates."""
         known: list[Lowered] = []
         for searched in range(level, -1, -1):
             known += self._of_level(searched)
@@ -72,9 +74,9 @@ class GateSearch:
         return min(known, key=_PRICE, default=None)
 
     def _of_level(self, level: int) -> list[Lowered]:
-        """Return the best solutions of the generators at a level of optimisation, one for each
-        encoding, cheapest first; at levels with ROUNDS, the improved best one before them. Empty if
-        every generator gave up.
+        """Return the best solutions of the generators (methods that find gates) at a level of
+        optimisation, one for each encoding, cheapest first; at levels with ROUNDS, the improved
+        best one before them. Empty if every generator gave up.
 
         If the improvement raises an exception, it is noted in `faults` (raised if that is None),
         and the unimproved solutions are returned."""
@@ -96,8 +98,9 @@ class GateSearch:
         """Improve all candidates a little, and the best of them more; return the best result.
 
         `candidates` are sorted by price, at least one. Solutions with masked gates stay as they
-        are. With more demands than the store has words, the first candidate is returned
-        unchanged."""
+        are. With more demands (sets of shutters that FLAG must select at boundaries) than the store
+        has words, the first candidate is returned unchanged. FLAG is the bit that lets a pixel act.
+        """
         from nscc.logic.improve.search import balance, improve, words_at  # `check` does not need it
 
         if len(self.problem.demands) > self.program.target.store_words:

@@ -25,8 +25,8 @@ class Gated(Record):
     """The plans with gates, best first, and why others have none; `decodings` is empty if no plan
     has gates.
 
-    `fits` says whether the words of the best plan fit. `faults` are exceptions of generators, which
-    were left out."""
+    `fits` says whether the words of the best plan fit. `faults` are exceptions of generators
+    (methods that find gates), which were left out."""
 
     program: Program
     time: Timeline
@@ -50,7 +50,8 @@ def find_gates(
     it takes far more words than a composed rule, or than one with little more writes. Known
     solutions are read from `results`, and new ones stored there (None: neither). `most_words` is
     the largest allowed number of words at a boundary, None for any. Plans without gates are in
-    `misfits`. Raises Rejected (NS0905) for an invalid generator of another package."""
+    `misfits`. Raises Rejected (NS0905) for an invalid generator (a method that finds gates) of
+    another package."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
@@ -119,8 +120,8 @@ def lower(
     `most_words` is as in `Lowered`. Levels 2 and 3 improve the best solutions. The solution of a
     level is never more expensive than that of the level below, or than another solution of this
     level. Known solutions come from `results`, where new ones are stored, except after a fault of a
-    generator. `faults` is as in `nscc.logic.generate.solutions`: None lets unexpected exceptions
-    propagate."""
+    generator (a method that finds gates). `faults` is as in `nscc.logic.generate.solutions`: None
+    lets unexpected exceptions propagate."""
     program, target, time = planned.program, planned.program.target, planned.time
     problem, actions = problem_of(program, plan, time, planned.opens)
     # Improvement needs fitting solutions as input; a limit that only the final solution meets would

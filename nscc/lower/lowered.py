@@ -33,12 +33,12 @@ class Lowered(Record):
     most_words: int | None
 
     def __repr__(self) -> str:
-        """Return the lowering and the number of words."""
+        """Return the lowering (a way to compute the exposure) and the number of words."""
         return f"Lowered({self.plan.lowering}, {self.schedule.words_total} words a frame)"
 
     @property
     def plan(self) -> ExposurePlan:
-        """The analog words and what FLAG must hold for them."""
+        """The analog words and what FLAG (the bit that lets a pixel act) must hold for them."""
         return self.decoding.plan
 
     @property
@@ -56,10 +56,11 @@ class Lowered(Record):
 
     @cached_property
     def busy_us(self) -> list[float]:
-        """The time of each boundary's words in microseconds, with launches, settling of IN and the
-        loop, for the boundaries 0..N.
+        """The time of each boundary's words in microseconds, with launches (starts of kernels),
+        settling of IN and the loop, for the boundaries 0..N.
 
-        At boundary 0 only the words after the start of the exposure count."""
+        At boundary 0 only the words after the start of the exposure count. IN is the level sent to
+        all pixels."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
         busy = [0.0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
@@ -81,7 +82,7 @@ class Lowered(Record):
     @property
     def shortest_slot_launches(self) -> int:
         """The number of kernel launches included in `shortest_slot_us`. Of several boundaries that
-        take equally long, the first counts."""
+        take equally long, the first counts. A launch is the start of a kernel, a list of words."""
         boundary = self.busy_us.index(self.shortest_slot_us)
         # The first launch of the frame is before the start of the exposure.
         return sum(n == boundary for n, _ in self.schedule.launches[1:])
@@ -117,7 +118,7 @@ class Lowered(Record):
 
     @property
     def stored_ok(self) -> bool:
-        """Whether the kernels fit the store."""
+        """Whether the kernels fit the store. A kernel is a list of words."""
         return self.schedule.words_stored <= self.program.target.store_words
 
     @property
@@ -135,7 +136,8 @@ class Lowered(Record):
 
     @property
     def price(self) -> tuple[bool, float, int, int, int]:
-        """Sort key among solutions of one lowering; the smallest is the best.
+        """Sort key among solutions of one lowering (a way to compute the exposure); the smallest is
+        the best.
 
         Its items are: does not fit, overload, words per frame without refresh, words of the largest
         boundary, refresh words."""
@@ -148,7 +150,8 @@ class Lowered(Record):
         """The largest constant light, in electrons per frame of an open shutter, that saturates no
         pixel.
 
-        It is limited by PIX between two resets and by the registers of the buckets."""
+        It is limited by PIX between two resets and by the registers of the buckets. PIX is the
+        photodiode."""
         program, plan = self.program, self.plan
         target = program.target
         slot_us = np.array(program.frame.slot_us)
@@ -179,9 +182,9 @@ class Lowered(Record):
 
 
 class Choice(Record):
-    """All lowerings with gates, best first, and why others failed.
+    """All lowerings (ways to compute the exposure) with gates, best first, and why others failed.
 
-    `failed_generators` names the generators that raised an exception."""
+    `failed_generators` names the generators (methods that find gates) that raised an exception."""
 
     lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]
@@ -192,7 +195,7 @@ class Choice(Record):
 
     @property
     def best(self) -> Lowered:
-        """The best lowering. The caller ensures that there is one."""
+        """The best lowering (a way to compute the exposure); the caller ensures that it exists."""
         return self.lowerings[0]
 
     @property
@@ -202,12 +205,14 @@ class Choice(Record):
 
     @property
     def shortest_slot_us(self) -> float:
-        """The shortest slot length with which all words of the best lowering fit."""
+        """The shortest slot length with which all words of the best lowering fit. A lowering is a
+        way to compute the exposure."""
         return self.best.shortest_slot_us
 
     @property
     def frame_us(self) -> float:
-        """The time of a frame of the best lowering, in microseconds."""
+        """The time of a frame of the best lowering (a way to compute the exposure), in
+        microseconds."""
         return self.best.frame_us
 
 
@@ -228,8 +233,8 @@ def _reads_pix(step: PlanStep) -> bool:
 
 
 def assemble(lowered: Lowered, level: int) -> Container:
-    """Return the container of a lowered program, with the words and the register contents of each
-    shutter.
+    """Return the container (a compiled program) of a lowered program, with the words and the
+    register contents of each shutter.
 
     `level` is the optimisation level, which the container's notes name. The caller ensures that the
     words fit the chip."""

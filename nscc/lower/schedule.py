@@ -82,8 +82,9 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
     """Return which virtual register is in the masked register, and which in its mask, as virtual to
     chip register.
 
-    Either may be missing: without scratch registers the mask is free for other bits, and the masked
-    register may stay empty. Empty if the target has no masked register."""
+    Either may be missing: without scratch registers (for intermediate results) the mask is free for
+    other bits, and the masked register may stay empty. Empty if the target has no masked register.
+    """
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
@@ -109,7 +110,8 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
     keeps its name.
 
     A gate that reads its own destination takes a pair of words; every other gate takes one word.
-    The caller ensures that the gate reads no more sources than a word can."""
+    The caller ensures that the gate reads no more sources than a word can. FLAG is the bit that
+    lets a pixel act."""
     sources = [places.get(name, name) for name in gate.sources]
     if gate.name == "WHERE":
         return (op("WHERE", (), sources),)
@@ -125,7 +127,7 @@ def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[O
     with the same content.
 
     They overwrite FLAG if both the masked register and its mask contain code, and the mask if only
-    the masked register does."""
+    the masked register does. FLAG is the bit that lets a pixel act."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]
@@ -155,9 +157,10 @@ class FrameSchedule(Record):
     """All words of a frame.
 
     `kernels` are distinct; `launches` are (boundary, number of the kernel) in execution order.
-    `setup_us` is the time of boundary 0's words before the exposure starts, including their launch.
-    `refreshed` are the code registers that need words of refresh. `levels` is the value of IN of
-    each launch in steps, None if it does not matter; empty if no launch sets IN."""
+    `setup_us` is the time of boundary 0's words before the exposure starts, including their launch
+    (the start of a kernel). `refreshed` are the code registers that need words of refresh. `levels`
+    is the value of IN (the level sent to all pixels) of each launch in steps, None if it does not
+    matter; empty if no launch sets IN."""
 
     allocation: Allocation
     kernels: tuple[Words, ...]
@@ -168,7 +171,7 @@ class FrameSchedule(Record):
 
     def settles(self) -> list[int]:
         """Return the boundaries at which IN changes, ascending, once for each change. Launches for
-        which IN does not matter change nothing."""
+        which IN (the level sent to all pixels) does not matter change nothing."""
         boundaries: list[int] = []
         last: int | None = None
         levels = self.levels or (None,) * len(self.launches)
@@ -207,8 +210,8 @@ def schedule(
     """Lay out the gates of a solution and the analog words of its plan over the boundaries.
 
     The digital registers `spared` are the last choice for code. Kernels are as large as the store
-    allows; if it has too few words even for the smallest kernels, that schedule is returned
-    nevertheless."""
+    allows; if it has too few words even for the smallest kernels (lists of words), that schedule is
+    returned nevertheless."""
     allocation = allocate(decoding.solution, target, spared)
     for size in SIZES:
         result = _scheduled(decoding, time, target, allocation, size)
@@ -224,8 +227,8 @@ def _scheduled(
     allocation: Allocation,
     size: KernelSize,
 ) -> FrameSchedule:
-    """Return the schedule of a frame with kernels of this `size`; it may store more words than the
-    controller can.
+    """Return the schedule of a frame with kernels (lists of words) of this `size`; it may store
+    more words than the controller can.
 
     Registers that the frame's own words do not write often enough are refreshed at the boundaries
     of `time`, and at the end."""
@@ -270,8 +273,8 @@ def _scheduled(
 def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> list[list[Words]]:
     """Return the segments of every boundary 0..N; the first segment of boundary 0 is the setup.
 
-    They are as small as kernels of this size: gates alone are often equal in all slots, and a
-    single gate occurs in many slots of a random codebook."""
+    They are as small as kernels (lists of words) of this size: gates alone are often equal in all
+    slots, and a single gate occurs in many slots of a random codebook."""
     plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)

@@ -41,9 +41,10 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
 def late_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0601) that words take longer than the slot at whose start they run.
 
-    `level` is the optimisation level; the best lowering must have late slots. The error is proved
-    if in every lowering the analog words and one launch take too long. It then names the slot that
-    lacks most for these, else the slot that lacks most for all its words."""
+    `level` is the optimisation level; the best lowering (a way to compute the exposure) must have
+    late slots. The error is proved if in every lowering the analog words and one launch take too
+    long. It then names the slot that lacks most for these, else the slot that lacks most for all
+    its words. A launch is the start of a kernel, a list of words."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
@@ -83,9 +84,9 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0603) for more words at a boundary than `--max-words-per-slot` allows.
 
-    `level` is the optimisation level; the best lowering must have overfull boundaries, of which the
-    fullest is named. The error is proved if in every lowering the analog words of a boundary exceed
-    the limit."""
+    `level` is the optimisation level; the best lowering (a way to compute the exposure) must have
+    overfull boundaries, of which the fullest is named. The error is proved if in every lowering the
+    analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
@@ -118,8 +119,8 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def _where_they_go(lowered: Lowered, boundary: int) -> str:
-    """Return the words of a boundary by purpose, and the time of launches, as text. Purposes
-    without words are left out."""
+    """Return the words of a boundary by purpose, and the time of launches (starts of kernels), as
+    text. Purposes without words are left out. A kernel is a list of words."""
     kernels, launch_us = lowered.schedule.kernels, lowered.program.target.launch_us
     launched = [kernels[kernel] for n, kernel in lowered.schedule.launches if n == boundary]
     words = [word for kernel in launched for word in kernel]
@@ -139,7 +140,7 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
 
 def _times(target: Target) -> str:
     """Return a text without a full stop on how long words, launches and the loop at a boundary take
-    on the target, in microseconds."""
+    on the target, in microseconds. A launch is the start of a kernel, a list of words."""
     return (
         f"a digital word takes {target.digital_word_us:g} us, an analog word "
         f"{target.analog_word_us:g} us, a launch {target.launch_us:g} us, and the loop at a "
@@ -148,22 +149,24 @@ def _times(target: Target) -> str:
 
 
 def _nothing_untried(choice: Choice) -> bool:
-    """Return whether every lowering was laid out or is impossible. False if the search found no
-    gates for one, because that proves nothing."""
+    """Return whether every lowering (a way to compute the exposure) was laid out or is impossible.
+    False if the search found no gates for one, because that proves nothing."""
     return not any(misfit.searched for misfit in choice.misfits.values())
 
 
 def _too_short(lowered: Lowered) -> list[int]:
     """Return the slots that are too short for their analog words alone, with one launch and the
-    loop, the one that lacks most first; empty if none is."""
+    loop, the one that lacks most first; empty if none is. A launch is the start of a kernel, a list
+    of words."""
     slots_us = lowered.program.frame.slot_us
     lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
     return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
-    """Return the minimum time in microseconds at a boundary: its analog words, one launch, and the
-    loop (not at boundary 0). 0 without analog words, because nothing need run there."""
+    """Return the minimum time in microseconds at a boundary: its analog words, one launch (the
+    start of a kernel), and the loop (not at boundary 0). 0 without analog words, because nothing
+    need run there. A kernel is a list of words."""
     target = lowered.program.target
     analog = _analog_words(lowered, boundary)
     loop_us = target.launch_us + (target.wait_us if boundary else 0.0)

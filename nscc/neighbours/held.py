@@ -79,7 +79,7 @@ class Emitter(ABC):
 
     `words` are pairs (word, level of IN that it needs). `masked` tells whether FLAG (the bit that
     lets a pixel act) may be 0 in some pixels; analog words have no effect there. `weights` are the
-    program's convolution kernels by name."""
+    program's convolution kernels by name. IN is the level sent to all pixels."""
 
     def __init__(self, pictures: p.Pictures) -> None:
         """Begin with a word that sets FLAG (the bit that lets a pixel act) in all pixels, so that

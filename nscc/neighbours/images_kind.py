@@ -24,8 +24,8 @@ class Images(ProgramKind):
     has_simpler_programs = False
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of the exposure with the words of images and planes after it, and
-        diagnostics.
+        """Return the container (a compiled program) of the exposure with the words of images and
+        planes after it, and diagnostics.
 
         `layout` is the value of the pass `schedule`, which contains the program. If an image or
         plane does not fit the chip, the container has only the exposure, and an error says why."""

@@ -53,8 +53,8 @@ the searches for all of them."""
 def with_pictures(
     container: Container, program: Program, level: int, results: Results | None = None
 ) -> tuple[Container, Sequence[Diagnostic]]:
-    """Return the container with the words of the program's images and planes, and no errors; or the
-    container unchanged, with one error.
+    """Return the container (a compiled program) with the words of the program's images and planes,
+    and no errors; or the container unchanged, with one error.
 
     The errors are: states that fade within a frame (NS0602), too few registers or too little
     instruction store (NS0535), values beyond the range of the registers (NS0540), and images that
@@ -122,8 +122,8 @@ def lowered(
 def _shortest(
     container: Container, pictures: Pictures, level: int, searches: Sequence[Synthesis]
 ) -> Lowering:
-    """Return the lowering with the fewest words among several forms of the images and several
-    `searches` for kernels.
+    """Return the lowering (a way to compute the exposure) with the fewest words among several forms
+    of the images and several `searches` for kernels.
 
     From the level of optimisation `_LEVEL_OF_ALTERNATIVES` on, equivalent forms of the images are
     tried as well. If no form fits the registers, the images are computed in another order. Raises
@@ -200,8 +200,8 @@ def _without_zeros(node: Node) -> Any:
 
 
 def _lowered(container: Container, pictures: Pictures, synthesis: Synthesis) -> Lowering:
-    """Return the lowering of images and planes in their order; `synthesis` finds the words of
-    kernels.
+    """Return the lowering (a way to compute the exposure) of images and planes in their order;
+    `synthesis` finds the words of kernels.
 
     Kept images begin with a range of values that every frame keeps. It is found by widening the
     range until their next values stay inside. Raises PictureRefused if the words do not fit the
@@ -251,7 +251,8 @@ def _lowered_with(
     synthesis: Synthesis,
     ranges: Mapping[str, tuple[float, float]],
 ) -> Lowering:
-    """Return the lowering that counts as many images together as registers allow.
+    """Return the lowering (a way to compute the exposure) that counts as many images together as
+    registers allow.
 
     `ranges` gives the (least, largest value) of each kept image before a frame, in electrons.
     Raises PictureRefused if the words do not fit even if every image is counted alone."""

@@ -236,8 +236,8 @@ class PictureReplay:
     """The registers of all pixels of a small array while the words after an exposure run.
 
     `analog` has, by register and pixel (column, row), an exact weighted sum of exposures and other
-    unknowns. `digital` has the decision diagram of a bit; FLAG and the inner bus are among its
-    registers. `forms` makes both and knows the size of the array."""
+    unknowns. `digital` has the decision diagram of a bit; FLAG (the bit that lets a pixel act) and
+    the inner bus are among its registers. `forms` makes both and knows the size of the array."""
 
     container: Container
     forms: Forms

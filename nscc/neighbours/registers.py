@@ -207,7 +207,8 @@ class RegisterEmitter(CountEmitter):
     def word(self, op: Op, level: Level = None) -> None:
         """Emit a word that needs `level` of IN (None if it does not read IN).
 
-        What the registers that it writes held before is no longer reused."""
+        What the registers that it writes held before is no longer reused. IN is the level sent to
+        all pixels."""
         super().word(op, level)
         for name in op.destinations:
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)

@@ -85,8 +85,8 @@ class ReplayError(Exception):
 
 
 class ReplayPixels:
-    """A replay of the words of a container, frame by frame, for all pixels that a proof
-    distinguishes.
+    """A replay of the words of a container (a compiled program), frame by frame, for all pixels
+    that a proof distinguishes.
 
     Each such pixel is a lane. `kernels` are the decoded words of the container; `encoding` bool
     (lanes, registers) is loaded by the host. An analog value has several parts in each lane:
@@ -133,8 +133,8 @@ class ReplayPixels:
     # Lanes.
 
     def _resize(self, lanes: int) -> None:
-        """Set the number of lanes, and forget which of them have FLAG (the bit that lets a pixel
-        act) = 1."""
+        """Set the number of lanes (simulated pixels), and forget which of them have FLAG (the bit
+        that lets a pixel act) = 1."""
         self.lanes, self.everything = lanes, (1 << lanes) - 1
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
@@ -157,7 +157,8 @@ class ReplayPixels:
 
     def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
         """Return the contents of the code registers by name, each as a pair of truth vectors (known
-        1, known 0), from `encoding` bool (lanes, digital registers)."""
+        1, known 0), from `encoding` bool (lanes, digital registers). A lane is a simulated pixel.
+        """
         registers, names = self.target.digital_registers, self.container.code_registers
         places = [registers.index(name) for name in names]
         return dict(zip(names, self.known(encoding[:, places]), strict=True))
@@ -213,7 +214,7 @@ class ReplayPixels:
 
     def set_in(self, level: int) -> None:
         """Set the charge that IN (the level sent to all pixels) supplies to `level` steps, in all
-        lanes. All lights get it; terms of linear forms become 0."""
+        lanes (simulated pixels). All lights get it; terms of linear forms become 0."""
         self.analog["IN"][:] = 0.0
         self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
 
@@ -230,8 +231,8 @@ class ReplayPixels:
     # Words.
 
     def run(self, word: Op) -> None:
-        """Run a word in every lane, as FLAG (the bit that lets a pixel act) and the target's rules
-        allow it.
+        """Run a word in every lane (a simulated pixel), as FLAG (the bit that lets a pixel act) and
+        the target's rules allow it.
 
         Raises nothing: a result that a real chip does not determine becomes unknown."""
         match word.operation.effect:
@@ -262,14 +263,16 @@ class ReplayPixels:
 
     def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
         """Store an analog value, float64 (lanes, parts) or (1, parts) for all, in the register
-        `name` of the pixels `lanes`; in those of `unsure` (None: no pixel) it becomes unknown."""
+        `name` of the pixels `lanes`; in those of `unsure` (None: no pixel) it becomes unknown. A
+        lane is a simulated pixel."""
         self.analog[name][lanes] = value
         if unsure is not None:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
 
     def total(self, word: Op, lanes: Lanes = slice(None)) -> Values:
         """Return the sum of a word's analog sources in `lanes`, float64 (lanes, parts), without the
-        change of sign that bus words make; zeros (1, parts) without sources."""
+        change of sign that bus words make; zeros (1, parts) without sources. A lane is a simulated
+        pixel."""
         if not word.sources:
             return np.zeros((1, self.parts))
         first, *further_sources = (self.analog[name][lanes] for name in word.sources)
@@ -290,7 +293,7 @@ class ReplayPixels:
         unknown (None if there are none).
 
         `word` is the word that asks, for the doubt that is noted. The result is cached until FLAG
-        changes."""
+        changes. A lane is a simulated pixel."""
         flag = self.read("FLAG")
         if flag != self._split[0]:
             known_1, known_0 = flag

@@ -244,7 +244,8 @@ def prove(
     replay_of: Callable[[Container, Sequence[Sequence[Op]]], ReplayPixels] = Replay,
     after_frame: Callable[[Container], Failure | None] = readout_failure,
 ) -> Proof:
-    """Prove that `kernels`, the decoded words of the container, match its decode table.
+    """Prove that `kernels`, the decoded words of the container (a compiled program), match its
+    decode table.
 
     `replay_of` makes the pixels that run the words for two frames. `after_frame` returns the first
     error of the words that follow a frame, None if they are right; it is asked only if both frames

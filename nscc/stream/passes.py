@@ -202,7 +202,8 @@ def late_fault(sending: Sending) -> Diagnostic | None:
 
 
 def with_planes_of_route(container: Container, way: Route) -> Container:
-    """Return a container with the bit planes of its pixel codes, in place of any that it had.
+    """Return a container (a compiled program) with the bit planes of its pixel codes, in place of
+    any that it had.
 
     `way` has the destination of the light of each shutter. Without pixel codes the container gets
     no planes."""
@@ -218,7 +219,8 @@ def with_planes_of_route(container: Container, way: Route) -> Container:
 
 
 def with_planes(container: Container) -> Container:
-    """Return a container of a chip without logic with the bit planes of its current pixel codes.
+    """Return a container (a compiled program) of a chip without logic with the bit planes of its
+    current pixel codes.
 
     Raises Rejected (NS0509) if there is no route for the light of its shutters."""
     chosen_route = route(container.table.shutters, container.buckets, container.target)
@@ -253,7 +255,7 @@ def plan_of(program: Program, job: Job) -> tuple[Sending | NoRoute, Found]:
     """Return the program with its route, without errors; or NoRoute and the error (NS0509).
 
     Options that only apply to words (a lowering, a limit on words) are refused with NS0510; the
-    NoRoute is then empty."""
+    NoRoute is then empty. A lowering is a way to compute the exposure."""
     lowering = job.options.lowering
     word_options = [f"--lowering {lowering}"] * (lowering != "auto")
     word_options += ["--max-words-per-slot"] * (job.options.max_words_per_slot is not None)

@@ -34,7 +34,8 @@ class BitPlanes(ProgramKind):
     one_lowering_for = "a chip without logic"
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
-        """Return the container of a layout of bit planes; it causes no diagnostics."""
+        """Return the container (a compiled program) of a layout of bit planes; it causes no
+        diagnostics."""
         return container_of(layout), ()
 
     def prove(self, container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
@@ -58,7 +59,7 @@ class BitPlanes(ProgramKind):
         return container.table.shutters
 
     def with_planes(self, container: Container) -> Container:
-        """Return a container with the bit planes of its pixel codes; see
+        """Return a container (a compiled program) with the bit planes of its pixel codes; see
         `nscc.stream.passes.with_planes`."""
         return with_planes(container)
 

@@ -43,7 +43,7 @@ class Key:
     sentence. `source` is the origin of the default, empty if it is published. A file lists the key
     under `heading`, by default its section. `attribute` is the name in Python, by default the key's
     name. A `required` key must be in the file. A `later` key was added after the first containers
-    and is left out of containers if it has its default.
+    (compiled programs) and is left out of containers if it has its default.
 
     `option` is the option's name, by default `--NAME`; `notation` shows how its value is written;
     `default_text` describes the default in place of the value, and is empty if `meaning` describes

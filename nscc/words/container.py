@@ -34,8 +34,8 @@ class Launch(Record):
     """The start of a kernel (list of words) at boundary `instant`: 0 is the start of the frame, n
     the boundary before slot n, and N the end of the last slot.
 
-    `kernel` is the kernel's index in the container. IN, the value that all pixels receive, is set
-    to `level` steps before; None leaves it unchanged."""
+    `kernel` is the kernel's index in the container (a compiled program). IN, the value that all
+    pixels receive, is set to `level` steps before; None leaves it unchanged."""
 
     instant: int
     kernel: int
@@ -93,7 +93,8 @@ class Container:
     and pixel codes (`nscc.stream.passes.with_planes_of_route`), and is None without pixel codes.
 
     `pictures` are images and planes that are computed after the last slot; their words run after
-    all `launches`. `readouts` then name the registers of the exposures before these words."""
+    all `launches`. `readouts` then name the registers of the exposures before these words. A
+    lowering is a way to compute the exposure."""
 
     target: Target
     slot_us: tuple[float, ...]
@@ -192,8 +193,8 @@ class Container:
 
 
 def kept_starts(container: Container) -> dict[int, list[str]]:
-    """Return the registers of kept images by the value of IN, in steps, that sets them to their
-    starts; {} if no image is kept.
+    """Return the registers of kept images by the value of IN (the level sent to all pixels), in
+    steps, that sets them to their starts; {} if no image is kept.
 
     A start between two steps becomes the nearest one: see `nscc.words.legality.loader_fault`."""
     pictures, starts = container.pictures, dict[int, list[str]]()
@@ -222,14 +223,14 @@ def starting(registers: Sequence[str]) -> tuple[Op, ...]:
 
 
 def with_picture_words(container: Container) -> Container:
-    """Return the container as a chip executes it.
+    """Return the container (a compiled program) as a chip executes it.
 
     Its kernels (lists of words) and launches include the words of images and planes, and before
     them those that set kept images to their starts, which are for the first frame only. Its
     readouts are the registers that the chip converts: first buckets, then images. Its code
     registers include the registers of kept states and input planes, which a device loads with their
     starts before the first frame. Its loops have their largest number of steps
-    (`Pictures.steered`)."""
+    (`Pictures.steered`). A launch is the start of a kernel, a list of words."""
     pictures, first = container.pictures, len(container.kernels)
     readouts = {readout.bucket: readout for readout in container.readouts}
     readouts |= {name: Readout(register, name) for name, register in pictures.registers.items()}
@@ -283,7 +284,8 @@ def state_registers(container: Container) -> tuple[str, ...]:
 def packed_shutters(
     container: Container, shutters: NDArray[np.bool_]
 ) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
-    """Return `shutter` and `shutter_shape` of a frame file, for a container with pixel codes.
+    """Return `shutter` and `shutter_shape` of a frame file, for a container (a compiled program)
+    with pixel codes.
 
     `shutters` is bool (distinct shutters, buckets, N), in the order of the decode table. The first
     result is uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the

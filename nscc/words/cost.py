@@ -23,7 +23,8 @@ class WordsCost(Record):
 
 
 class FrameCost(Record):
-    """The costs of one frame of a container, without the words of images and planes.
+    """The costs of one frame of a container (a compiled program), without the words of images and
+    planes.
 
     `stored_words` are in the instruction store. `words` are executed per frame, in `busy_us`, with
     `launches` starts of kernels (lists of words). `frame_us` is the sum of all slots, `busiest_us`
@@ -43,7 +44,7 @@ def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
     kernel).
 
     Each of `words` is five integers of 32 bits; it need not be valid. Words that only the target
-    has may have a time of their own."""
+    has may have a time of their own. A kernel is a list of words."""
     analog = digital = 0
     own_us = []
     for word in words:
@@ -68,7 +69,7 @@ def word_us(word: Op, target: Target) -> float:
 
 def words_us(analog: int, digital: int, target: Target) -> float:
     """Return the time in microseconds of `analog` analog and `digital` digital words, without a
-    launch (start of a kernel)."""
+    launch (start of a kernel). A kernel is a list of words."""
     return analog * target.analog_word_us + digital * target.digital_word_us
 
 
@@ -100,7 +101,8 @@ def kernel_cost(kernel: StoredKernel, target: Target) -> WordsCost:
 
 
 def frame_cost(container: Container) -> FrameCost:
-    """Return the cost of one frame of a container, without the words of images and planes.
+    """Return the cost of one frame of a container (a compiled program), without the words of images
+    and planes.
 
     A container without words costs only the time of its slots."""
     costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]

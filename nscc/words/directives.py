@@ -123,7 +123,8 @@ def shown(text: str) -> str:
 class Draft:
     """The content of an assembly text by directive, in order, before names are resolved.
 
-    `words` is the number of words of all kernels. A block that the text does not have is None."""
+    `words` is the number of words of all kernels (lists of words). A block that the text does not
+    have is None."""
 
     target: TextBlock | None = None
     source: TextBlock | None = None
@@ -241,7 +242,7 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
 
 
 def _word(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    """Add a word to the last kernel of the draft.
+    """Add a word to the last kernel (a list of words) of the draft.
 
     `tokens` are its five integers, decimal or hexadecimal after `0x`. Integers of more than 32 bits
     are reported, and the word is left out."""

@@ -36,7 +36,7 @@ _TIMES_A_LINE = 8
 
 
 def disassemble(container: Container) -> str:
-    """Return the complete container as assembly text.
+    """Return the complete container (a compiled program) as assembly text.
 
     Raises Rejected (NS0510) if it has no words, because its chip has no logic."""
     refuse_planes(
@@ -52,7 +52,7 @@ def sections(container: Container) -> dict[str, list[str]]:
     """Return the lines of each part of the assembly text by the part's title, in the order of the
     text.
 
-    A part that the container does not need has no lines."""
+    A part that the container (a compiled program) does not need has no lines."""
     kernels, lines = enumerate(container.kernels), container.source_lines
     parts: dict[str, Iterable[str]] = {
         "target": _head(container),
@@ -187,7 +187,7 @@ def _kernel(container: Container, number: int) -> Iterator[str]:
 
 def _schedule(container: Container) -> Iterator[str]:
     """Yield a `.slot` line for each different list of kernels (lists of words), with all boundaries
-    at which it runs; nothing without launches."""
+    at which it runs; nothing without launches (starts of kernels)."""
     at_instant: dict[int, list[int]] = {}
     for launch in container.launches:
         at_instant.setdefault(launch.instant, []).append(launch.kernel)

@@ -73,7 +73,7 @@ class _Counts:
 
 @dataclass(frozen=True)
 class _Header:
-    """The header of a file: all of a container but its arrays.
+    """The header of a file: all of a container (a compiled program) but its arrays.
 
     `target` is the target's table, `kernels` has the name and the number of words of each.
     `machine` and `pictures` are None for programs without them."""
@@ -110,7 +110,7 @@ class _Levels(Record):
     """The value of IN (the level sent to all pixels), in steps, that each launch (start of a
     kernel) sets; `_NO_LEVEL` if it sets none.
 
-    Only files of programs with senses have this array."""
+    Only files of programs with senses have this array. A kernel is a list of words."""
 
     levels: Annotated[NDArray[np.int32], "launches"]
 
@@ -140,7 +140,7 @@ def _layout(header: _Header, target: Target) -> list[StoredArray]:
 
 
 def to_bytes(container: Container) -> bytes:
-    """Return the container as the bytes of a file.
+    """Return the container (a compiled program) as the bytes of a file.
 
     Raises ValueError for an inconsistent container, which is a fault of whoever made it. Words are
     not checked."""
@@ -162,7 +162,8 @@ def to_bytes(container: Container) -> bytes:
 
 
 def _header(container: Container) -> _Header:
-    """Return the header of a container file: everything but the arrays and words."""
+    """Return the header of a container file: everything but the arrays and words. A container is a
+    compiled program."""
     table, machine = container.table, container.machine
     return _Header(
         target=target_dict(container.target),
@@ -186,8 +187,8 @@ def _header(container: Container) -> _Header:
 
 
 def _arrays(container: Container) -> dict[str, NDArray[Any]]:
-    """Return the arrays of a container by their names in files, also those that its file does not
-    need.
+    """Return the arrays of a container (a compiled program) by their names in files, also those
+    that its file does not need.
 
     Without pixel codes, `pixel_codes` has no pixels."""
     words = [word for kernel in container.kernels for word in kernel.words]
@@ -209,7 +210,7 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
 
 
 def read_container(path: Path) -> Container:
-    """Return the container in the file `path`.
+    """Return the container (a compiled program) in the file `path`.
 
     Raises Rejected: NS0709 (status 2) if the file cannot be read. For a file that is no container,
     is damaged or has another version, it is NS0702 or NS0704 to NS0707 (status 1)."""
@@ -229,7 +230,8 @@ def read_container(path: Path) -> Container:
 
 
 def from_bytes(data: bytes, name: str) -> Container:
-    """Return the container that `to_bytes` wrote; `name` is the file's name in messages.
+    """Return the container (a compiled program) that `to_bytes` wrote; `name` is the file's name in
+    messages.
 
     Everything is checked, and sizes before memory is allocated. Raises Rejected: NS0702 for data
     that is not a container, NS0704 for another version, NS0705 for a truncated file or data after
@@ -251,7 +253,8 @@ def from_bytes(data: bytes, name: str) -> Container:
 def _rejected(code: str, name: str, reason: str) -> Rejected:
     """Return the error `code` that the container file `name` cannot be used, for `reason`.
 
-    The help is to build a container; a program text (.nsl) gets the command that compiles it."""
+    The help is to build a container (a compiled program); a program text (.nsl) gets the command
+    that compiles it."""
     again = "`nscc build PROGRAM.nsl -o FILE.icw` writes a valid container"
     if name.endswith(".nsl"):
         build = shlex.join(["nscc", "build", name])
@@ -296,7 +299,8 @@ def _check_frame(data: bytes, name: str) -> int:
 
 
 def _assembled(data: bytes, start: int) -> Container:
-    """Return the container of a file whose header ends, and whose arrays begin, at byte `start`.
+    """Return the container (a compiled program) of a file whose header ends, and whose arrays
+    begin, at byte `start`.
 
     Raises ValueError for a header, or arrays, that no container has."""
     header = from_json(_Header, data[_PREAMBLE.size : start])

@@ -52,7 +52,8 @@ def loader_fault(container: Container) -> str | None:
     can do; the first such thing.
 
     These are starts of kept images that are not whole steps of IN or beyond its range, and
-    parameters beyond 32 bits. Return None if there is nothing."""
+    parameters beyond 32 bits. Return None if there is nothing. IN is the level sent to all pixels.
+    """
     pictures, target = container.pictures, container.target
     for image in pictures.kept_images:
         steps = image.start_e / target.electrons_per_step

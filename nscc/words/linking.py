@@ -36,7 +36,8 @@ NO_TABLE = {"table": "none"}
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
-    """Return the container of an assembly text's draft; files are relative to `base`.
+    """Return the container (a compiled program) of an assembly text's draft; files are relative to
+    `base`.
 
     Raises Rejected with all errors, including those already in `faults`. If a group of checks finds
     errors, later groups are left out."""
@@ -99,8 +100,8 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Container:
-    """Return the container with the state machine and the images that the text contains as base64;
-    unchanged without such blocks.
+    """Return the container (a compiled program) with the state machine and the images that the text
+    contains as base64; unchanged without such blocks.
 
     Raises Rejected (NS0714) if such data are damaged or do not match the program, with all errors
     so far."""

@@ -13,10 +13,10 @@ from nscc.words.stored_arrays import array_faults
 
 def faults(container: Container) -> Iterator[str]:
     """Yield the errors of a container's state machine, each as the end of a sentence about the
-    container; nothing if it is sound.
+    container (a compiled program); nothing if it is sound.
 
-    A program without senses must not set IN. If stages or arrays have wrong sizes, nothing else is
-    checked."""
+    A program without senses must not set IN (the level sent to all pixels). If stages or arrays
+    have wrong sizes, nothing else is checked."""
     machine = container.machine
     if not machine.stages:
         if any(launch.level is not None for launch in container.launches):
@@ -83,7 +83,7 @@ def faults(container: Container) -> Iterator[str]:
 
 def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
     """Yield the errors of the states of `machine`: their names, ranges, and the registers of the
-    container that hold their bits.
+    container (a compiled program) that hold their bits.
 
     Each is the end of a sentence about the container."""
     names = [state.name for state in machine.states]

@@ -48,7 +48,8 @@ class LevelOf(Record):
     """How the value of IN (the level sent to all pixels) follows from a parameter: it is `factor`
     times `param`, in steps.
 
-    `launch` is the index of a launch (start of a kernel), which sets it."""
+    `launch` is the index of a launch (start of a kernel), which sets it. A kernel is a list of
+    words."""
 
     launch: Length
     param: str
@@ -69,7 +70,8 @@ class LaunchLoop(Record):
     """A loop: `launches` launches (starts of kernels), from the one with the index `first` on,
     which run `times` times.
 
-    `values` are the registers of the names that change from step to step."""
+    `values` are the registers of the names that change from step to step. A kernel is a list of
+    words."""
 
     first: Length
     launches: Length
@@ -91,10 +93,11 @@ class SteeredLaunch(Record):
     """A launch (start of a kernel) after the exposure, and what the values of parameters change
     about it.
 
-    `kernel` is the index of the kernel. IN is at `level` steps, or at the level `level_of` of a
-    parameter; both are None if the kernel does not read IN. The launch belongs to step number
-    `step`, from 0, of a loop of `times` steps, which a parameter sets; `times` is None for other
-    launches. `is_start` tells whether it is part of the first frame only."""
+    `kernel` is the index of the kernel (a list of words). IN (the level sent to all pixels) is at
+    `level` steps, or at the level `level_of` of a parameter; both are None if the kernel does not
+    read IN. The launch belongs to step number `step`, from 0, of a loop of `times` steps, which a
+    parameter sets; `times` is None for other launches. `is_start` tells whether it is part of the
+    first frame only."""
 
     kernel: Length
     level: int | None
@@ -104,14 +107,16 @@ class SteeredLaunch(Record):
     is_start: bool = False
 
     def shared(self, number: int) -> tuple[Any, ...]:
-        """Return what launches have in common that are one row of a schedule.
+        """Return what launches (starts of kernels) have in common that are one row of a schedule.
 
-        `number` is the place of this launch in the row, which grows with its step."""
+        `number` is the place of this launch in the row, which grows with its step. A kernel is a
+        list of words."""
         return self.is_start, self.level_of, self.times, self.times and self.step - number
 
     @property
     def is_changed(self) -> bool:
-        """Whether a parameter, or the number of the frame, changes the launch."""
+        """Whether a parameter, or the number of the frame, changes the launch (the start of a
+        kernel). A kernel is a list of words."""
         return bool(self.is_start or self.level_of or self.times)
 
 
@@ -124,14 +129,16 @@ def every_step(
     """Yield the `launches` of a frame in order, with every step of its `loops`, which follow each
     other.
 
-    `levels_of` names the launches whose level is that of a parameter. `params` has values of
-    parameters by name; None stands for the largest number of steps of each loop."""
+    `levels_of` names the launches (starts of kernels) whose level is that of a parameter. `params`
+    has values of parameters by name; None stands for the largest number of steps of each loop. A
+    kernel is a list of words."""
     # `at` is the first launch that is not yielded yet.
     level_of, at = {level.launch: level for level in levels_of}, 0
 
     def run(end: int, times: Times | None, step: int) -> Iterator[SteeredLaunch]:
         """Yield the launches from number `at` on up to `end`, without it, as step number `step` of
-        a loop of `times` steps (None for no loop)."""
+        a loop of `times` steps (None for no loop). A launch is the start of a kernel, a list of
+        words."""
         for number, launch in enumerate(launches[at:end], at):
             level = level_of.get(number)
             yield SteeredLaunch(launch.kernel, launch.level, level, times, step)

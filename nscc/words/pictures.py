@@ -406,9 +406,10 @@ class Pictures:
     count, 0 if nothing is counted.
 
     Version 4 adds planes that the host loads (`inputs`), images that are kept from frame to frame,
-    and parameters. `launches` contains the launches of each loop once, and those that set IN to a
-    parameter (`levels_of`) without a level; `executed` returns them all. `negated` are the kept
-    images of which registers hold the negative. `version` is 4 for programs of `nsl 4`."""
+    and parameters. `launches` contains the launches (starts of kernels) of each loop once, and
+    those that set IN to a parameter (`levels_of`) without a level; `executed` returns them all.
+    `negated` are the kept images of which registers hold the negative. `version` is 4 for programs
+    of `nsl 4`. A lowering is a way to compute the exposure."""
 
     weights: Annotated[tuple[Weights, ...], KeyName("kernels")]
     items: tuple[Picture, ...]
@@ -449,7 +450,8 @@ class Pictures:
         """Return all launches (starts of kernels) of a frame in order, with every step of loops and
         the values of IN.
 
-        `params` has values of parameters by name; others have their starts."""
+        `params` has values of parameters by name; others have their starts. IN is the level sent to
+        all pixels. A kernel is a list of words."""
         values = {param.name: param.start for param in self.params} | {**params}
         return [
             TailLaunch(each.kernel, each.level)
@@ -462,7 +464,7 @@ class Pictures:
         """Yield all launches (starts of kernels) of a frame in order, with every step of loops.
 
         `params` has values of parameters by name; None stands for the largest number of steps of
-        each loop."""
+        each loop. A kernel is a list of words."""
         return every_step(self.launches, self.levels_of, self.loops, params)
 
     @property

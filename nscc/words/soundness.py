@@ -23,8 +23,8 @@ _SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 
 
 def faults(container: Container) -> list[str]:
-    """Return the errors of a container, each as the end of a sentence about it; [] if it is
-    consistent.
+    """Return the errors of a container (a compiled program), each as the end of a sentence about
+    it; [] if it is consistent.
 
     Words are only checked to be five 32-bit integers each and to fit the target's store. The module
     `nscc.words.legality` checks their meaning."""
@@ -94,7 +94,7 @@ def _kernel_faults(container: Container) -> Iterator[str]:
     """Yield the errors of kernels (lists of words) and launches (their starts): words, sizes,
     indices, order.
 
-    Of each kernel, and of launches, only the first is told."""
+    Of each kernel, and of launches (starts of kernels), only the first is told."""
     yield from _names("kernel", [kernel.name for kernel in container.kernels])
     stored = 0
     for kernel in container.kernels:
@@ -153,7 +153,8 @@ def _pixel_faults(container: Container) -> Iterator[str]:
 
 
 def _stream_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of bit planes; nothing for a sound container with words.
+    """Yield the errors of bit planes; nothing for a sound container (a compiled program) with
+    words.
 
     Only chips without logic have bit planes, and these have no words and no senses."""
     target, sent = container.target, container.stream
@@ -172,11 +173,11 @@ def _stream_faults(container: Container) -> Iterator[str]:
 
 
 def _picture_faults(container: Container) -> Iterator[str]:
-    """Yield the errors of images and planes, each as the end of a sentence about the container;
-    nothing without images and planes.
+    """Yield the errors of images and planes, each as the end of a sentence about the container (a
+    compiled program); nothing without images and planes.
 
     An expression may read buckets, states, and items before it. After an error in an expression or
-    a launch, nothing else is checked."""
+    a launch (the start of a kernel), nothing else is checked."""
     pictures = container.pictures
     if pictures == NO_PICTURES:
         return
@@ -216,7 +217,7 @@ def _picture_faults(container: Container) -> Iterator[str]:
 
 def _loop_faults(container: Container) -> Iterator[str]:
     """Yield the errors of parameters of images, loops and levels, each as the end of a sentence
-    about the container.
+    about the container (a compiled program).
 
     A range or a number of steps may be wrong, or a launch (start of a kernel) or parameter may not
     exist."""

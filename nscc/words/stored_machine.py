@@ -43,7 +43,7 @@ class StoredMachine:
 
     `first` are the first nodes of the stages and, last, the number of nodes. `outcomes` is the
     largest number of outcomes of a look. In assembly text, `levels` are the values of IN (the level
-    sent to all pixels) of all launches (starts of kernels)."""
+    sent to all pixels) of all launches (starts of kernels). A kernel is a list of words."""
 
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]
@@ -94,8 +94,8 @@ class StoredMachine:
 
 
 def stored_machine(machine: StateMachine, planes: Mapping[str, StatePlanes]) -> StoredMachine:
-    """Return the parts of a state machine that are not arrays, without levels of IN; `planes` are
-    the registers of its states by name."""
+    """Return the parts of a state machine that are not arrays, without levels of IN (the level sent
+    to all pixels); `planes` are the registers of its states by name."""
     return StoredMachine(
         machine.states,
         machine.comparisons,
@@ -114,7 +114,8 @@ def machine_data(container: Container) -> bytes:
     endian), the record as JSON, then the arrays.
 
     The record also has the values of IN (the level sent to all pixels) of all launches (starts of
-    kernels). The container must have a state machine; ValueError is raised otherwise."""
+    kernels). The container (a compiled program) must have a state machine; ValueError is raised
+    otherwise. A kernel is a list of words."""
     levels = tuple(launch.level for launch in container.launches)
     record = replace(stored_machine(container.machine, container.state_planes), levels=levels)
     text = to_json(record).encode("ascii")
@@ -124,8 +125,8 @@ def machine_data(container: Container) -> bytes:
 
 
 def with_machine_data(container: Container, data: bytes) -> Container:
-    """Return a container with the state machine and the values of IN (the level sent to all pixels)
-    that `data` contain.
+    """Return a container (a compiled program) with the state machine and the values of IN (the
+    level sent to all pixels) that `data` contain.
 
     Raises ValueError for damaged data, and for data that `machine_data` does not return for a
     machine of this program."""

@@ -80,8 +80,8 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 
 
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
-    """Yield the errors of the bit planes, each as the end of a sentence about the container;
-    nothing if they are sound.
+    """Yield the errors of the bit planes, each as the end of a sentence about the container (a
+    compiled program); nothing if they are sound.
 
     `slots` and `buckets` are the numbers that the program has. If shapes or types are wrong,
     nothing else is checked."""

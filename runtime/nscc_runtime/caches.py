@@ -75,11 +75,12 @@ storing them anywhere else would keep the container alive."""
 
 
 class OfContainer(Generic[P, T]):
-    """A function `make(container, ..)` whose results are cached for each container and equal
-    arguments. The arguments must be positional and hashable."""
+    """A function `make(container, ..)` whose results are cached for each container (a compiled
+    program) and equal arguments. The arguments must be positional and hashable."""
 
     def __init__(self, make: Callable[Concatenate[Container, P], T]) -> None:
-        """Store the results of `make` with the containers themselves."""
+        """Store the results of `make` with the containers themselves. A container is a compiled
+        program."""
         self._make = make
         self._renew()
         after_fork(self._renew)  # a thread of the parent process may have held the lock
@@ -89,7 +90,8 @@ class OfContainer(Generic[P, T]):
         self._making = Lock()
 
     def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:
-        """Return the cached analysis of a container for this `key`, or compute and cache it.
+        """Return the cached analysis of a container (a compiled program) for this `key`, or compute
+        and cache it.
 
         Keyword arguments are passed on but do not distinguish analyses. Threads wait for each
         other."""

@@ -62,7 +62,7 @@ class Capture(Frame):
 
     @property
     def plan(self) -> Plan | None:
-        """The plan of the capture; None if no plan was made."""
+        """The plan (the effects that are simulated) of the capture; None if no plan was made."""
         return self.exposed.simulated.plan
 
     @property
@@ -221,8 +221,9 @@ class Capture(Frame):
         return f"<nscc capture: {shape}, codes {self._codes()}, mean {mean:.6g} e, {how}>"
 
     def _repr_html_(self) -> str:
-        """Return the capture as HTML for notebooks: pictures of all buckets, figures, and its plan.
-        Of repeated frames the first is shown, of colours all three as one picture."""
+        """Return the capture as HTML for notebooks: pictures of all buckets, figures, and its plan
+        (the effects that are simulated). Of repeated frames the first is shown, of colours all
+        three as one picture."""
         shown = np.moveaxis(self.frame, 0, -1) if self._in_colours else self.first.frame
         # Large pictures are thinned out to every `step`-th pixel, small ones enlarged.
         cols = shown.shape[2]
@@ -248,7 +249,8 @@ class Capture(Frame):
 
     @property
     def _fidelity(self) -> str:
-        """How the frame was made: by a plan, by the reference, or on a device."""
+        """How the frame was made: by a plan (the effects that are simulated), by the reference, or
+        on a device."""
         return self.exposed.simulated.origin.fidelity
 
     def _codes(self) -> str:

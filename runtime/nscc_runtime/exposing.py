@@ -149,8 +149,8 @@ def captures(
 ) -> list[Capture]:
     """Capture many scenes with one program, one scene with many programs, or pairs of both.
 
-    Programs are analysed once. Scenes with light of the same kind share a plan; the result does
-    not depend on the number of threads.
+    Programs are analysed once. Scenes with light of the same kind share a plan (the effects that
+    are simulated); the result does not depend on the number of threads.
 
     Parameters
     ----------
@@ -261,6 +261,8 @@ def plan(
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
     """Measure the error of captures with a plan against the reference.
+
+    A plan is a choice of the effects that are simulated.
 
     Parameters
     ----------

@@ -66,11 +66,11 @@ class Frame:
 
     `frame`: codes of the converter. `exposure_e`: electrons before the converter. `valid`: False
     where these are meaningless. `saturated_by`: causes of saturation as bits, 0 if not saturated. 1
-    well: PIX was full when it was read. 2 register: an analog register stored less than was written
-    to it. 4 converter: the code is the last code. 8 reset level: PIX was full when the subtracted
-    level was read, so the exposure may be anything down to 0. 16 black sun: that level was a reset
-    level. `told`: further arrays of a program that looks (`states_NAME`, `open_slots`, its light)
-    or that has images, by key."""
+    well: PIX (the photodiode) was full when it was read. 2 register: an analog register stored less
+    than was written to it. 4 converter: the code is the last code. 8 reset level: PIX was full when
+    the subtracted level was read, so the exposure may be anything down to 0. 16 black sun: that
+    level was a reset level. `told`: further arrays of a program that looks (`states_NAME`,
+    `open_slots`, its light) or that has images, by key."""
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
@@ -177,10 +177,11 @@ class WrittenAsJson(Protocol):
 
 @dataclass(frozen=True)
 class Provenance:
-    """The origin of a frame. `program_sha256`: digest of the container. `sensor`: of the simulation
-    or, for a device, the one that is assumed. Seeds are None if nothing was simulated. `fidelity`:
-    how the frame was made, such as "planned" or "reference". `plan`: JSON values, or a plan, which
-    is converted when it is written. `audit`: JSON values. Both are None if there is none."""
+    """The origin of a frame. `program_sha256`: digest of the container (a compiled program).
+    `sensor`: of the simulation or, for a device, the one that is assumed. Seeds are None if nothing
+    was simulated. `fidelity`: how the frame was made, such as "planned" or "reference". `plan`:
+    JSON values, or a plan (the effects that are simulated), which is converted when it is written.
+    `audit`: JSON values. Both are None if there is none."""
 
     program_sha256: str
     sensor: Sensor

@@ -24,7 +24,8 @@ _UNITS = ("%", "lsb", "e")
 
 class HostSetting(Record, eq=False):
     """What the host sets before a frame, by name: values of all parameters (a level in steps of IN,
-    an integer as it is), and bits (rows, cols) of those input planes that it loads."""
+    an integer as it is), and bits (rows, cols) of those input planes that it loads. IN is the level
+    sent to all pixels."""
 
     params: Mapping[str, int]
     inputs: Mapping[str, NDArray[np.bool_]]
@@ -98,8 +99,9 @@ def _unknown(kind: str, name: object, known: Sequence[str]) -> Rejected:
 
 
 def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
-    """Return the `values` of parameters as words use them, by name: levels in steps of IN, integers
-    as they are. Raises Rejected (NS0546) for unknown names and invalid values."""
+    """Return the `values` of parameters as words use them, by name: levels in steps of IN (the
+    level sent to all pixels), integers as they are. Raises Rejected (NS0546) for unknown names and
+    invalid values."""
     params = {param.name: param for param in container.pictures.params}
     for name in values:
         if name not in params:

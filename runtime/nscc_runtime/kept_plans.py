@@ -28,7 +28,8 @@ class _KeptPlan:
 
 
 class KeptPlans:
-    """The plans of a series of frames, or of the scenes of a batch, numbered from 0.
+    """The plans (choices of the effects that are simulated) of a series of frames, or of the scenes
+    of a batch, numbered from 0.
 
     Frames that are exposed one after the other need no announcement. For scenes that are exposed at
     the same time, announce their numbers with `expect` before the first begins. Each scene then
@@ -36,7 +37,7 @@ class KeptPlans:
     also releases the next scene."""
 
     def __init__(self) -> None:
-        """Begin without plans."""
+        """Begin without plans (choices of the effects that are simulated)."""
         self._last: dict[Hashable, Future[_KeptPlan]] = {}
         self._expected: set[int] = set()
         self._changed = Condition()
@@ -48,7 +49,7 @@ class KeptPlans:
             self._expected.update(numbers)
 
     def passed(self, number: int) -> None:
-        """Note that scene `number` has its plan or needs none."""
+        """Note that scene `number` has its plan (the effects that are simulated) or needs none."""
         with self._changed:
             self._expected.discard(number)
             self._changed.notify_all()
@@ -88,7 +89,8 @@ def _planned(
     make: Callable[[int], Plan],
     measure: Callable[[Plan], Plan | None],
 ) -> tuple[Plan, _KeptPlan]:
-    """Return the plan of a scene, and the plan to keep for the next one.
+    """Return the plan (the effects that are simulated) of a scene, and the plan to keep for the
+    next one.
 
     `frames`: the largest number of frames for which a plan has to pay. `earlier`: the plan kept
     last; None makes a new one. `make` makes a new plan for a number of frames; `measure` returns
@@ -110,7 +112,8 @@ def _planned(
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A scene's position among the scenes that share plans.
+    """A scene's position among the scenes that share plans (choices of the effects that are
+    simulated).
 
     Attributes
     ----------

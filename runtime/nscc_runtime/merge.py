@@ -50,7 +50,8 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
 
     `frame`: a single frame, without repeats. `response`: that of the sensor with which it was
     exposed. If pixels looked, their own open times are known, and the window is one pixel. Raises
-    Rejected for programs with images or planes, and ValueError for a container without pixels."""
+    Rejected for programs with images or planes, and ValueError for a container (a compiled program)
+    without pixels."""
     refuse_pictures(
         container,
         "merging does not apply to a program with images or planes",

@@ -38,10 +38,11 @@ COLOURS = ("red", "green", "blue")
 class Taken:
     """The result of exposing a scene, its pieces joined. Colours are a leading axis of the frames.
 
-    `container`: has a code for every pixel of the picture. `program`: the container for one array.
-    `light`: the scene's light, for a colour capture the red light. `laid`: metadata for the frame
-    file. `placement`: how the picture lies on the arrays. `pieces`: number of exposures, all
-    colours together. The plan is that of the piece with the largest predicted error."""
+    `container`: has a code for every pixel of the picture. `program`: the container (a compiled
+    program) for one array. `light`: the scene's light, for a colour capture the red light. `laid`:
+    metadata for the frame file. `placement`: how the picture lies on the arrays. `pieces`: number
+    of exposures, all colours together. The plan is that of the piece with the largest predicted
+    error."""
 
     simulated: Simulated
     container: Container

@@ -9,7 +9,8 @@ from nscc_runtime.run_kinds import KINDS
 
 def refuse_planless(container: Container, subject: str) -> None:
     """Raise Rejected (NS0750) if plans do not apply to the program of `container`. `subject`: what
-    needs a plan, such as an option or a function's name; the message begins with it."""
+    needs a plan (the effects that are simulated), such as an option or a function's name; the
+    message begins with it."""
     reason = KINDS.of(container).without_plan
     if reason:
         raise rejected(

@@ -54,8 +54,9 @@ SensorLike = Sensor | Mapping[str, float] | str | os.PathLike[str] | None
 
 
 def container_of(call: str, program: object) -> Container:
-    """Return the container of `program`: itself, or its attribute `container`. Raises WrongArgument
-    for any other object, also for the path of a program. `call` names the function in errors."""
+    """Return the container (a compiled program) of `program`: itself, or its attribute `container`.
+    Raises WrongArgument for any other object, also for the path of a program. `call` names the
+    function in errors."""
     container = _container(program)
     if container is not None:
         return container

@@ -66,8 +66,9 @@ class ShutterResponse:
     def of_weights(
         cls, weights: Backward, slot_s: Values, sensor: Sensor, effects: Selection
     ) -> ShutterResponse:
-        """Return the response that `weights` of slots and words cause; its rows are their lanes.
-        `slot_s` (N,): slot lengths in seconds. Errors of `effects` that are off are 0."""
+        """Return the response that `weights` of slots and words cause; its rows are their lanes
+        (groups of pixels with one code each). `slot_s` (N,): slot lengths in seconds. Errors of
+        `effects` that are off are 0."""
         seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
         dark = effects.find_part(CountedDark)
         dark_e = seen_s * (0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean()))
@@ -91,8 +92,9 @@ class ShutterResponse:
 
 @OfContainer
 def shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
-    """Return the response of a program whose pixels do not look, one row for each lane; cached for
-    its arguments. Raises Rejected (NS0442) if FLAG depends on the light."""
+    """Return the response of a program whose pixels do not look, one row for each lane (the pixels
+    of one code); cached for its arguments. Raises Rejected (NS0442) if FLAG depends on the light.
+    FLAG is the bit that lets a pixel act."""
     kept_us = retention_us(effects, sensor)
     words = analog_words(container, kept_us)
     weights = backward(container, words, WeightModel.of(effects, sensor))
@@ -141,7 +143,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
 
     For pixels that look, the open time depends on the light: `open_s` is NaN, `gain` 1 and `zero_e`
     0; see `nscc_runtime.looked_light` instead. If the words open no shutters, `gain` is 1 and
-    `zero_e` 0, too. Raises ValueError for a container without pixels."""
+    `zero_e` 0, too. Raises ValueError for a container (a compiled program) without pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no response")
     effects = everything() if effects is None else effects
@@ -176,8 +178,8 @@ states the size of other effects."""
 
 
 def with_table(file: FrameFile, container: Container) -> FrameFile:
-    """Return `file` with the arrays `decode_..` that decoders need, for the sensor and the plan of
-    its meta; unchanged where `decode_arrays` returns none."""
+    """Return `file` with the arrays `decode_..` that decoders need, for the sensor and the plan
+    (the effects that are simulated) of its meta; unchanged where `decode_arrays` returns none."""
     arrays = decode_arrays(container, Sensor(file.meta["sensor"]), plan=file.meta["plan"])
     return replace(file, kept_arrays={**file.kept_arrays, **arrays})
 
@@ -194,8 +196,9 @@ def decode_arrays(
     `decode_shutter` uint8 (shutters, buckets, ceil(N / 8)): packed along N, the first slot in the
     lowest bit. `decode_slot_us` float64 (N,): slot lengths. `decode_gain`, `decode_bias_e`,
     `decode_variance_e2` float32 (shutters, buckets): an exposure is bias + gain * (sum of the light
-    of open slots), with this variance plus the variance of photon counts. `plan`: the plan in a
-    frame's meta; None for frames of a chip, which has every effect."""
+    of open slots), with this variance plus the variance of photon counts. `plan`: the plan (the
+    effects that are simulated) in a frame's meta; None for frames of a chip, which has every
+    effect."""
     if container.pixel_codes is None or not KINDS.of(container).open_times_known:
         return {}
     kept_effects = everything()

@@ -33,7 +33,7 @@ class Sent(Record):
 
 
 class Exposing(Record):
-    """How frames are exposed without a plan.
+    """How frames are exposed without a plan (the effects that are simulated).
 
     `run()` returns an iterator over frames, or one `Frame` with all repeats. `loop` is the compiled
     loop that it waits for (None: nothing is said about it), and `subject` names its user in a

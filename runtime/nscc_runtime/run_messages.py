@@ -74,7 +74,7 @@ def _instead(plan_given: bool) -> str:
 def broken(plan: Plan, report: Audit, plan_given: bool) -> Rejected:
     """Return the error NS0749 (status 1), for the caller to raise, for an audit `report` whose
     error exceeds what `plan` promised, with what to do. `plan_given`: whether the user gave the
-    plan."""
+    plan (the effects that are simulated)."""
     if plan.breach is not None:
         advice = f"use --fidelity reference for this scene, or {_instead(plan_given)}"
     else:

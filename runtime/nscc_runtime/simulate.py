@@ -139,9 +139,10 @@ def _simulated(
 def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """Simulate `light` by a plan that is made here, read from a file, or passed in the `request`.
-    Tell `listener` the timings, progress and warnings. If the audit exceeds its limit, the result
-    has the error as `broken`; if `request.plan` names a new file, it has the file's text."""
+    """Simulate `light` by a plan (the effects that are simulated) that is made here, read from a
+    file, or passed in the `request`. Tell `listener` the timings, progress and warnings. If the
+    audit exceeds its limit, the result has the error as `broken`; if `request.plan` names a new
+    file, it has the file's text."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.execution.block_loop import run_blocks
     from nscc_runtime.planning.audit import audit

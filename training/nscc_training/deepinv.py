@@ -220,7 +220,7 @@ def _tile(shutters: object) -> Tensor:
     """Return the shutters (buckets, N, rows, cols) of a program, a container, an encoder (its
     current codes), or a tensor with or without an axis of buckets.
 
-    Raises WrongArgument for anything else."""
+    Raises WrongArgument for anything else. A container is a compiled program."""
     if isinstance(shutters, Encoder):
         return _of_buckets(shutters.hard(), shutters)
     if isinstance(shutters, Container):

@@ -31,7 +31,7 @@ def looked(
     for the whole frame. Noise is drawn from `generator`, the same amount for all fields, so that
     two captures with equal generators differ only by the fields. Without a generator there is no
     noise. If fields have gradients, the exposure of a pixel is the drawn one, with the gradient of
-    its probability."""
+    its probability. IN is the level sent to all pixels."""
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()

@@ -230,7 +230,7 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 def words_per_slot(compiled_program: Compiled) -> float:
     """Return the number of instruction words of a frame divided by its slots; 0 for a chip without
-    words. The program must have a container: it compiled."""
+    words. The program must have a container: it compiled. A container is a compiled program."""
     container = compiled_program.container
     assert container is not None
     return container.words_per_frame / container.slots

@@ -119,8 +119,8 @@ def _table(plane: NDArray[np.bool_]) -> int:
 
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
-    """Return a union of cubes that contains `needed` and lies in `allowed`, and the union's truth
-    table.
+    """Return a union of cubes (NORs of registers) that contains `needed` and lies in `allowed`, and
+    the union's truth table.
 
     All three are truth tables of `bits` variables as integers; `allowed` must contain `needed`. No
     cube can be left out. Without `needed` there is no cube. The method is the algorithm of Minato
@@ -149,7 +149,8 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
 
 
 def _match(cube: _Cube, bits: list[_Bit]) -> Match:
-    """Return the address pattern of a cube, which is one pattern for rows and columns together.
+    """Return the address pattern of a cube (a NOR of registers), which is one pattern for rows and
+    columns together.
 
     Bit i of a cube belongs to `bits[i]`: whether it is an address bit of the column, and the value
     of that bit. Bits that the cube does not name are ignored."""
@@ -279,8 +280,8 @@ class CodeLoading:
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
         """Return the library calls that add the pattern in a load's scratch register to its own
-        register, and clear the scratch register for the next. The load must have a scratch
-        register."""
+        register, and clear the scratch register for the next. The load must have a scratch register
+        (for intermediate results)."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
@@ -301,8 +302,8 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
     """Choose how to load bit planes, bool (rows, cols), which are given by register in loading
     order.
 
-    The file names of images start with `stem`. The scratch register of a plane is an unused
-    register, or one that is loaded later; None if there is neither."""
+    The file names of images start with `stem`. The scratch register (for intermediate results) of a
+    plane is an unused register, or one that is loaded later; None if there is neither."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -363,8 +364,8 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     """Yield the C++ function that loads one register, with its table of patterns if it needs one.
 
     The register is loaded from an image, from patterns drawn at once, from patterns gathered in a
-    scratch register, or by one call if there is a single pattern. A plane of zeros is only
-    cleared."""
+    scratch register, or by one call if there is a single pattern. A plane of zeros is only cleared.
+    A scratch register holds an intermediate result."""
     register, patterns = load.register, load.patterns
     name = register.lower()
     if load.gathered:

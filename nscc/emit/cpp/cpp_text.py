@@ -79,7 +79,8 @@ def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
     """Return the lines that record a kernel of these library calls at its first run, and launch it,
     each beginning with `indent`.
 
-    A kernel is a list of words that the chip stores."""
+    A kernel is a list of words that the chip stores. A launch is the start of a kernel, a list of
+    words."""
     return [
         f"{indent}scamp5_kernel_begin();",
         *(f"{indent}    {call_text(call)}" for call in calls),

@@ -56,10 +56,11 @@ def devkit_of(target: Target) -> Devkit:
 
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
-    """Return why the devkit cannot run the container, as the end of "the target ..."; None if it
-    can. Of several reasons the first is named.
+    """Return why the devkit cannot run the container (a compiled program), as the end of "the
+    target ..."; None if it can. Of several reasons the first is named.
 
-    It checks what the host must do, registers, words, the size of the array and the range of IN."""
+    It checks what the host must do, registers, words, the size of the array and the range of IN
+    (the level sent to all pixels)."""
     target, pictures = container.target, container.pictures
     if any(plane.is_open for plane in pictures.inputs):
         return "has no C++ for input planes that the host loads"

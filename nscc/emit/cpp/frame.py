@@ -56,8 +56,8 @@ class Row:
 
     @property
     def times(self) -> int:
-        """The number of launches in this row, or for a row without a kernel, of moments that it
-        waits for."""
+        """The number of launches (starts of kernels) in this row, or for a row without a kernel, of
+        moments that it waits for. A kernel is a list of words."""
         return len(self.instants)
 
 
@@ -85,7 +85,8 @@ class LaunchSchedule:
 
     @property
     def sets_in(self) -> bool:
-        """Whether some launches (starts of kernels) set IN (the level sent to all pixels)."""
+        """Whether some launches (starts of kernels) set IN (the level sent to all pixels). A kernel
+        is a list of words."""
         return any(
             row.level is not None or (row.steered is not None and row.steered.level_of)
             for row in self.rows
@@ -93,7 +94,8 @@ class LaunchSchedule:
 
     @property
     def changed(self) -> list[tuple[int, Row, SteeredLaunch]]:
-        """The rows that change from frame to frame, with their numbers and first launches."""
+        """The rows that change from frame to frame, with their numbers and first launches (starts
+        of kernels). A kernel is a list of words."""
         rows = ((number, row, row.steered) for number, row in enumerate(self.rows))
         return [(number, row, of) for number, row, of in rows if of is not None and of.is_changed]
 
@@ -127,8 +129,8 @@ def exact(value: float) -> Fraction:
 
 
 def kernel_us(kernel: StoredKernel, target: Target) -> Fraction:
-    """Return the time of one launch of a kernel (list of words), in microseconds, exactly: the
-    launch and all its words."""
+    """Return the time of one launch (the start of a kernel) of a kernel (list of words), in
+    microseconds, exactly: the launch and all its words."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (
@@ -158,21 +160,22 @@ def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
     """Yield rows that only wait, between launches (starts of kernels) at `before` and `at`
     microseconds, so that no interval exceeds LONGEST_GAP_US; none if the interval is shorter.
 
-    `instant` is the boundary of the second launch."""
+    `instant` is the boundary of the second launch. A kernel is a list of words."""
     while at - before > LONGEST_GAP_US:
         before += LONGEST_GAP_US
         yield Row(before, Fraction(0), None, None, (instant,))
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Yield the rows, with launches of the same kernel (list of words) and level at equal intervals
-    merged into one.
+    """Yield the rows, with launches (starts of kernels) of the same kernel (list of words) and
+    level at equal intervals merged into one.
 
     `rows` have one launch each, in the order of time. A row of the result has at most `MOST_TIMES`
     launches; `interval_us` is 0 if it has one."""
 
     def shared(number: int) -> Any:
-        """Return what launches in one row have in common."""
+        """Return what launches (starts of kernels) in one row have in common. A kernel is a list of
+        words."""
         row = rows[number]
         return row.kernel, row.level, row.steered and row.steered.shared(number)
 
@@ -199,8 +202,8 @@ def kernel_name(number: int) -> str:
 
 
 def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
-    """Yield the C++ table of kernels (lists of words), the table of launches, and the function that
-    runs a frame.
+    """Yield the C++ table of kernels (lists of words), the table of launches (starts of kernels),
+    and the function that runs a frame.
 
     Up to _COMMENTED_ROWS rows have a comment with their boundaries each; more are written several a
     line."""

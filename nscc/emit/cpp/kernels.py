@@ -148,7 +148,7 @@ def calls_words(recorded: Sequence[Call]) -> int:
 def kernel_lines(
     name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
 ) -> Iterator[str]:
-    """Yield the C++ function `name`, which runs a kernel of the words `ops`.
+    """Yield the C++ function `name`, which runs a kernel (a list of words) of the words `ops`.
 
     `narrow` are equivalent words that all have calls, or None. They replace words without a call in
     the simulator, and on chips whose devkit has no public `tables` of words. If there are none, the

@@ -323,10 +323,10 @@ def _kernels(
     """Yield the C++ functions of all kernels (lists of words), with comments on their times and
     rules.
 
-    `exposure` is the container without the words of images and planes, whose kernels come first in
-    `container`. Words without a library call are replaced by words with fewer operands, which are
-    proved again, or become tables if the devkit allows that. Raises Rejected (NS0521) if neither is
-    possible."""
+    `exposure` is the container (a compiled program) without the words of images and planes, whose
+    kernels come first in `container`. Words without a library call are replaced by words with fewer
+    operands, which are proved again, or become tables if the devkit allows that. Raises Rejected
+    (NS0521) if neither is possible."""
     kernels = [ops_of(kernel) for kernel in container.kernels]
     narrow: list[list[Op]] | None = kernels
     if any(calls(ops) is None for ops in kernels):

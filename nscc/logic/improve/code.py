@@ -33,7 +33,9 @@ class GateOp:
     registers, ascending and distinct. Without sources it writes 0, or 1 if `inverted`.
 
     `place` is the index of the demand for which the operation runs, or OPENING or CLOSING;
-    `segment` is the index of its segment there. `reads` is the bit mask of its sources."""
+    `segment` is the index of its segment there. `reads` is the bit mask of its sources. A segment
+    is a group of gates that run together. A demand is a set of shutters that FLAG must select at a
+    boundary."""
 
     inverted: bool
     destination: int
@@ -48,7 +50,8 @@ class Check:
     """A point of `place` (the index of a demand, OPENING or CLOSING) at which FLAG must equal the
     truth vector `need` (None: anything).
 
-    `forgets` is the bit mask of registers whose contents are unknown afterwards."""
+    `forgets` is the bit mask of registers whose contents are unknown afterwards. A truth vector is
+    an integer with one bit for each shutter. FLAG is the bit that lets a pixel act."""
 
     need: int | None
     forgets: int
@@ -65,7 +68,8 @@ class FrameContext:
     `solution` is the one that is improved. `planes`, `states` and `scratch` count registers,
     `everything` is the truth vector of all shutters, and `start` the content of every register
     before the frame. An operation that writes register `masked` (if not None) takes one word more,
-    which sets the first scratch register as its mask."""
+    which sets the first scratch register (for intermediate results) as its mask. A truth vector is
+    an integer with one bit for each shutter."""
 
     solution: Solution
     problem: Problem
@@ -79,25 +83,27 @@ class FrameContext:
 
     @property
     def flag(self) -> int:
-        """The register number of FLAG."""
+        """The register number of FLAG (the bit that lets a pixel act)."""
         return self.first_scratch + self.scratch
 
     @property
     def first_scratch(self) -> int:
-        """The register number of the first scratch register; FLAG's if there is none."""
+        """The register number of the first scratch register (for intermediate results); FLAG's if
+        there is none."""
         return self.planes + self.states
 
     def words(self, item: Item) -> int:
         """Return how many words an item takes: one for an operation, one more in place, and one
-        more to set the mask of the masked register; 0 for a check. A WHERE that reads FLAG is not
-        in place."""
+        more to set the mask of the masked register; 0 for a check. A WHERE that reads FLAG (the bit
+        that lets a pixel act) is not in place."""
         if isinstance(item, Check):
             return 0
         in_place = item.destination != self.flag and item.destination in item.sources
         return 1 + in_place + (item.destination == self.masked)
 
     def total(self, items: Sequence[Item]) -> int:
-        """Return the words of a frame, including refresh of planes that are not written."""
+        """Return the words of a frame, including refresh of planes (contents of code registers)
+        that are not written."""
         left_alone = self.writes(items).count(0)
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
@@ -153,7 +159,8 @@ class FrameContext:
         state[item.destination] = self.value(item, state)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """Return, for each plane by its number, how often the items write it."""
+        """Return, for each plane (the content of a code register) by its number, how often the
+        items write it."""
         times = [0] * self.planes
         for item in items:
             if isinstance(item, GateOp) and item.destination < self.planes:
@@ -169,7 +176,8 @@ class FrameContext:
 def flatten(
     solution: Solution, problem: Problem, machine: Machine
 ) -> tuple[FrameContext, list[Item]]:
-    """Return a solution as items, with as many scratch registers as the machine allows.
+    """Return a solution as items, with as many scratch registers (for intermediate results) as the
+    machine allows.
 
     A write to the masked register first overwrites its mask, which the items forget before it.
     Masked gates are taken as gates that write in all shutters: their words are right, the contents
@@ -192,11 +200,12 @@ def flatten(
     items: list[Item] = []
 
     def add(segments: Sequence[Segment], place: int) -> None:
-        """Append the gates of segments to `items` as operations on numbered registers.
+        """Append the gates of segments (groups of gates that run together) to `items` as operations
+        on numbered registers.
 
-        `place` is the number of the demand that they belong to, OPENING or CLOSING. A write of the
-        masked register is preceded by an item that makes its mask, the first scratch register,
-        unknown."""
+        `place` is the number of the demand (a set of shutters that FLAG must select at a boundary)
+        that they belong to, OPENING or CLOSING. A write of the masked register is preceded by an
+        item that makes its mask, the first scratch register, unknown."""
         for index, segment in enumerate(segments):
             for gate in segment:
                 # Every gate is an OR or a NOR: MOV and NOT of one source, CLR and SET of none.
@@ -217,11 +226,12 @@ def flatten(
 
 
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
-    """Return the number of possible scratch registers, and the number of the plane that goes into
-    the masked register, or None.
+    """Return the number of possible scratch registers (for intermediate results), and the number of
+    the plane that goes into the masked register, or None.
 
     The number is at least that which the solution uses. The masked register is written only where
-    its mask is 1, so it suits a plane that is rarely written."""
+    its mask is 1, so it suits a plane that is rarely written. A plane is the content of a code
+    register."""
     planes, scratch = len(solution.planes), solution.scratch
     room = machine.registers - planes - solution.states
     if not machine.masked or not planes:
@@ -237,7 +247,8 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None]:
 
 def _forgotten(frame: FrameContext, coming: int) -> int:
     """Return the bit mask of the registers whose contents are unknown when the gates for demand
-    number `coming` begin; after the last demand, when the closing gates begin."""
+    number `coming` begin; after the last demand (a set of shutters that FLAG must select at a
+    boundary), when the closing gates begin. FLAG is the bit that lets a pixel act."""
     demands = frame.problem.demands
     last = coming == len(demands)
     flag = 0 if not last and demands[coming].flag_kept else 1 << frame.flag
@@ -249,8 +260,10 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
 def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
     """Return the solution of these items, with the encoding of the frame's solution.
 
-    Empty segments are left out. A gate gets the name for its number of sources, such as NOT for a
-    NOR of one. The caller checks the result: items that do not meet the demands raise nothing."""
+    Empty segments (groups of gates that run together) are left out. A gate gets the name for its
+    number of sources, such as NOT for a NOR of one. The caller checks the result: items that do not
+    meet the demands raise nothing. A demand is a set of shutters that FLAG must select at a
+    boundary."""
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
@@ -299,7 +312,8 @@ def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Cont
 
     Raises Illegal for an operation that the machine lacks or that reads unknown contents, for a
     demand that FLAG does not meet, and for code planes that are not as at the start when the frame
-    ends."""
+    ends. A demand is a set of shutters that FLAG must select at a boundary. FLAG is the bit that
+    lets a pixel act."""
     state = list(frame.start)
     states = []
     for item in items:

@@ -34,8 +34,8 @@ class _Value:
 
 
 def recoloured(frame: FrameContext, items: Sequence[Item]) -> list[Item] | None:
-    """Return the same operations with other registers, and copies of planes to their homes at the
-    end; None if there are too few registers.
+    """Return the same operations with other registers, and copies of planes (contents of code
+    registers) to their homes at the end; None if there are too few registers.
 
     `items` are those of one frame, in order. The caller ensures that the result of every operation
     is read. The result may have more words than `items`, and may be illegal on the machine."""
@@ -108,8 +108,8 @@ class _Painter:
                 self.homing[value.home] = value.first
 
     def paint(self) -> list[Item] | None:
-        """Return the items with new registers and copies of planes to their homes; None if an
-        operation finds no register, or if copies need one and none is free.
+        """Return the items with new registers and copies of planes (contents of code registers) to
+        their homes; None if an operation finds no register, or if copies need one and none is free.
 
         Copies of a register to itself are left out."""
         out: list[Item] = []
@@ -148,8 +148,8 @@ class _Painter:
 
         def price(register: int) -> tuple[int, bool, bool, int]:
             """Return the sort key of a register: extra words first, then whether it blocks the home
-            of a plane, then a change of register; then registers without a plane, or whose plane
-            comes home late."""
+            of a plane (the content of a code register), then a change of register; then registers
+            without a plane, or whose plane comes home late."""
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # no operation

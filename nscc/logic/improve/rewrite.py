@@ -32,7 +32,8 @@ def cover(
     the truth vector `target`, at most `limit` of them (None: any number).
 
     None if all sources together do not cover it, or no `limit` of them do. An empty target takes no
-    source. Of equally good sources, earlier ones are taken."""
+    source. Of equally good sources, earlier ones are taken. A truth vector is an integer with one
+    bit for each shutter."""
     reachable = 0
     for _, content in sources:
         reachable |= content
@@ -67,7 +68,7 @@ def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tupl
     vector `target`, by exhaustive search; None if there are none.
 
     Each step tries the sources that contain the first uncovered shutter. The registers are in the
-    order of the steps."""
+    order of the steps. A truth vector is an integer with one bit for each shutter."""
     if not target:
         return ()
     if limit == 0:
@@ -95,10 +96,11 @@ def gate(
     sources); None if there is no such gate.
 
     `inverted` in the result is True for a NOR; the argument lists the kinds that are allowed, and
-    of two with equally many sources the first is taken. `ones` and `zeros` are truth vectors.
-    `state` holds the content of every register by number; unknown ones (None) are not read. At most
-    `limit` sources are read (None: any number). With `fewest` 1 at least one source is read, as
-    WHERE requires; 1 is the largest value that is allowed."""
+    of two with equally many sources the first is taken. `ones` and `zeros` are truth vectors
+    (integers with one bit for each shutter). `state` holds the content of every register by number;
+    unknown ones (None) are not read. At most `limit` sources are read (None: any number). With
+    `fewest` 1 at least one source is read, as WHERE requires; 1 is the largest value that is
+    allowed."""
     best: tuple[bool, tuple[int, ...]] | None = None
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)
@@ -341,8 +343,9 @@ class Rewriter:
         """Return one gate that replaces `item` and is 1 on `ones` and 0 on `zeros`; None if there
         is no such gate, or the machine lacks it.
 
-        `ones` and `zeros` are truth vectors; other shutters do not matter. With `in_place`, the
-        gate may read its own destination, which takes a word more; a WHERE is never in place."""
+        `ones` and `zeros` are truth vectors (integers with one bit for each shutter); other
+        shutters do not matter. With `in_place`, the gate may read its own destination, which takes
+        a word more; a WHERE is never in place."""
         frame, target = self.frame, item.destination
         readable = self._readable(target)
         if target == frame.flag:
@@ -364,7 +367,7 @@ class Rewriter:
         free register; append them and return whether that was possible.
 
         The result must be 1 on the truth vector `ones` and 0 on `zeros`. The first pair found is
-        taken."""
+        taken. A truth vector is an integer with one bit for each shutter."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]

@@ -121,7 +121,8 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
 
 def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
     """Return the indices of the operations less than `SPAN` items before or after operation k that
-    belong to the same demand, without k: those before it first, each side nearest first."""
+    belong to the same demand, without k: those before it first, each side nearest first. A demand
+    is a set of shutters that FLAG must select at a boundary."""
     operations: list[int] = []
     for indices in (
         range(k - 1, max(-1, k - SPAN), -1),
@@ -148,8 +149,8 @@ def improve(solution: Solution, problem: Problem, machine: Machine, budget: Budg
     if it is not legal or nothing is gained.
 
     The encoding is unchanged. The result is deterministic: steps of `budget` are used until nothing
-    is gained. Equal segments may become different, so a frame of fewer words may take more stored
-    words."""
+    is gained. Equal segments (groups of gates that run together) may become different, so a frame
+    of fewer words may take more stored words."""
     frame, items = flatten(solution, problem, machine)
     try:
         items = _exhausted(TrackedRun(frame, items, budget))
@@ -252,7 +253,7 @@ def balance(
 
 def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
     """Return the words of a solution's gates at each boundary 0..slots, as a list of slots + 1
-    numbers, without refresh of planes."""
+    numbers, without refresh of planes. A plane is the content of a code register."""
     frame, items = flatten(solution, problem, machine)
     return _Loads(frame, items, [0] * (slots + 1)).words
 
@@ -271,8 +272,9 @@ class _Loads:
         self.words = self.counted(items)
 
     def boundary(self, place: int) -> int:
-        """Return the boundary of a place: 0 for OPENING, N for CLOSING, else that of the demand
-        with this number."""
+        """Return the boundary of a place: 0 for OPENING, N for CLOSING, else that of the demand (a
+        set of shutters that FLAG must select at a boundary) with this number. FLAG is the bit that
+        lets a pixel act."""
         if place == OPENING:
             return 0
         return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
@@ -291,8 +293,8 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
     was possible.
 
     `boundary` then has fewer than `most` words, and no other boundary grows to `most` or more;
-    `loads` is updated. The first operation that can move is taken; those that write FLAG or the
-    masked register stay."""
+    `loads` is updated. The first operation that can move is taken; those that write FLAG (the bit
+    that lets a pixel act) or the masked register stay."""
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue
@@ -313,7 +315,8 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
     (index of an item, place, segment), latest first; item k may move before that item.
 
     `loads` are the words at each boundary, of which none may grow to `most`. Demands at the
-    boundary of item k are left out."""
+    boundary of item k are left out. A segment is a group of gates that run together. A demand is a
+    set of shutters that FLAG must select at a boundary."""
     places = []
     own_boundary = loads.boundary(run.items[k].place)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))

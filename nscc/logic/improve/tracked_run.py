@@ -48,12 +48,13 @@ class TrackedRun:
         self._settle(self._revive(0, len(items)), len(items))
 
     def words(self) -> int:
-        """Return the words of a frame, including refresh of unwritten planes."""
+        """Return the words of a frame, including refresh of unwritten planes (contents of code
+        registers)."""
         return self.frame.total(self.items)
 
     def care(self, k: int) -> int:
-        """Return the shutters in which the result of operation k matters, as a truth vector; it is
-        computed when first needed.
+        """Return the shutters in which the result of operation k matters, as a truth vector (an
+        integer with one bit for each shutter); it is computed when first needed.
 
         Item k must not be a check. The result may contain too many shutters, never too few. Raises
         GaveUp if the budget is used up."""
@@ -70,7 +71,8 @@ class TrackedRun:
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
         """Return the additional refresh words if the items `new` replace the items `old`, negative
-        if there are fewer: planes that a frame does not write need a refresh."""
+        if there are fewer: planes (contents of code registers) that a frame does not write need a
+        refresh."""
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
 
@@ -152,7 +154,7 @@ class TrackedRun:
         number of items after it that were looked at.
 
         All shutters matter if the influence does not end within HORIZON items. Raises GaveUp if the
-        budget is used up."""
+        budget is used up. A truth vector is an integer with one bit for each shutter."""
         frame, items, before = self.frame, self.items, self.before
         everything, flag = frame.everything, frame.flag
         source = items[k]

@@ -239,10 +239,10 @@ def _rounded(choice: ParameterChoice) -> ParameterChoice:
 class Chain:
     """The factors with which noise sources of the chip appear in an exposure.
 
-    `reads`, `resets`: numbers of reads and resets of PIX, each weighted with its squared
-    coefficient. `word_sum`: signed sum of the coefficients of all analog words, which scales errors
-    common to all words. The default is one read and one word: sensor values then equal those of a
-    frame."""
+    `reads`, `resets`: numbers of reads and resets of PIX (the photodiode), each weighted with its
+    squared coefficient. `word_sum`: signed sum of the coefficients of all analog words, which
+    scales errors common to all words. The default is one read and one word: sensor values then
+    equal those of a frame."""
 
     reads: float = 1.0
     resets: float = 1.0

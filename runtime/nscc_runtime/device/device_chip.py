@@ -117,8 +117,8 @@ class DeviceChip:
         return program
 
     def _program(self, container: Container) -> Upload:
-        """Return the container in the form that is sent, for the loader of the device. The last one
-        is cached, and `label` becomes its SHA-256."""
+        """Return the container (a compiled program) in the form that is sent, for the loader of the
+        device. The last one is cached, and `label` becomes its SHA-256."""
         if self._made is None or self._made[0] is not container:
             label = sha256(to_bytes(container)).digest()
             info = self.link.host.info or self.info()

@@ -14,8 +14,8 @@ from nscc_runtime.device.objects import schedule_rows
 
 class Loader(NamedTuple):
     """The limits of a loader, as in `limits.hpp` of its `folders` in `runtime/firmware`. `kernels`,
-    `rows` and `runs` are the most kernels, rows of the schedule and runs of equal slots of a
-    program. `name` is for messages."""
+    `rows` and `runs` are the most kernels (lists of words), rows of the schedule and runs of equal
+    slots of a program. `name` is for messages."""
 
     name: str
     folders: tuple[str, ...]

@@ -49,7 +49,7 @@ _LONGEST_MS = 10_000
 class MeasuredTimes:
     """Measured times in microseconds: of a launch, of an analog and of a digital word, of the loop
     that waits for a boundary (`wait_us`), and of the readout of a register. The names are those of
-    the target's keys."""
+    the target's keys. A launch is the start of a kernel, a list of words."""
 
     launch_us: float
     analog_word_us: float
@@ -71,7 +71,8 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
 
     def took(kernel: Sequence[Op], launches: int, waits: bool = False) -> CaptureReply:
         """Return the reply of a frame that runs `kernel` in this number of launches: at once, or
-        with `waits` each at a boundary of its own."""
+        with `waits` each at a boundary of its own. A launch is the start of a kernel, a list of
+        words."""
         return _captured(link, _program(target, kernel, launches, waits))
 
     once = took([analog], 1).lasted_us
@@ -114,8 +115,8 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
 
 def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -> Upload:
     """Return a program for `target` that launches `kernel`, its operations, `launches` times (at
-    most 65535): at once, or with `waits` after a slot of negligible length each. Late launches are
-    allowed."""
+    most 65535): at once, or with `waits` after a slot of negligible length each. Late launches
+    (starts of kernels) are allowed. A kernel is a list of words."""
     slots = launches if waits else 1
     words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
     objects = (

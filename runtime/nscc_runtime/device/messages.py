@@ -28,8 +28,8 @@ class LoaderFault(IntEnum):
     """The reason why a loader refused a request.
 
     A detail goes with it (`LoaderFailure`). DIGEST: data do not match their checksum. LATE:
-    launches were later than the program allows. NO_SESSION: the request has another session's
-    number."""
+    launches (starts of kernels) were later than the program allows. NO_SESSION: the request has
+    another session's number. A kernel is a list of words."""
 
     NO_SESSION = 1
     VERSION = 2
@@ -144,7 +144,7 @@ class Info(_Body):
     bytes of all channels of a frame, and milliseconds from first to last word. `hold`: number of
     bytes of a frame that stay available after the host has confirmed them. `rows`, `cols`: size of
     the array. `target`, `program`: their digests; `label`: chosen by the host of the program. The
-    last two are zeros without a program."""
+    last two are zeros without a program. A kernel is a list of words."""
 
     version: int
     state: int
@@ -191,7 +191,8 @@ class Info(_Body):
 @dataclass(frozen=True)
 class Begin(_Body):
     """The announcement of a program: digests of its target table and of the program, a label chosen
-    by the host (nscc: SHA-256 of the container file), total bytes and number of objects."""
+    by the host (nscc: SHA-256 of the container file), total bytes and number of objects. A
+    container is a compiled program."""
 
     target: bytes
     program: bytes
@@ -266,9 +267,9 @@ class CaptureReply(_Body):
     `readouts`: number of registers. `estimate_ms`: time of exposure and readout. `length`: number
     of bytes of the frame. `released`: bytes before this offset are no longer available.
     `started_us`: the loader's clock at the start. `lasted_us`: time from first to last word.
-    `readout_us`: time of readout so far. `late`: number of launches that exceeded the program's
-    tolerance, the latest by `latest_us`. `crc32`, `adler32`: checksums of all bytes, 0 until the
-    loader has all of them (`complete` is 1)."""
+    `readout_us`: time of readout so far. `late`: number of launches (starts of kernels) that
+    exceeded the program's tolerance, the latest by `latest_us`. `crc32`, `adler32`: checksums of
+    all bytes, 0 until the loader has all of them (`complete` is 1). A kernel is a list of words."""
 
     number: int
     ready: int

@@ -120,9 +120,9 @@ class Upload:
     sent with a frame of `pixels`; `report_bytes`: bytes of its reports. `params`, `changes`:
     numbers of parameters, and of changes of rows.
 
-    `gains`: whether a readout has a gain other than 1. `levels`: whether IN is set. `pictures`:
-    whether images and planes are computed. `host_values`: whether the host sets or loads values, or
-    images are kept."""
+    `gains`: whether a readout has a gain other than 1. `levels`: whether IN (the level sent to all
+    pixels) is set. `pictures`: whether images and planes are computed. `host_values`: whether the
+    host sets or loads values, or images are kept."""
 
     target: bytes
     label: bytes
@@ -178,8 +178,8 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Upload:
-    """Return a container in the form that is sent; `label` is 32 bytes. With `reports`, the device
-    sends `device_reports` instead of their planes.
+    """Return a container (a compiled program) in the form that is sent; `label` is 32 bytes. With
+    `reports`, the device sends `device_reports` instead of their planes.
 
     Raises Rejected: NS0741 for a program without pixel codes, NS0510 for a program with planes
     instead of words, NS0765 for a program that no loader supports."""
@@ -303,8 +303,9 @@ class ScheduleRow(Record):
     """A row of a schedule.
 
     `advance`: number of slots that pass before it. `kernel`: number of the kernel. `times`: number
-    of its launches. `level`: steps of IN, None to leave it. `steered`: its first launch, if values
-    of parameters or the number of the frame change the row, else None."""
+    of its launches (starts of kernels). `level`: steps of IN (the level sent to all pixels), None
+    to leave it. `steered`: its first launch, if values of parameters or the number of the frame
+    change the row, else None."""
 
     advance: int
     kernel: int
@@ -316,12 +317,12 @@ class ScheduleRow(Record):
 def schedule_rows(
     container: Container, steered: Sequence[SteeredLaunch | None]
 ) -> Iterator[ScheduleRow]:
-    """Yield the rows of a schedule, each for equal launches of `container`.
+    """Yield the rows of a schedule, each for equal launches (starts of kernels) of `container`.
 
     `steered` says of each launch how parameters change it, as `steered_launches` returns it. The
     steps of a loop with one launch are one row. The light never falls before a launch that may be
     left out, but before a kernel without words, whose number is the next after those of the
-    container."""
+    container. A kernel is a list of words."""
     at = 0
     steps: list[tuple[tuple[Any, ...], SteeredLaunch | None]] = []
     for number, (launch, of) in enumerate(zip(container.launches, steered, strict=True)):

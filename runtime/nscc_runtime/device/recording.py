@@ -29,10 +29,10 @@ IMAGE = 256
 class BoardProgram(NamedTuple):
     """What a board executes in a frame, and what it reads out.
 
-    `chip`: the words and launches. `slot_us`: lengths of the slots in microseconds. `readouts`:
-    names and gains of the registers of buckets. `images`: names of those of images. `states`: names
-    of the digital registers that are sent with the frame. `kept`: names of the analog registers
-    that are kept from frame to frame."""
+    `chip`: the words and launches (starts of kernels). `slot_us`: lengths of the slots in
+    microseconds. `readouts`: names and gains of the registers of buckets. `images`: names of those
+    of images. `states`: names of the digital registers that are sent with the frame. `kept`: names
+    of the analog registers that are kept from frame to frame."""
 
     chip: ChipProgram
     slot_us: tuple[float, ...]
@@ -129,10 +129,10 @@ class Recording:
     ) -> BoardProgram:
         """Return the commands since the frame began as a program of the board.
 
-        Events become launches of kernels at boundaries, with the value of IN set before them.
-        `readouts` are numbers of registers (see IMAGE) with their gains, `states` numbers of
-        digital registers that are sent, and `kept` names of analog registers that go on to the next
-        frame."""
+        Events become launches (starts of kernels) of kernels at boundaries, with the value of IN
+        set before them. `readouts` are numbers of registers (see IMAGE) with their gains, `states`
+        numbers of digital registers that are sent, and `kept` names of analog registers that go on
+        to the next frame. IN is the level sent to all pixels."""
         numbers: dict[tuple[int, int], int] = {}
         launches: list[Launch] = []
         boundary, level = 0, None

@@ -174,7 +174,7 @@ def _registers(target: Target) -> Iterator[str]:
 
 def _sequences(target: Target) -> Iterator[str]:
     """Yield the lines of the C++ tables of words for `target` that refresh a register, clear it,
-    set FLAG, or enable writing to the masked register."""
+    set FLAG, or enable writing to the masked register. FLAG is the bit that lets a pixel act."""
     yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};\n"
     yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
     yield "constexpr Refresh refresh[] = {"
@@ -218,7 +218,7 @@ def _spreading(target: Target) -> Iterator[str]:
 def refresh_words(target: Target, register: str) -> list[Op]:
     """Return the words of `target` that write the digital register named `register` back to itself,
     without other changes. The masked register is written through its mask, whose content waits in
-    FLAG meanwhile."""
+    FLAG meanwhile. FLAG is the bit that lets a pixel act."""
     again = list(pair("REFRESH", register, [register]))
     mask = target.mask_register
     if register != target.masked_register or mask is None:

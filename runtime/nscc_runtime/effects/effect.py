@@ -39,7 +39,7 @@ class Mark:
     A mark follows the value. A word that reads a full PIX marks its result as added or as
     subtracted. Every further word inverts its result and exchanges the two. So a full PIX that no
     exposure depends on leaves no mark, and a subtracted full PIX, such as the reset level, differs
-    from an added one. Losses of registers accumulate in the same way."""
+    from an added one. Losses of registers accumulate in the same way. PIX is the photodiode."""
 
     bit: int
     name: str

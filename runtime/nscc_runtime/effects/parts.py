@@ -75,12 +75,13 @@ class Exchange(Part, stage="neighbours"):
 
 
 class Saturates(Part):
-    """Declares that PIX or registers saturate. Pixels near saturation run through their words."""
+    """Declares that PIX (the photodiode) or registers saturate. Pixels near saturation run through
+    their words."""
 
 
 @dataclass(frozen=True)
 class Well(Saturates, stage="well"):
-    """Declares that PIX is clipped at `full_e` electrons."""
+    """Declares that PIX (the photodiode) is clipped at `full_e` electrons."""
 
     full_e: OfSensor
 
@@ -95,8 +96,8 @@ class Soft(Saturates, stage="registers"):
 
 @dataclass(frozen=True)
 class Errors(Part):
-    """Declares normal errors with standard deviation `sigma_e` at every read or reset of PIX, or at
-    every word. Their sum in a bucket is one draw."""
+    """Declares normal errors with standard deviation `sigma_e` at every read or reset of PIX (the
+    photodiode), or at every word. Their sum in a bucket is one draw."""
 
     at: Literal["reads", "resets", "words"]
     sigma_e: OfSensor

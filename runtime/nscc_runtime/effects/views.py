@@ -80,7 +80,8 @@ class Word(Protocol):
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
     """All slots, or intervals of slots, of complete rows of pixels, for effects on charge before it
-    falls on PIX. Arrays are (N, rows, cols), in electrons; fixed patterns are (rows, cols)."""
+    falls on PIX (the photodiode). Arrays are (N, rows, cols), in electrons; fixed patterns are
+    (rows, cols)."""
 
     scene: Scene
 

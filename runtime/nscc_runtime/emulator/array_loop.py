@@ -35,9 +35,9 @@ class ArrayShape:
     `count`: number of words of `run_array_words`. `total`, `part`: indices of two rows of values
     for intermediate sums. `flag` to `masked` are numbers of planes: `bus`, of half-word pairs;
     `zero`, of zeros; `mask` and `masked`, of the mask and of the register that it guards, are -1 on
-    a chip without a masked register. `obeys_flag`: 1 if a comparison only clears FLAG, 0 if it sets
-    it anew. Values outside `lowest` to `highest` (electrons) get the saturation mark `range_bit`; 0
-    to record no marks."""
+    a chip without a masked register. `obeys_flag`: 1 if a comparison only clears FLAG (the bit that
+    lets a pixel act), 0 if it sets it anew. Values outside `lowest` to `highest` (electrons) get
+    the saturation mark `range_bit`; 0 to record no marks."""
 
     rows: int
     cols: int
@@ -64,8 +64,9 @@ class ArrayWord:
 
     `divisor`: of the result; for a propagation, the largest number of steps. `inverted`: whether
     bits are inverted, or the bits beyond the array that neighbours read are 1. It runs `lag` rows
-    behind the first word. `everywhere`: whether an analog word acts where FLAG is 0, too. `in_e`:
-    the value of IN in electrons if the word reads IN, else 0."""
+    behind the first word. `everywhere`: whether an analog word acts where FLAG (the bit that lets a
+    pixel act) is 0, too. `in_e`: the value of IN (the level sent to all pixels) in electrons if the
+    word reads IN, else 0."""
 
     kind: int
     operands: int
@@ -106,7 +107,8 @@ def _inside(shape: ArrayShape, g: int) -> np.uint64:
 
 @compiled
 def clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
-    """Set FLAG to 0 in row y of `planes` in the bits beyond the last column."""
+    """Set FLAG (the bit that lets a pixel act) to 0 in row y of `planes` in the bits beyond the
+    last column."""
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.cols // 64, shape.plane_words):
         planes[flag + g] &= _inside(shape, g)
@@ -114,8 +116,9 @@ def clear_flag_outside(shape: ArrayShape, planes: Words, y: int) -> None:
 
 @compiled
 def _flagged(shape: ArrayShape, planes: Words, y: int) -> int:
-    """Return in which pixels of row `y` of the array FLAG is 1: `_NONE`, `_SOME` or `_ALL`.
-    `planes`: 64 pixels in each number; bits beyond the last column are 0 and do not count."""
+    """Return in which pixels of row `y` of the array FLAG (the bit that lets a pixel act) is 1:
+    `_NONE`, `_SOME` or `_ALL`. `planes`: 64 pixels in each number; bits beyond the last column are
+    0 and do not count."""
     flag, full = plane_of(shape, shape.flag, y), shape.cols // 64
     any_bits, unset_bits = _ZERO, _ZERO
     for g in range(full):
@@ -145,8 +148,9 @@ def _add(
     """Set the row that begins at values[out] to `factor` * (`initial_e` + the rows that begin at
     values[a] and values[b]) where FLAG is 1.
 
-    A `b` of 0 stands for a row of zeros. `flag`: index in `planes` of the row of FLAG. `state`: in
-    which pixels FLAG is 1 (`_flagged`); with `_ALL` it is not read, with `_NONE` nothing changes.
+    A `b` of 0 stands for a row of zeros. `flag`: index in `planes` of the row of FLAG (the bit that
+    lets a pixel act). `state`: in which pixels FLAG is 1 (`_flagged`); with `_ALL` it is not read,
+    with `_NONE` nothing changes.
 
     Where FLAG differs between pixels, an unchanged value is written back as `old + 0.0`, which
     changes at most the sign of a zero. Choosing between two computed values becomes a blend and a
@@ -249,7 +253,8 @@ def _store_marks(
     marks: Bytes,
 ) -> None:
     """Set the row of `marks` at index `out` to the row at `source` where FLAG is 1, or everywhere
-    if `word` acts everywhere. `flag`: index in `planes` of the row of FLAG."""
+    if `word` acts everywhere. `flag`: index in `planes` of the row of FLAG (the bit that lets a
+    pixel act)."""
     for x in range(shape.cols):
         if word.everywhere or (planes[flag + x // 64] >> np.uint64(x % 64)) & _ONE:
             marks[out + x] = marks[source + x]
@@ -269,7 +274,7 @@ def _store(
 ) -> None:
     """Set row `y` of analog register number `register` to the row that begins at values[source],
     where FLAG is 1 or `word` acts everywhere. Copy the saturation marks in the same way, if
-    marked[0] says that there are any in the array."""
+    marked[0] says that there are any in the array. FLAG is the bit that lets a pixel act."""
     out, flag = row_of(shape, register, y), plane_of(shape, shape.flag, y)
     state = _ALL if word.everywhere else _flagged(shape, planes, y)
     _add(shape, values, out, source, 0, 1.0, 0.0, planes, flag, state)
@@ -292,7 +297,7 @@ def _bus(
     to the destinations where FLAG is 1, with saturation marks if these are recorded.
 
     A destination may be in a neighbouring row; a row whose neighbour is beyond the array gets 0.
-    `marked`: one number, 1 once a value has a mark."""
+    `marked`: one number, 1 once a value has a mark. FLAG is the bit that lets a pixel act."""
     first, total = word.operands + 3 * word.sources, shape.total
     halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
     flag, state = plane_of(shape, shape.flag, y), _ALL
@@ -333,7 +338,8 @@ def _compare(
     shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
 ) -> None:
     """Set FLAG in row `y` of `planes` to 1 where the sum of the sources of `word` is above 0, else
-    to 0 (also for NaN); with `shape.obeys_flag`, also to 0 where FLAG was 0."""
+    to 0 (also for NaN); with `shape.obeys_flag`, also to 0 where FLAG (the bit that lets a pixel
+    act) was 0."""
     a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.plane_words):

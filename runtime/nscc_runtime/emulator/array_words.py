@@ -30,14 +30,15 @@ Operand = tuple[int, int, int]
 class ArrayWords:
     """Words of a target as the loop reads them.
 
-    `analog`, `digital`: the numbers of registers by name. The last two analog registers are PIX and
-    minus its reset level. SELECT contains zeros, because no address matches. `reaches_neighbours`:
-    whether any word reads or writes a register of another pixel."""
+    `analog`, `digital`: the numbers of registers by name. The last two analog registers are PIX
+    (the photodiode) and minus its reset level. SELECT contains zeros, because no address matches.
+    `reaches_neighbours`: whether any word reads or writes a register of another pixel."""
 
     def __init__(self, target: Target) -> None:
         """Number the registers of `target`, and begin with an empty table of words. The order of
-        numbers is part of the interface: PIX and its level come last of the analog registers, FLAG,
-        SELECT and the bus last of the digital ones."""
+        numbers is part of the interface: PIX (the photodiode) and its level come last of the analog
+        registers, FLAG, SELECT and the bus last of the digital ones. FLAG is the bit that lets a
+        pixel act."""
         self.target = target
         analog = (*target.analog_registers, "PIX", "level")
         self.analog = {name: number for number, name in enumerate(analog)}
@@ -49,9 +50,10 @@ class ArrayWords:
         self.reaches_neighbours = False
 
     def append(self, words: Iterable[tuple[Op, float]]) -> int:
-        """Append words, each with the value of IN in electrons, in the order of execution; words
-        without effect are left out. Return the number of all words so far. The words of one call
-        are run together: only among these a word may run some rows behind another."""
+        """Append words, each with the value of IN (the level sent to all pixels) in electrons, in
+        the order of execution; words without effect are left out. Return the number of all words so
+        far. The words of one call are run together: only among these a word may run some rows
+        behind another."""
         lag, vertical = 0, False
         for op, in_e in words:
             if op.operation.effect is WordEffect.NONE:

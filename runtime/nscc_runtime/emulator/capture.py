@@ -30,7 +30,8 @@ def expose(
 
     Results do not depend on `threads` (None: all processors). Raises Rejected for a program without
     pixel codes (NS0741), for light of another size (NS0734), and for words that the target cannot
-    run (`nscc.words.legality`). Raises ValueError for an inconsistent container or light."""
+    run (`nscc.words.legality`). Raises ValueError for an inconsistent container (a compiled
+    program) or light."""
     check(container, light)
     if container.stream is not None:
         return _sorted_light(container, light)
@@ -49,7 +50,8 @@ def _sorted_light(container: Container, light: Light) -> Exposure:
     """Return the exposure of a chip without logic: for each bucket the light that its tap collects,
     times the tap's gain, in float64.
 
-    Raises ValueError for a container without planes. Other errors must be checked before."""
+    Raises ValueError for a container (a compiled program) without planes. Other errors must be
+    checked before."""
     sent = container.stream
     if sent is None:
         raise ValueError("a container without planes")
@@ -79,14 +81,14 @@ _faults = OfContainer(faults)
 def check(container: Container, light: Light) -> None:
     """Check that the program of `container` can run over `light`. Raises Rejected if it has no
     pixel codes (NS0741) or the light has another size (NS0734), and ValueError for an inconsistent
-    container."""
+    container (a compiled program)."""
     check_program(container)
     check_size(container, light)
 
 
 def check_program(container: Container) -> None:
     """Raise Rejected (NS0741) for a program without pixel codes, and ValueError, with the first
-    fault, for an inconsistent container."""
+    fault, for an inconsistent container (a compiled program)."""
     check_codes(container)
     unsound = _faults(container)
     if unsound:

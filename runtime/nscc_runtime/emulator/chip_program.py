@@ -45,10 +45,11 @@ BLOCK = 8192
 class ChipProgram:
     """A program as a chip executes it.
 
-    `slots`: N, the number of slots. `kernels`: the words of each. `launches`: of these kernels by
-    number, in the order of execution, at boundaries 0 to N. `planes`: digital registers (rows,
-    cols) that are loaded before the frame, by name. `kept`: electrons (rows, cols) of analog
-    registers that the previous frame left, by name; the others begin with arbitrary values."""
+    `slots`: N, the number of slots. `kernels`: the words of each. `launches`: of these kernels
+    (lists of words) by number, in the order of execution, at boundaries 0 to N. `planes`: digital
+    registers (rows, cols) that are loaded before the frame, by name. `kept`: electrons (rows, cols)
+    of analog registers that the previous frame left, by name; the others begin with arbitrary
+    values."""
 
     def __init__(
         self,
@@ -59,15 +60,17 @@ class ChipProgram:
         planes: Mapping[str, Bits],
         kept: Mapping[str, Values] = MappingProxyType({}),
     ) -> None:
-        """Store what a chip holds: kernels, launches, and the registers at the start of a frame
-        (see the class). Words are translated at the first `run`."""
+        """Store what a chip holds: kernels (lists of words), launches (starts of kernels), and the
+        registers at the start of a frame (see the class). Words are translated at the first `run`.
+        """
         self.target, self.slots, self.planes, self.kept = target, slots, planes, kept
         self._kernels, self._launches = kernels, launches
 
     @cached_property
     def _words(self) -> tuple[ArrayWords, EmulatedWords]:
         """The words as a table, and as arrays for the loop. A kernel occurs once for each value of
-        IN with which it is launched, because each word has its own value."""
+        IN with which it is launched, because each word has its own value. IN is the level sent to
+        all pixels. A kernel is a list of words."""
         from nscc_runtime.emulator.loops import EmulatedWords
 
         table, kernel_start, in_e = ArrayWords(self.target), [0], 0.0

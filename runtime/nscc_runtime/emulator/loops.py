@@ -62,8 +62,8 @@ def _start(
     `pix` is the number of PIX among the analog registers. `first` is the number of the row's first
     pixel in the whole array. `values` (electrons) and `planes` (64 pixels a word) hold the analog
     and the digital registers. The row at `shape.total` must contain the light of the whole frame;
-    the row at `shape.part` is overwritten. The register after PIX is set to minus the reset level.
-    """
+    the row at `shape.part` is overwritten. The register after PIX (the photodiode) is set to minus
+    the reset level."""
     # Digital registers up to FLAG are random; the two planes after it begin with 0.
     for p in range(shape.flag + 3):
         for g in range(shape.plane_words):
@@ -120,7 +120,8 @@ def _add_frame(
 
 class EmulatedWords(NamedTuple):
     """The words of kernel k are words[kernel_start[k] : kernel_start[k + 1]]. Boundary n launches
-    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order."""
+    launch_kernel[launch_start[n] : launch_start[n + 1]], in that order. A launch is the start of a
+    kernel, a list of words."""
 
     words: Annotated[NDArray[Any], ArrayWord]
     operands: Ints
@@ -151,10 +152,10 @@ class KeptValues(NamedTuple):
 @record
 class PixelRange:
     """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
-    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `RegisterBits`.
-    `frames`: frames of light. `loads`, `reads`: digital registers that are loaded and read.
-    `registers`: analog registers that are read. `keeps`: those that keep values. `seed`: of the
-    arbitrary values. `pix`: the number of the register PIX."""
+    of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `RegisterBits`. `frames`:
+    frames of light. `loads`, `reads`: digital registers that are loaded and read. `registers`:
+    analog registers that are read. `keeps`: those that keep values. `seed`: of the arbitrary
+    values. `pix`: the number of the register PIX (the photodiode)."""
 
     slots: int
     pixels: int
@@ -182,8 +183,8 @@ def _add_slot(
     values: Floats,
     charge: Floats32,
 ) -> None:
-    """Add the light of slot n to PIX of the block that begins with pixel number `first`, `length`
-    pixels of each row.
+    """Add the light of slot n to PIX (the photodiode) of the block that begins with pixel number
+    `first`, `length` pixels of each row.
 
     `charge`: the light of the last weighted slot in this block, row after row; it is computed anew
     only if the slot's light differs from that of the slot before. The row at `shape.total` of

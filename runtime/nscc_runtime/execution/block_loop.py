@@ -73,8 +73,9 @@ class Charge(NamedTuple):
 class BlockScratch(NamedTuple):
     """Working memory of a block.
 
-    `head`: the first pixel that waits before each segment, -1 if none. `behind`: the next waiting
-    pixel after each pixel, -1 if none. `reached`: the stretch that each pixel has reached.
+    `head`: the first pixel that waits before each segment (a part of a path between two
+    comparisons), -1 if none. `behind`: the next waiting pixel after each pixel, -1 if none.
+    `reached`: the stretch (slots between two reads or resets of PIX) that each pixel has reached.
     `fallen_fraction`: the fraction of this stretch that is collected. All but `head` have `BLOCK`
     numbers, and pixels are numbered from the first of the block. `keys`: for each word, the random
     key of its read or reset, then those of its comparison or destinations (1 + `numbered` keys)."""
@@ -156,12 +157,13 @@ def _fall(
     state: PixelState,
     block: BlockScratch,
 ) -> None:
-    """Add to PIX the charge that the pixels state.running[:count] collect until `word` ends.
+    """Add to PIX (the photodiode) the charge that the pixels state.running[:count] collect until
+    `word` ends.
 
     `word` runs at the start of stretch number `stretch`; the charge of all stretches from the one
     that a pixel has reached up to this falls, and with slow words a part of this one. Pixels count
     from `first`, the first of the block. Note in `block.reached` and `block.fallen_fraction` how
-    far each pixel is."""
+    far each pixel is. A stretch is the slots between two reads or resets of PIX, the photodiode."""
     pixels = sizes.charged
     for j in range(count):
         i = state.running[j]
@@ -213,7 +215,7 @@ def _along(
 
     `first`: the first pixel of the block. `places`: places of the charged pixels on the chip.
     `chosen`: their indices in the result, where `ends` gets their endings. `block` and `state` are
-    updated."""
+    updated. A segment is the part of a path between two comparisons."""
     count, i, running = 0, block.head[segment], state.running
     block.head[segment] = -1
     while i >= 0:
@@ -269,10 +271,11 @@ def run_blocks(
     in electrons, marked[b, chosen[i]] to its saturation marks, and ends[chosen[i]] to its ending.
 
     Pixels `sizes.first` to `sizes.end` - 1 of the charged pixels run. `begins`: the first segment
-    of each, or -1 - e if it has reached ending e already. `places`: its place on the chip, which
-    names its random numbers. `chosen`: its index in the results. Pixels with the same first
-    segments run together if they are neighbours in these arrays. `block` and `state` are working
-    memory; block.head must be -1 everywhere, and is so again at the end."""
+    (a part of a path between two comparisons) of each, or -1 - e if it has reached ending e
+    already. `places`: its place on the chip, which names its random numbers. `chosen`: its index in
+    the results. Pixels with the same first segments run together if they are neighbours in these
+    arrays. `block` and `state` are working memory; block.head must be -1 everywhere, and is so
+    again at the end."""
     _set_keys(sizes, keys, program, block)
     for first in range(sizes.first, sizes.end, BLOCK):
         count = min(BLOCK, sizes.end - first)

@@ -81,7 +81,8 @@ class BlockProgram:
 
     @property
     def most_stretches(self) -> int:
-        """The largest number of stretches of a lane."""
+        """The largest number of stretches (groups of slots between reads or resets of PIX) of a
+        lane (the pixels of one code)."""
         return int(np.diff(self.stretches.start).max()) - 1
 
 
@@ -102,13 +103,14 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
 
 @OfContainer
 def block_program(container: Container, kept_us: float, every_slot: bool = False) -> BlockProgram:
-    """Return a program for the block loop; cached with the container.
+    """Return a program for the block loop; cached with the container (a compiled program).
 
     `kept_us`: how long digital registers keep values, in microseconds. `every_slot`: whether each
     slot of a program that looks is a stretch of its own, so that light is added in the order in
     which exposures are defined; ignored for fixed shutters. Raises Rejected if a word is no
     operation of the chip (`nscc_runtime.reference.trace.analog_words`), and ValueError if pixels
-    look and their paths cannot be listed."""
+    look and their paths cannot be listed. A stretch is the slots between two reads or resets of
+    PIX, the photodiode."""
     if KINDS.of(container).open_times_known:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)
@@ -119,8 +121,8 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
 
 def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgram:
     """Return the program in which each lane is a segment: the `words` that act in it, and the
-    stretches of slots between those that read or reset PIX. `words`: all bus and reset words of a
-    frame in order."""
+    stretches of slots between those that read or reset PIX (the photodiode). `words`: all bus and
+    reset words of a frame in order. A segment is the part of a path between two comparisons."""
     assert container.pixel_codes is not None
     lanes, slots = len(container.encoding), container.slots
     acts = np.array([word.lanes for word in words], np.bool_).reshape(-1, lanes)
@@ -163,11 +165,12 @@ def _in_use(
     resets: NDArray[np.bool_],
     reads: NDArray[np.bool_],
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return the two arrays without resets of PIX that no read follows before the lane's next
-    reset: nothing depends on them.
+    """Return the two arrays without resets of PIX (the photodiode) that no read follows before the
+    lane's next reset: nothing depends on them.
 
-    `lane`, `word`: entry i says that word number word[i] acts in lane lane[i]; sorted by lane, then
-    by word. `resets`, `reads` (words,): whether a word resets PIX, or reads it."""
+    `lane`, `word`: entry i says that word number word[i] acts in lane lane[i]; sorted by lane (the
+    pixels of one code), then by word. `resets`, `reads` (words,): whether a word resets PIX, or
+    reads it."""
     on_pix = np.flatnonzero(resets[word] | reads[word])
     is_read = np.zeros(len(on_pix), np.bool_)
     is_read[:-1] = reads[word[on_pix[1:]]] & (lane[on_pix[1:]] == lane[on_pix[:-1]])
@@ -180,7 +183,8 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
     comparison or at the end of the frame.
 
     All pixels have the same stretches, which begin at the boundaries where words run, or with
-    `every_slot` at all boundaries. Pixels begin in the segment of their code."""
+    `every_slot` at all boundaries. Pixels begin in the segment of their code. A stretch is the
+    slots between two reads or resets of PIX, the photodiode."""
     assert container.pixel_codes is not None
     slots, shape = container.slots, container.pixel_codes.shape
     bounds = range(slots + 1) if every_slot else (word.boundary for word in paths.words)
@@ -215,8 +219,8 @@ def _start_s(container: Container) -> NDArray[np.float64]:
 
 def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgram:
     """Return the `words` as a table of numbers for the compiled loop, in their order. Its operands
-    are numbers of analog registers in the target's order, then of PIX and of IN: for each word the
-    sources, then the destinations."""
+    are numbers of analog registers in the target's order, then of PIX (the photodiode) and of IN:
+    for each word the sources, then the destinations. IN is the level sent to all pixels."""
     registers = (*container.target.analog_registers, "PIX", "IN")
     slots, slot_us, start_s = container.slots, container.slot_us, _start_s(container)
     rows: list[tuple[float, ...]] = []

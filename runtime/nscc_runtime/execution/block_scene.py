@@ -99,7 +99,7 @@ class ChargeScene:
     patterns. `counted`: for each source of counts its random stream, its source number there, and
     the means (stretches, sites). `means`: expected charge, see `StretchMeans`. `exchanged`: the
     fraction of its charge that a pixel gives to each neighbour. `invalid`: those of `number` whose
-    light is not a number."""
+    light is not a number. A site is a pixel whose charge is computed."""
 
     number: NDArray[np.int64]
     sites: Sites
@@ -254,8 +254,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
     def add_light(begin: int, end: int) -> None:
-        """Add up, in `means`, the light of the sites from `begin` up to before `end` for each
-        stretch of slots."""
+        """Add up, in `means`, the light of the sites (pixels whose charge is computed) from `begin`
+        up to before `end` for each stretch of slots."""
         light_means(
             sizes=Laying(begin=begin, end=end, **sizes),
             light=scene.light.matrix,
@@ -266,7 +266,8 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
         )
 
     def add_dark(begin: int, end: int) -> None:
-        """Add to `means` the dark charge of the sites from `begin` up to before `end`."""
+        """Add to `means` the dark charge of the sites (pixels whose charge is computed) from
+        `begin` up to before `end`."""
         dark_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
     def complete(begin: int, end: int) -> None:
@@ -295,8 +296,9 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
 
 
 def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
-    """Return the pixels at `places` as sites. If the scene `exchanges` charge, those of their
-    neighbours that are not in `places` follow in ascending order.
+    """Return the pixels at `places` as sites (pixels whose charge is computed). If the scene
+    `exchanges` charge, those of their neighbours that are not in `places` follow in ascending
+    order.
 
     `beside` has the index of the sites above, below, left and right of each pixel of `places`, -1
     beyond the border; without exchange, only -1."""
@@ -385,7 +387,8 @@ def _charge_of_frame(
     of random counts, exchanged between neighbours.
 
     `seed`: of the noise. `frame`: number of the frame. Without counts this is the array of means
-    itself, which callers must not change."""
+    itself, which callers must not change. A stretch is the slots between two reads or resets of
+    PIX, the photodiode."""
     if not charge.counted:
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
@@ -435,7 +438,8 @@ def _run_words(
 
     `charge_e`: electrons of the frame, (stretches, pixels). `first_segment`: for each pixel of the
     scene, the segment in which it begins, or -1 - e if it has reached ending e. `seed`: of the
-    noise. `frame`: number of the frame."""
+    noise. `frame`: number of the frame. A stretch is the slots between two reads or resets of PIX,
+    the photodiode. A segment is the part of a path between two comparisons."""
     program, container, pixels = scene.program, scene.container, charge.pixels
     places = charge.sites.place[:pixels]
     shared: dict[str, Any] = {

@@ -133,10 +133,10 @@ def add_up(
     from the deviations `away` of counts from their means, and from normal errors.
 
     `noise_keys`: the random key of each source of errors, drawn at `places`. `sigma`: its standard
-    deviation in each bucket and lane; `lanes` has the lane of each pixel. `own_weights`: electrons
-    for one count of the pixel itself. `neighbour_weights` (draws, 4, buckets, pixels): for one
-    count of a neighbour, used if neighbours exchange counts. `total` and `drawn` are working memory
-    for `BLOCK` pixels, `total` for each bucket."""
+    deviation in each bucket and lane (the pixels of one code); `lanes` has the lane of each pixel.
+    `own_weights`: electrons for one count of the pixel itself. `neighbour_weights` (draws, 4,
+    buckets, pixels): for one count of a neighbour, used if neighbours exchange counts. `total` and
+    `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:

@@ -66,8 +66,9 @@ class Numbers:
 
 @record
 class WordKeys:
-    """First halves of a frame's random keys: of reads and resets of PIX, of results of words, and
-    of comparisons. The loop completes them with the number of the frame and of the draw."""
+    """First halves of a frame's random keys: of reads and resets of PIX (the photodiode), of
+    results of words, and of comparisons. The loop completes them with the number of the frame and
+    of the draw."""
 
     reads: np.uint64
     resets: np.uint64
@@ -79,7 +80,8 @@ class WordKeys:
 class LoopWord:
     """An analog word, as the loops read it. `resets` (PIX), `compares`, `reads_pix`, `adds`
     (several sources): 1 if it does so, else 0. `sources`, `destinations`: how many registers it
-    reads and writes. `divisor`: its result is -(sum of its sources) / divisor."""
+    reads and writes. `divisor`: its result is -(sum of its sources) / divisor. PIX is the
+    photodiode."""
 
     resets: int
     compares: int
@@ -105,7 +107,8 @@ OfWords = Annotated[NDArray[Any], LoopWord]
 
 class LoopProgram(NamedTuple):
     """The words of a program in order, their `operands` (see `LoopWord.operands`: numbers of analog
-    registers, then PIX, then IN), and the sign, 1 or -1, of errors in each analog register."""
+    registers, then PIX, then IN), and the sign, 1 or -1, of errors in each analog register. PIX is
+    the photodiode. IN is the level sent to all pixels."""
 
     words: OfWords
     operands: Ints
@@ -114,9 +117,10 @@ class LoopProgram(NamedTuple):
 
 class Segments(NamedTuple):
     """Segments of words. Segment k runs the words with the numbers word[start[k] : start[k + 1]],
-    of which only the last may compare. Before word[e], the first stretch[e] stretches of the pixel
-    have ended. Pixels whose comparison has the answer a (0 or 1; 0 without a comparison) continue
-    with following[k, a]: a segment, or -1 - e for ending e."""
+    of which only the last may compare. Before word[e], the first stretch[e] stretches (groups of
+    slots between reads or resets of PIX) of the pixel have ended. Pixels whose comparison has the
+    answer a (0 or 1; 0 without a comparison) continue with following[k, a]: a segment (a part of a
+    path between two comparisons), or -1 - e for ending e."""
 
     start: Annotated[Ints, "segments+1"]
     word: Annotated[Ints32, "entries"]
@@ -149,9 +153,9 @@ class PixelState(NamedTuple):
 
     `pattern`, `leak`, `offset`: see `FixedPatterns`.
 
-    Contents of the registers, then of PIX and IN. `value`: electrons. `since_s`: the time of
-    writing. `lost_e`: electrons lost by saturation. `full`: saturation marks
-    (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
+    Contents of the registers, then of PIX (the photodiode) and IN (the level sent to all pixels).
+    `value`: electrons. `since_s`: the time of writing. `lost_e`: electrons lost by saturation.
+    `full`: saturation marks (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
 
     `running`: the pixels that run a word. `total`: the sum of its sources in each of them, with the
     electrons lost by saturation (`total_lost_e`) and the saturation marks (`total_full`).

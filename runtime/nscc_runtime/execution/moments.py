@@ -78,7 +78,7 @@ class Moments:
         """Return the variance of exposures over frames, in square electrons, (buckets, pixels);
         that of the readout is not included.
 
-        `lane` (rows, cols): the lane of each pixel."""
+        `lane` (rows, cols): the lane (the pixels of one code) of each pixel."""
         own_weights: Values | NDArray[np.float32] = self.own_weights
         variance_e2 = (self.error_e**2).sum(axis=0)[:, lane.reshape(-1)]
         if self.exchanged and len(self.counts):
@@ -428,7 +428,8 @@ def _neighbour_weights(
 
 def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
     """Return the errors of words under `effects` as factors of normal numbers, in electrons,
-    (draws, buckets, lanes); cached in the `program`. Without such effects there are no draws."""
+    (draws, buckets, lanes); cached in the `program`. Without such effects there are no draws. A
+    lane is the pixels of one code."""
 
     def make() -> Values:
         """Return the standard deviations (e) of all word errors by draw, bucket and lane.

@@ -72,7 +72,8 @@ class _Limits:
     `weights` (kinds, N, lanes): weights of the slots in each sum. `dark_s` (kinds, lanes): the
     seconds whose dark charge it contains. `saturation_e` (kinds, lanes): the smallest sum with
     which a pixel may saturate, infinite if it cannot. `mean_e` (pixels,): the smallest mean charge
-    that noise may raise to the smallest of these."""
+    that noise may raise to the smallest of these. A lane is the pixels of one code. PIX is the
+    photodiode."""
 
     weights: SlotWeights
     dark_s: Values
@@ -127,8 +128,9 @@ def _search(
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
-    """Return what decides whether a pixel may saturate, for each lane of `program` under these
-    effects. Without an effect that saturates PIX or registers, their limits are infinite."""
+    """Return what decides whether a pixel may saturate, for each lane (the pixels of one code) of
+    `program` under these effects. Without an effect that saturates PIX (the photodiode) or
+    registers, their limits are infinite."""
     reach = reach_of(program)
     held_weights = () if reach.held_weights is None else reach.held_weights
     weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)

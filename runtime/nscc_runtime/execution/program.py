@@ -56,7 +56,8 @@ class AnalysedProgram:
         """Return the analysis of the program of `container` on a chip with `sensor`.
 
         Raises Rejected if the program has no pixel codes (NS0741) or its words open no shutters
-        (NS0442), and ValueError for an inconsistent container."""
+        (NS0442), and ValueError for an inconsistent container. A container is a compiled program.
+        """
         check_program(container)
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
@@ -73,7 +74,7 @@ class AnalysedProgram:
 
     @property
     def lanes(self) -> NDArray[np.int32]:
-        """The lane of each pixel, shape (pixels,)."""
+        """The lane (the pixels of one code) of each pixel, shape (pixels,)."""
         return self.lane.reshape(-1)
 
     @remembered
@@ -97,18 +98,20 @@ class AnalysedProgram:
         return backward(self.container, self.decayed if model.decay else self.fresh, model)
 
     def buckets_overlap(self, model: WeightModel) -> bool:
-        """Return whether the charge of some slot reaches two or more buckets, in any lane."""
+        """Return whether the charge of some slot reaches two or more buckets, in any lane (the
+        pixels of one code)."""
         return bool(((self.weights(model).slots != 0.0).sum(axis=2) > 1).any())
 
     @cached_property
     def opened(self) -> NDArray[np.bool_]:
-        """The shutters (N, lanes, buckets)."""
+        """The shutters (N, lanes, buckets). A lane is the pixels of one code."""
         return self._backward(WeightModel()).open()
 
     @cached_property
     def seen_slots(self) -> NDArray[np.bool_]:
-        """Mask (N, lanes) of the slots whose charge is on PIX when a word reads it: slots with no
-        read between them and the next reset, or the end of the frame, are False."""
+        """Mask (N, lanes) of the slots whose charge is on PIX (the photodiode) when a word reads
+        it: slots with no read between them and the next reset, or the end of the frame, are False.
+        A lane is the pixels of one code."""
         container = self.container
         is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
@@ -135,11 +138,11 @@ class AnalysedProgram:
 
         They are those of each bucket at each of the `leak_rates` (1/s), all rates of a bucket one
         after the other. If `products` is True, the products of the weights of two buckets come
-        first: (0, 0), (0, 1), (1, 1), (0, 2) and so on."""
+        first: (0, 0), (0, 1), (1, 1), (0, 2) and so on. A lane is the pixels of one code."""
 
         def make() -> SlotWeights:
             """Return the weights of each slot by lane: products of buckets if wanted, then each
-            bucket for each rate of leakage."""
+            bucket for each rate of leakage. A lane is the pixels of one code."""
             weights = self.weights(model).slots
             buckets = range(weights.shape[2])
             pairs = [(a, b) for b in buckets for a in range(b + 1)] if products else []

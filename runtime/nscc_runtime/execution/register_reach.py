@@ -36,7 +36,7 @@ class RegisterReach:
     `held_weights` (kinds, N, lanes): largest weights of the slots' charge in any register.
     Registers stay linear while the charge weighted by each of them is below `least_e` (kinds,
     lanes), which is 0 where noise alone may leave the range. If `held_weights` is None, `least_e`
-    limits the charge that PIX has collected."""
+    limits the charge that PIX (the photodiode) has collected. A lane is the pixels of one code."""
 
     held_weights: Values | None
     least_e: Values
@@ -52,7 +52,8 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
     """Return the charge with which registers of `program` leave their linear range.
 
     With more than `_MOST_LANES` lanes or `_MOST_STRETCHES` stretches, only a sample evenly spread
-    over them is followed, and the worst of it counts for all."""
+    over them is followed, and the worst of it counts for all. A stretch is the slots between two
+    reads or resets of PIX, the photodiode. A lane is the pixels of one code."""
     lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in program.decayed])
@@ -76,7 +77,7 @@ def _farthest(
 ) -> _RegisterReach:
     """Run the words over the lanes with the numbers `sampled_lanes`, and return how far the written
     registers are from the ends of their linear range. Stretches of slots end at the boundaries
-    `ends`, ascending."""
+    `ends`, ascending. A lane is the pixels of one code."""
     effects, sensor = everything(), program.sensor
     gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
@@ -100,8 +101,9 @@ def _farthest(
 class _RegisterState:
     """The contents of registers, PIX and its reset level, as linear functions.
 
-    `held_weights` (lanes, rows, columns): weights of the charge of each stretch and, in the last
-    column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise."""
+    `held_weights` (lanes, rows, columns): weights of the charge of each stretch (slots between two
+    reads or resets of PIX) and, in the last column, of the fixed error. `covariance` (lanes, rows,
+    rows): covariance of their noise. A lane is the pixels of one code."""
 
     def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
         """Begin with all registers at 0, without noise, for this number of `lanes` and of
@@ -120,16 +122,18 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: NDArray[np.bool_]) -> None:
-        """Reset PIX in the lanes of the mask `in_lane` (lanes,): its charge becomes 0, and its
-        reset level has the variance of a reset, independent of everything before."""
+        """Reset PIX (the photodiode) in the lanes (groups of pixels with one code each) of the mask
+        `in_lane` (lanes,): its charge becomes 0, and its reset level has the variance of a reset,
+        independent of everything before."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
-        """Run the bus word `word` in the lanes of the mask `in_lane` (lanes,): update weights and
-        covariance of its destinations, with the errors of reading PIX and of the word itself."""
+        """Run the bus word `word` in the lanes (groups of pixels with one code each) of the mask
+        `in_lane` (lanes,): update weights and covariance of its destinations, with the errors of
+        reading PIX (the photodiode) and of the word itself."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:
@@ -149,7 +153,8 @@ class _RegisterState:
         self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
     ) -> None:
         """Set the registers `rows` in the lanes `lanes` (their numbers) to the sum of all rows with
-        the weights `total` (rows,), plus noise of this `variance` (e^2), the same in all `rows`."""
+        the weights `total` (rows,), plus noise of this `variance` (e^2), the same in all `rows`. A
+        lane is the pixels of one code."""
         new_weights = total @ self.held_weights[lanes]
         new_covariance = total @ self.covariance[lanes]
         for row in rows:
@@ -167,7 +172,9 @@ class _RegisterReach:
 
     `linear_e`: end of that range, in electrons. `error_e`: mean and spread of the fixed error.
     `held_weights` (kinds, lanes, stretches): largest weights of a stretch's charge; 0 before the
-    first register. `least` (kinds, lanes): the charge in electrons; infinite before."""
+    first register. `least` (kinds, lanes): the charge in electrons; infinite before. A stretch is
+    the slots between two reads or resets of PIX, the photodiode. A lane is the pixels of one code.
+    """
 
     linear_e: float
     error_e: tuple[float, float]
@@ -182,9 +189,10 @@ class _RegisterReach:
     def add(self, lanes: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
         """Take a written register into account.
 
-        `lanes`: mask (lanes,) of the lanes that write it. `lit` (lanes, stretches), `fixed`
-        (lanes,): weights of charge and of the fixed error in it. `sigma` (lanes,): standard
-        deviation of its noise, in electrons."""
+        `lanes`: mask (lanes,) of the lanes (groups of pixels with one code each) that write it.
+        `lit` (lanes, stretches), `fixed` (lanes,): weights of charge and of the fixed error in it.
+        `sigma` (lanes,): standard deviation of its noise, in electrons. A stretch is the slots
+        between two reads or resets of PIX, the photodiode."""
         mean_e, spread_e = self.error_e
         low_e, high_e = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))
         above = self.linear_e - np.maximum(low_e, high_e) - _SIGMAS * sigma

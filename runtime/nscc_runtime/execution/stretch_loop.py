@@ -24,9 +24,10 @@ TOGETHER = 128
 
 
 class Stretches(NamedTuple):
-    """The stretches of each lane: lane l has the boundaries boundary[start[l] : start[l + 1]], from
-    slot 0 to the number of slots. `per_s`: 1 divided by the seconds from each boundary to the next.
-    `start_s`: the time at which each slot begins, and the end of the frame."""
+    """The stretches (groups of slots between reads or resets of PIX) of each lane: lane l has the
+    boundaries boundary[start[l] : start[l + 1]], from slot 0 to the number of slots. `per_s`: 1
+    divided by the seconds from each boundary to the next. `start_s`: the time at which each slot
+    begins, and the end of the frame. A lane is the pixels of one code."""
 
     start: Annotated[Ints, "lanes+1"]
     boundary: Annotated[Ints32, "boundaries"]
@@ -35,19 +36,21 @@ class Stretches(NamedTuple):
 
     @classmethod
     def of(cls, start: Ints, boundary: Ints32, start_s: Floats) -> Stretches:
-        """Return the stretches of lanes. `start` (lanes + 1,): index of each lane's first boundary
-        in `boundary`, where a lane's boundaries ascend from 0 to the number of slots. `start_s`
-        (slots + 1,): the second at which each slot begins, then the end of the frame."""
+        """Return the stretches (groups of slots between reads or resets of PIX) of lanes (groups of
+        pixels with one code each). `start` (lanes + 1,): index of each lane's first boundary in
+        `boundary`, where a lane's boundaries ascend from 0 to the number of slots. `start_s` (slots
+        + 1,): the second at which each slot begins, then the end of the frame."""
         # The last number of each lane, for no stretch, is meaningless and not read.
         seconds = np.diff(start_s[boundary], append=np.inf)
         return cls(start, boundary, 1.0 / seconds, start_s)
 
 
 class Sites(NamedTuple):
-    """The sites. `place`: row * cols + col on the chip. `lane`: number of the lane whose stretches
-    the site has. `factor`: multiplies its light. `dark_e_per_s`: its dark current. `beside`: the
-    indices of the sites above, below, left and right of each pixel that runs through its words, -1
-    beyond the border."""
+    """The sites (pixels whose charge is computed). `place`: row * cols + col on the chip. `lane`:
+    number of the lane whose stretches (groups of slots between reads or resets of PIX) the site
+    has. `factor`: multiplies its light. `dark_e_per_s`: its dark current. `beside`: the indices of
+    the sites above, below, left and right of each pixel that runs through its words, -1 beyond the
+    border."""
 
     place: Annotated[Ints, "sites"]
     lane: Annotated[Ints32, "sites"]
@@ -57,13 +60,15 @@ class Sites(NamedTuple):
 
 
 class StretchMeans(NamedTuple):
-    """Means of the charge of stretches in electrons.
+    """Means of the charge of stretches (groups of slots between reads or resets of PIX) in
+    electrons.
 
-    `lit`, `dark` (stretches, sites): counted charge of the sites. `charge` (stretches, pixels):
-    charge of the pixels after crosstalk. `pace` (stretches + 1, pixels): the fraction of it that is
-    collected per microsecond of the stretch's first slot, then, after the pixel's last stretch, of
-    the last slot. `missing_e2` (stretches, pixels): the variance (e^2) of neighbours' counts that
-    the counts of their own stretches do not determine. An array that is not needed is (1, 1)."""
+    `lit`, `dark` (stretches, sites): counted charge of the sites (pixels whose charge is computed).
+    `charge` (stretches, pixels): charge of the pixels after crosstalk. `pace` (stretches + 1,
+    pixels): the fraction of it that is collected per microsecond of the stretch's first slot, then,
+    after the pixel's last stretch, of the last slot. `missing_e2` (stretches, pixels): the variance
+    (e^2) of neighbours' counts that the counts of their own stretches do not determine. An array
+    that is not needed is (1, 1)."""
 
     lit: Written[Floats]
     dark: Written[Floats]
@@ -74,8 +79,9 @@ class StretchMeans(NamedTuple):
 
 @record
 class Laying:
-    """Sizes and switches for the means: sites or pixels `begin` to `end` - 1 are computed. `sites`,
-    `slots`: how many there are. Switches are 1 if the effect is on, else 0."""
+    """Sizes and switches for the means: sites (pixels whose charge is computed) or pixels `begin`
+    to `end` - 1 are computed. `sites`, `slots`: how many there are. Switches are 1 if the effect is
+    on, else 0."""
 
     begin: int
     end: int
@@ -100,7 +106,7 @@ def _light_of_slot(
 ) -> float:
     """Return the mean light of a slot at the site of index `site`, in electrons, between 0 and
     `sizes.rate_cap`, or NaN. The slot is the weighted sum of the frames of `light` in its entries
-    `start` to `stop` - 1."""
+    `start` to `stop` - 1. A site is a pixel whose charge is computed."""
     total, place = 0.0, sites.place[site]
     for k in range(start, stop):
         at = light.frame_index[k] * sizes.pixels + place
@@ -131,7 +137,8 @@ def _exchanged(
 def _store(sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float) -> None:
     """Store the light of stretch e of site i in electrons: `own`, before crosstalk, in `means.lit`
     if light is counted; `total`, after crosstalk, in `means.charge` if the site is a pixel that
-    runs through its words."""
+    runs through its words. A stretch is the slots between two reads or resets of PIX, the
+    photodiode."""
     if sizes.counts_light:
         means.lit[e * sizes.sites + i] = own
     if i < sizes.own:
@@ -149,7 +156,8 @@ def light_means(
     added: Written[Floats],
     means: StretchMeans,
 ) -> None:
-    """Compute the light of the sites order[begin : end] in their stretches, in electrons.
+    """Compute the light of the sites order[begin : end] in their stretches (groups of slots between
+    reads or resets of PIX), in electrons.
 
     `means` is 0 before. Its `lit` gets the light of sites, `charge` that of pixels after crosstalk,
     and `pace` the light of the first slot of each stretch, then of the last slot, until
@@ -157,7 +165,7 @@ def light_means(
 
     Sites are taken some at a time, in the `order` of their places: neighbours share cache lines of
     every frame. The stretch of each of them (`reached`), and the light in it (`added`), are working
-    memory."""
+    memory. A site is a pixel whose charge is computed."""
     for first in range(sizes.begin, sizes.end, TOGETHER):
         count = min(TOGETHER, sizes.end - first)
         for j in range(count):
@@ -201,7 +209,8 @@ def _add_missing(
 ) -> None:
     """Add to `means.missing_e2` of pixel i, for each of its stretches, the variance of the counts
     of its neighbour, the site `other`, in that stretch that the counts of the neighbour's own
-    stretches do not determine."""
+    stretches do not determine. A stretch is the slots between two reads or resets of PIX, the
+    photodiode. A site is a pixel whose charge is computed."""
     boundary, times, at_s = stretches.boundary, stretches.start_s, 0.0
     first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
     e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
@@ -222,7 +231,8 @@ def _add_missing(
 @loop
 def dark_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
     """Set `means.dark` to the means of the counted dark charge of the sites begin to end - 1 in
-    their stretches, in electrons."""
+    their stretches, in electrons. A stretch is the slots between two reads or resets of PIX, the
+    photodiode. A site is a pixel whose charge is computed."""
     for i in range(sizes.begin, sizes.end):
         first = stretches.start[sites.lane[i]]
         for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
@@ -268,8 +278,8 @@ def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: Stret
 @record
 class Exchanging:
     """Sizes for `exchange_counts`: pixels `begin` to `end` - 1 of `pixels`, with at most `rows`
-    stretches each. `exchanged`: the fraction of its charge that a pixel gives to each
-    neighbour."""
+    stretches (groups of slots between reads or resets of PIX) each. `exchanged`: the fraction of
+    its charge that a pixel gives to each neighbour. PIX is the photodiode."""
 
     begin: int
     end: int
@@ -294,7 +304,9 @@ def _receive(
 ) -> None:
     """Add to the charge of pixel i in each of its stretches what it receives from its neighbour,
     the site `other`: a fraction of the deviations `away` (stretches, sites) of the neighbour's
-    counts, which are spread evenly over the time of the neighbour's own stretches."""
+    counts, which are spread evenly over the time of the neighbour's own stretches. A stretch is the
+    slots between two reads or resets of PIX, the photodiode. A site is a pixel whose charge is
+    computed."""
     boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged
     e, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
     end, own, theirs = stretches.start[sites.lane[i] + 1] - 1, i, other
@@ -330,7 +342,9 @@ def exchange_counts(
     crosstalk.
 
     `missing_e2` (stretches, pixels): the variance of what pixels receive that the neighbours'
-    counts do not determine; it is drawn here. `drawn` is working memory for `BLOCK` pixels."""
+    counts do not determine; it is drawn here. `drawn` is working memory for `BLOCK` pixels. A
+    stretch is the slots between two reads or resets of PIX, the photodiode. A site is a pixel whose
+    charge is computed."""
     pixels, c = exchanging.pixels, exchanging.exchanged
     for first in range(exchanging.begin, exchanging.end, BLOCK):
         count = min(BLOCK, exchanging.end - first)

@@ -35,7 +35,7 @@ TOGETHER = 4
 @record
 class SceneSizes:
     """The size of the frames, and the rows `begin` to `end` - 1 to process. `count`: number of
-    frames. `lane_count`: number of lanes.
+    frames. `lane_count`: number of lanes (groups of pixels with one code each).
 
     Of the `sums` sums, those from number `smeared` on use light after crosstalk; `fraction` of a
     pixel's light moves to each neighbour."""
@@ -177,8 +177,8 @@ def _add_alike(
     `first` to `stop` - 1.
 
     `table` (sums, count, lanes): the weights. `lit_sums` (sums, count): 1 if a sum contains a
-    frame. `lanes`: the lane of each pixel. `share`: a factor on the light of each pixel, for sums
-    with crosstalk. `lit` and `gathered` are working memory."""
+    frame. `lanes`: the lane (the pixels of one code) of each pixel. `share`: a factor on the light
+    of each pixel, for sums with crosstalk. `lit` and `gathered` are working memory."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
@@ -218,10 +218,10 @@ def scene_sums(
 
     For the sums j from number `sizes.smeared` on, scale * frames is the light after crosstalk; it
     is computed in float32 with `share`, which is `scale` in float32. All other products and sums
-    are float64. The frames are read once for all sums. `lit_sums`: whether any lane has a nonzero
-    weight. `alike`: number of consecutive frames from frame k on with equal weights; these are
-    added up before they are weighted. `lit` and `gathered` are working memory for `TOGETHER` times
-    `BLOCK` pixels and for `BLOCK` pixels."""
+    are float64. The frames are read once for all sums. `lit_sums`: whether any lane (the pixels of
+    one code) has a nonzero weight. `alike`: number of consecutive frames from frame k on with equal
+    weights; these are added up before they are weighted. `lit` and `gathered` are working memory
+    for `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):
@@ -262,7 +262,7 @@ _MOST_KEPT = 1 << 21
 class FrameWeights:
     """Weights (sums, frames, lanes) of frames of light, for all lights with the same `timing`
     (`Light.timing`). `frame_weight` (frames,): how much each frame of light weighs in all slots
-    together."""
+    together. A lane is the pixels of one code."""
 
     timing: Hashable
     weights: NDArray[np.float64]
@@ -271,20 +271,21 @@ class FrameWeights:
     @classmethod
     def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> FrameWeights:
         """Convert the weights `slots`, one array (N, lanes) for each sum, at least one, to weights
-        of the frames of `light`."""
+        of the frames of `light`. A lane is the pixels of one code."""
         flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
         by_frame = light.on_frames(flat).reshape(-1, len(slots), slots[0].shape[1])
         return cls(light.timing, np.ascontiguousarray(by_frame.swapaxes(0, 1)), light.frame_weight)
 
     @cached_property
     def lit_sums(self) -> NDArray[np.uint8]:
-        """Mask (sums, frames): whether any lane has a nonzero weight of a frame."""
+        """Mask (sums, frames): whether any lane (the pixels of one code) has a nonzero weight of a
+        frame."""
         return np.asarray(self.weights.any(axis=2), np.uint8)
 
     @cached_property
     def alike(self) -> NDArray[np.int64]:
         """For each frame, how many successive frames from it on have the same weights in all sums
-        and lanes, (frames,); at least 1, the frame itself."""
+        and lanes, (frames,); at least 1, the frame itself. A lane is the pixels of one code."""
         count = self.weights.shape[1]
         differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
         ends = np.append(np.flatnonzero(differs) + 1, count)
@@ -294,7 +295,7 @@ class FrameWeights:
     @cached_property
     def most_part(self) -> NDArray[np.float64]:
         """The largest weight of a frame in any sum, as a fraction of the frame's total weight, for
-        each lane, (lanes,); 0 for frames without weight."""
+        each lane, (lanes,); 0 for frames without weight. A lane is the pixels of one code."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
         np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
         return np.asarray(fractions.max(axis=(0, 1)))
@@ -302,16 +303,18 @@ class FrameWeights:
 
 class SlotWeights:
     """The weights of slots in one or more sums, each an array (N, lanes). The weights of the last
-    light's frames are cached, because series of frames have the same timing."""
+    light's frames are cached, because series of frames have the same timing. A lane is the pixels
+    of one code."""
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
-        """Store the weights `slots`, an array (N, lanes) for each sum; at least one sum."""
+        """Store the weights `slots`, an array (N, lanes) for each sum; at least one sum. A lane is
+        the pixels of one code."""
         self.slots = [*slots]
         self._last: FrameWeights | None = None
 
     @property
     def lanes(self) -> int:
-        """The number of lanes."""
+        """The number of lanes (groups of pixels with one code each)."""
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
@@ -346,7 +349,7 @@ def light_sums(
     threads: int = 1,
 ) -> NDArray[np.float64]:
     """Return the sums (sums, pixels) of a light's slots, in electrons, each weighted by slot and
-    lane.
+    lane (the pixels of one code).
 
     `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
     and in float32; the latter may be empty if no sum has crosstalk. Sums from number `smeared` on
@@ -384,7 +387,8 @@ def light_sums(
             begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
         ) -> None:
             """Add up the light of the rows from `begin` up to before `end` with the weights of
-            their lanes. The defaults bind the arrays of this batch."""
+            their lanes. The defaults bind the arrays of this batch. A lane is the pixels of one
+            code."""
             lit = np.empty(TOGETHER * BLOCK, np.float32)
             gathered = np.empty(BLOCK)
             scene_sums(

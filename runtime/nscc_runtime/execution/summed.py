@@ -27,8 +27,8 @@ def draw_exposures(
     """Return the exposures of frame number `frame`, in electrons, (buckets, pixels), drawn from the
     moments of its scene without saturation.
 
-    `lane` (rows, cols): the lane of each pixel. `seed`: of the noise. Results do not depend on
-    `threads`."""
+    `lane` (rows, cols): the lane (the pixels of one code) of each pixel. `seed`: of the noise.
+    Results do not depend on `threads`."""
     (rows, cols), (buckets, pixels) = lane.shape, moments.mean_e.shape
     places = np.arange(pixels, dtype=np.int64)
     away = np.empty((0, pixels))

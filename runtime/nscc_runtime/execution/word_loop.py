@@ -30,7 +30,8 @@ PIX in the level of a reset."""
 @inlined
 def begin(switches: Switches, state: PixelState, i: int) -> None:
     """Set the registers, PIX and IN of pixel number `i` of a block to 0, without saturation marks,
-    as at the start of a frame, written at time 0. The reset level is 0."""
+    as at the start of a frame, written at time 0. The reset level is 0. PIX is the photodiode. IN
+    is the level sent to all pixels."""
     for register in range(switches.registers + 2):
         at = register * BLOCK + i
         state.value[at], state.since_s[at] = 0.0, 0.0
@@ -42,8 +43,9 @@ def begin(switches: Switches, state: PixelState, i: int) -> None:
 
 @inlined
 def fill(switches: Switches, numbers: Numbers, state: PixelState, at: int, charge_e: float) -> None:
-    """Add `charge_e` electrons to the PIX at index `at` of state.value; NaN makes it NaN. If the
-    effect of the full well is on, PIX stops at the full well and is marked as full."""
+    """Add `charge_e` electrons to the PIX (the photodiode) at index `at` of state.value; NaN makes
+    it NaN. If the effect of the full well is on, PIX stops at the full well and is marked as full.
+    """
     total = state.value[at] + charge_e
     if switches.holds and total > numbers.well:
         total = numbers.well
@@ -57,7 +59,7 @@ def reset(
 ) -> None:
     """Run the reset word `word` in the pixels state.running[:count]: empty PIX, clear its marks,
     note the time, and set the reset level to its error, that of pixel number j from
-    state.normals[j], or to 0 without reset errors."""
+    state.normals[j], or to 0 without reset errors. PIX is the photodiode."""
     for j in range(count):
         i = state.running[j]
         at = switches.registers * BLOCK + i
@@ -81,7 +83,7 @@ def add(
 
     Registers leak until the word. A read of PIX adds its reset level and an error made from
     state.normals[j]. Directly after a reset at the same boundary, PIX reads without its charge,
-    unless light is let into the level."""
+    unless light is let into the level. PIX is the photodiode."""
     pixels, total, pix = state.running, state.total, switches.registers
     for j in range(count):
         total[j], state.total_lost_e[j], state.total_full[j] = 0.0, 0.0, 0

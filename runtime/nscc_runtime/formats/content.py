@@ -134,8 +134,8 @@ def frame_content(
     Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side,
     or the images, planes and buckets that the program reads. Frames of --repeat make a clip, three
     colours a colour picture. `light`: the scene of a .mat file, None if unknown. `shutters` returns
-    the distinct shutters bool (shutters, buckets, N) of the container. `tone`: the requested tone
-    curve, None for the codes as read out."""
+    the distinct shutters bool (shutters, buckets, N) of the container (a compiled program). `tone`:
+    the requested tone curve, None for the codes as read out."""
     frame, colour = file.frame, "colours" in file.meta
     codes, electrons = _read_out(frame, container)
     return Content(

@@ -37,7 +37,7 @@ class Pathless(Exception):
 
 @dataclass(frozen=True, eq=False)
 class Paths:
-    """The segments of a program.
+    """The segments (parts of a path between two comparisons) of a program.
 
     Segment k consists of the words numbered `acting[start[k] : start[k + 1]]`; only the last may
     compare. `following` int64 (segments, 2): the next segment for the answers 0 and 1, or -1 - e
@@ -55,7 +55,7 @@ class Paths:
 
     @classmethod
     def of(cls, container: Container, retention_us: float = inf) -> Paths:
-        """Return the paths of a container with a state machine.
+        """Return the paths of a container (a compiled program) with a state machine.
 
         A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Pathless
         if there are too many paths, or if an answer, a state or an exposure depends on an unknown
@@ -71,7 +71,8 @@ class Paths:
     @cached_property
     def _packed(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """The bits of each start as one number (see the function `_packed`), ascending, and the
-        first segment of each, both (starts,)."""
+        first segment of each, both (starts,). A segment is the part of a path between two
+        comparisons."""
         numbers = _packed(self.starts, (len(self.first),))
         order = np.argsort(numbers)
         return numbers[order], self.first[order]
@@ -81,7 +82,8 @@ class Paths:
     ) -> NDArray[np.int64]:
         """Return the first segment, or -1 - e for ending e, of each pixel of an array of `shape`.
         `loaded`: bits by register, each an array of this shape; those of all `starts` are needed.
-        Raises ValueError for bits that no code and no kept state has."""
+        Raises ValueError for bits that no code and no kept state has. A segment is the part of a
+        path between two comparisons."""
         numbers, first = self._packed
         loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
@@ -98,7 +100,7 @@ class Paths:
 def paths_of(container: Container, retention_us: float) -> Paths | str:
     """Return the paths of a container with a state machine, or the reason of `Pathless` as a text
     if they cannot be followed; cached. Digital registers keep their values for `retention_us`
-    microseconds."""
+    microseconds. A container is a compiled program."""
     try:
         return Paths.of(container, retention_us)
     except Pathless as why:
@@ -137,15 +139,17 @@ def start_bits(container: Container) -> dict[str, Bits]:
 class _PathReplay:
     """Replays a frame for all paths at once, with one lane for each path that differs so far. Here
     a lane is a set of bits with which pixels go on, and belongs to one segment; a comparison may
-    merge and divide lanes."""
+    merge and divide lanes. A segment is the part of a path between two comparisons."""
 
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
-        """Begin with one lane and one segment for each combination of bits in `starts`: bits
-        (starts,) of the registers known at the start of a frame. All others are unknown.
+        """Begin with one lane (the pixels of one code) and one segment for each combination of bits
+        in `starts`: bits (starts,) of the registers known at the start of a frame. All others are
+        unknown.
 
-        A register reads 0 more than `retention_us` microseconds after it was written."""
+        A register reads 0 more than `retention_us` microseconds after it was written. A segment is
+        the part of a path between two comparisons."""
         self.container, self.target = container, container.target
         self.starts = self.segments = len(next(iter(starts.values()))) if starts else 1
         unknown = np.full(self.starts, UNKNOWN)
@@ -177,7 +181,7 @@ class _PathReplay:
     def distinct_endings(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
         """Return the different endings after `run`, as bits (endings,) by state register, and the
         number of the ending of each lane, (lanes,). Raises Pathless if the bit of a state is
-        unknown."""
+        unknown. A lane is the pixels of one code."""
         planes = self.container.state_planes.values()
         names = sorted({register for state_planes in planes for register in state_planes.registers})
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
@@ -188,9 +192,10 @@ class _PathReplay:
         return dict(zip(names, endings, strict=True)), ending.reshape(-1)
 
     def _met(self, word: RunningWord) -> None:
-        """Record in which segments the analog word `word` acts; a comparison continues each in new
-        segments. Raises Pathless if words times lanes exceed `MOST`, or if it is unknown whether a
-        comparison acts."""
+        """Record in which segments (parts of a path between two comparisons) the analog word `word`
+        acts; a comparison continues each in new segments. Raises Pathless if words times lanes
+        exceed `MOST`, or if it is unknown whether a comparison acts. A lane is the pixels of one
+        code."""
         flag = self.registers.read("FLAG")
         everywhere = (word.resets and self.target.reset_honours_flag == "no") or (
             word.compares and not self.target.where_obeys_flag
@@ -204,9 +209,10 @@ class _PathReplay:
             self._answered(acts)
 
     def _answered(self, is_asked: Bits) -> None:
-        """Continue every lane with the answer 0, and also with the answer 1 where `is_asked`
-        (lanes,) is 1. The answer is written to FLAG, lanes with equal bits are merged, and each
-        remaining one begins a new segment. Raises Pathless if `is_asked` is unknown in a lane."""
+        """Continue every lane (the pixels of one code) with the answer 0, and also with the answer
+        1 where `is_asked` (lanes,) is 1. The answer is written to FLAG, lanes with equal bits are
+        merged, and each remaining one begins a new segment. Raises Pathless if `is_asked` is
+        unknown in a lane. A segment is the part of a path between two comparisons."""
         if (is_asked == UNKNOWN).any():
             raise Pathless("a comparison is made where FLAG is unknown")
         all_lanes = np.arange(len(is_asked))
@@ -230,13 +236,12 @@ def _alive(
     walk: _PathReplay,
     starts: Mapping[str, Bits],
 ) -> Paths:
-    """Return the paths through a frame without words and comparisons that cannot change the
-    result.
+    """Return the paths through a frame without words and comparisons that cannot change the result.
 
     It goes backwards through the segments: a word counts only if it writes a register that a later
     word or the readout reads (a live register). A comparison counts only if its answers lead to
-    different segments. Sets of registers are integers with a bit for each register. A segment
-    number of -1 - k stands for ending k.
+    different segments (parts of a path between two comparisons). Sets of registers are integers
+    with a bit for each register. A segment number of -1 - k stands for ending k.
 
     `words`: all analog words of a frame. `walk`: their finished replay. `starts`: see `Paths`.
     Raises Pathless if an exposure depends on an unknown bit or on registers of the frame before."""
@@ -293,18 +298,21 @@ def _alive(
 
 def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
     """Return the set of the registers `names` as a number: the sum of their bits in `registers`. A
-    name that has none, such as IN, is ignored; a repeated name counts once."""
+    name that has none, such as IN (the level sent to all pixels), is ignored; a repeated name
+    counts once."""
     return sum({registers[name] for name in names if name in registers})
 
 
 def _by_segment(
     walk: _PathReplay, ending: NDArray[np.intp]
 ) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
-    """Return for each segment its analog words as pairs (number of the word, whether it acts: 0, 1
-    or UNKNOWN) in order, and the next segments (segments, 2) for the answers 0 and 1.
+    """Return for each segment (a part of a path between two comparisons) its analog words as pairs
+    (number of the word, whether it acts: 0, 1 or UNKNOWN) in order, and the next segments
+    (segments, 2) for the answers 0 and 1.
 
-    `ending` (lanes,): the ending of each lane after the frame. A number -1 - k stands for ending k
-    instead of a segment. Where no comparison acts, both answers lead to the same."""
+    `ending` (lanes,): the ending of each lane (the pixels of one code) after the frame. A number -1
+    - k stands for ending k instead of a segment. Where no comparison acts, both answers lead to the
+    same."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
         for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):

@@ -61,8 +61,8 @@ class PictureWords:
 
     def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
         """Translate `words` to tables for the compiled loop. Each is an operation and the value of
-        IN set before it, in steps of `target.electrons_per_step`; None leaves IN as it was, at
-        first 0."""
+        IN set before it, in steps of `target.electrons_per_step`; None leaves IN (the level sent to
+        all pixels) as it was, at first 0."""
         self._target, self._table = target, ArrayWords(target)
         in_e, words_with_in = 0.0, list[tuple[Op, float]]()
         for op, level in words:
@@ -155,7 +155,8 @@ class KeptRegisters(Record, eq=False):
 
 @dataclass(frozen=True, eq=False)
 class PicturedProgram:
-    """A container with images and planes, prepared for a sensor and a set of effects.
+    """A container (a compiled program) with images and planes, prepared for a sensor and a set of
+    effects.
 
     `threads`: number of threads (None: all processors); results do not depend on it. `by_words`:
     whether the reference simulates exposures with effects, instead of the faster loops."""
@@ -422,7 +423,8 @@ class _WordsOfParams:
 
     def listed(self, params: Mapping[str, int]) -> list[tuple[Op, int | None]]:
         """Return the words for these values of parameters (by name) in execution order, each with
-        the value of IN set before it in steps, or None if it stays."""
+        the value of IN set before it in steps, or None if it stays. IN is the level sent to all
+        pixels."""
         key = tuple(sorted(params.items()))
         if self._last is None or self._last[0] != key:
             self._last = key, picture_words(self._container, params), None

@@ -30,7 +30,8 @@ class ArrayPixels(WordPixels):
 
     `exposed`: analog registers after the exposure, in electrons. `exposed_by`: their saturation
     marks. `code`: digital registers after the exposure, bool. `cut_by`: the saturation marks of
-    every analog register and of IN while words run. The values of IN have no marks."""
+    every analog register and of IN (the level sent to all pixels) while words run. The values of IN
+    have no marks."""
 
     word_draws = 2  # words after an exposure
     shape: tuple[int, int]
@@ -41,7 +42,8 @@ class ArrayPixels(WordPixels):
 
     def __post_init__(self) -> None:
         """Set the registers as the exposure leaves them; all others, analog and digital, hold
-        arbitrary values of the device seed. IN is 0, and no word has run."""
+        arbitrary values of the device seed. IN (the level sent to all pixels) is 0, and no word has
+        run."""
         # Registers without an exposure have arbitrary contents: here equal in all registers.
         arbitrary = self.arbitrary(0)
         self.begin()
@@ -101,7 +103,8 @@ class ArrayPixels(WordPixels):
 
     def total(self, word: RunningWord) -> Values:
         """Return the sum of a word's sources in each pixel, electrons (pixels,). A neighbour's bus
-        is the content of NEWS there, 0 beyond the array. PIX is not read after the exposure."""
+        is the content of NEWS there, 0 beyond the array. PIX (the photodiode) is not read after the
+        exposure."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name in NEIGHBOURS:
@@ -111,8 +114,9 @@ class ArrayPixels(WordPixels):
         return total
 
     def _bus_on_array(self, word: RunningWord) -> None:
-        """Run an analog word where FLAG is 1: write -(sum of its sources) / divisor to each
-        destination, as the effects of words and registers change it there."""
+        """Run an analog word where FLAG (the bit that lets a pixel act) is 1: write -(sum of its
+        sources) / divisor to each destination, as the effects of words and registers change it
+        there."""
         result = self.total(word) / -word.op.operation.divisor
         cut = self._cut(word.op)
         for index, name in enumerate(word.op.destinations):
@@ -149,8 +153,8 @@ class ArrayPixels(WordPixels):
 
     def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
         """Write `value` (electrons) and its saturation marks `by` to the register `name` where FLAG
-        is 1. If `name` is a neighbour's bus, each pixel gets value and marks of the pixel on the
-        opposite side, 0 at the border, and the register is NEWS."""
+        (the bit that lets a pixel act) is 1. If `name` is a neighbour's bus, each pixel gets value
+        and marks of the pixel on the opposite side, 0 at the border, and the register is NEWS."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
             value = self.moved(value, -right, -down, beyond=0.0)

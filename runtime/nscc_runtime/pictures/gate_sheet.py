@@ -40,7 +40,8 @@ class _Score:
 
     `column`: the column of every drawn gate and demand (a value needed in FLAG), by node, _COLUMNS
     of them per row of the picture. `row`: the line of every register, by name, FLAG last. `until`:
-    the last column in which each value is read, by node; -1 if it is never read."""
+    the last column in which each value is read, by node; -1 if it is never read. FLAG is the bit
+    that lets a pixel act."""
 
     network: DiGraph
     column: dict[str, int]
@@ -208,7 +209,8 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
 
 def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
     """Draw an arrow on the FLAG line into `axes` for each of the nodes `demands`: FLAG then decides
-    which pixels add or reset. `score` is the layout, and `first` the column at the left edge."""
+    which pixels add or reset. `score` is the layout, and `first` the column at the left edge. FLAG
+    is the bit that lets a pixel act."""
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5

@@ -83,8 +83,8 @@ class Audit:
         """Return a clause about the first measured error that exceeds its limit in `plan`: of the
         loop, of the frames' distribution, or of states. None if all are within their limits.
 
-        Errors are reduced by their uncertainty. A plan without a tolerance in electrons limits only
-        the states."""
+        Errors are reduced by their uncertainty. A plan (the effects that are simulated) without a
+        tolerance in electrons limits only the states."""
         if plan.tolerance_e is not None:
             limit_e = SLACK * plan.tolerance_e
             more_than = f"more than {SLACK} times the tolerance of {plan.tolerance_e:.4g} e"

@@ -43,8 +43,9 @@ class EffectChoice:
 
 
 def plan_of(choice: EffectChoice) -> Plan:
-    """Return the plan that `choice` makes: its errors, a decision on every effect with its reason,
-    and its predicted time. Errors are None if nothing was measured."""
+    """Return the plan (the effects that are simulated) that `choice` makes: its errors, a decision
+    on every effect with its reason, and its predicted time. Errors are None if nothing was
+    measured."""
     work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
     effects, scene = request.requested.without(*choice.dropped), choice.work.scene
     reasons = scene.needs_reference(effects)
@@ -77,8 +78,9 @@ def _decision(effect: Effect, choice: EffectChoice) -> Decision:
     costs, and the reason.
 
     In the code, `alone` is the error of dropping only this effect, None if it was not measured.
-    `together` is the error of all that is dropped. `then` is the error of the plan without this
-    effect: `together` if it is dropped already, else the sum of both."""
+    `together` is the error of all that is dropped. `then` is the error of the plan (the effects
+    that are simulated) without this effect: `together` if it is dropped already, else the sum of
+    both."""
     name, request, work = effect.name, choice.request, choice.work
     if effect.kind == "after":
         return _after_exposure(effect, choice)
@@ -124,7 +126,8 @@ def _reason(
     """Return, as text, the reason why the planner simulates an effect or drops it (`off`).
 
     `saved_ms`: milliseconds saved by dropping it. `alone`: the error of dropping it alone. `then`:
-    the error of the plan without the effect. Both are None if they were not measured."""
+    the error of the plan (the effects that are simulated) without the effect. Both are None if they
+    were not measured."""
     if off:
         return ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
     if choice.together is None:

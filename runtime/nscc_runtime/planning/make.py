@@ -116,7 +116,7 @@ def measured_again(
 def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> Plan | None:
     """Return `plan`, made for an earlier scene, with its error measured on this scene; None if the
     error, its bound or the fraction of pixels in other states is too large here for `tolerance`. A
-    plan that drops nothing always fits."""
+    plan (the effects that are simulated) that drops nothing always fits."""
     plan = measured_again(scene, plan, tolerance=tolerance)
     tolerance_e = plan.tolerance_e or 0.0
     fits = not plan.measured or (

@@ -33,8 +33,8 @@ _ROUNDS = 5
 
 @dataclass(frozen=True)
 class Price:
-    """One measured time. `shipped`: the value that plans are chosen by; `measured`: the value on
-    this machine, both in `unit`."""
+    """One measured time. `shipped`: the value that plans (choices of the effects that are
+    simulated) are chosen by; `measured`: the value on this machine, both in `unit`."""
 
     name: str
     description: str

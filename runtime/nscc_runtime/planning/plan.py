@@ -134,8 +134,8 @@ class Plan:
 
     @property
     def allowed(self) -> Tolerance | None:
-        """The tolerance on the scene that the plan was made for; None if it is a fraction of a
-        noise that was not measured."""
+        """The tolerance on the scene that the plan (the effects that are simulated) was made for;
+        None if it is a fraction of a noise that was not measured."""
         if self.tolerance_e is None:
             return None
         return Tolerance(self.tolerance, self.tolerance_e, self.signal_e, self.noise_e)
@@ -165,7 +165,7 @@ class Plan:
         return "; ".join(broken_parts) or None
 
     def __repr__(self) -> str:
-        """Return the plan as one line."""
+        """Return the plan (the effects that are simulated) as one line."""
         return f"<nscc plan: {self.line}>"
 
     def __str__(self) -> str:
@@ -197,7 +197,8 @@ class Plan:
 
     @property
     def time_summary(self) -> str:
-        """A sentence that compares the times of the plan and of simulating every effect."""
+        """A sentence that compares the times of the plan (the effects that are simulated) and of
+        simulating every effect."""
         saved = 1.0 - self.total_ms / self.all_ms if self.all_ms > 0 else 0.0
         return (
             f"a frame takes {self.total_ms:.2f} ms of a core instead of {self.all_ms:.2f} with all "
@@ -206,14 +207,15 @@ class Plan:
         )
 
     def as_json(self) -> dict[str, Any]:
-        """Return the plan as JSON values, as in a frame file's `meta`."""
+        """Return the plan (the effects that are simulated) as JSON values, as in a frame file's
+        `meta`."""
         plain: dict[str, Any] = to_plain(self)
         return plain
 
 
 def _table(plan: Plan) -> str:
-    """Return the plan as text: a row for each effect, then the errors, why words run one by one,
-    and the times. Figures that were not measured are empty."""
+    """Return the plan (the effects that are simulated) as text: a row for each effect, then the
+    errors, why words run one by one, and the times. Figures that were not measured are empty."""
     looks = plan.other_states is not None
     head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
     rows: list[tuple[str, ...]] = [(*head, "other states") if looks else head]
@@ -235,8 +237,9 @@ def _table(plan: Plan) -> str:
 
 
 def _errors(plan: Plan) -> list[str]:
-    """Return the one or two lines of a plan on its errors: predicted, allowed, and in which
-    fraction of the pixels measured; if nothing was measured, the tolerance alone."""
+    """Return the one or two lines of a plan (the effects that are simulated) on its errors:
+    predicted, allowed, and in which fraction of the pixels measured; if nothing was measured, the
+    tolerance alone."""
     if plan.predicted_e is None:
         return [f"no error was measured; tolerance {plan.allowed or plan.tolerance}"]
     lines = [

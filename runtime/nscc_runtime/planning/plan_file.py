@@ -21,7 +21,8 @@ PLAN_SCHEMA = "nscc-plan-2"
 
 @dataclass(frozen=True)
 class StoredPlan:
-    """A plan, and the digests of the program and of the sensor that it was made for."""
+    """A plan (the effects that are simulated), and the digests of the program and of the sensor
+    that it was made for."""
 
     program_sha256: str
     sensor_sha256: str
@@ -33,7 +34,8 @@ _STORED = tuple(field.name for field in fields(StoredPlan))
 
 def plan_text(plan: Plan, program_sha256: str, sensor: Sensor) -> str:
     """Return the JSON text of a plan file, with a final newline. `program_sha256`: digest of the
-    program's container."""
+    program's container (a compiled program). A plan is a choice of the effects that are simulated.
+    """
     stored = StoredPlan(program_sha256, sensor_sha256(sensor), plan)
     return to_json(stored, PLAN_SCHEMA) + "\n"
 
@@ -43,7 +45,8 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     has the digest `program_sha256`, and a given sensor.
 
     Raises Rejected (status 2): NS0747 if the file cannot be read or contains no plan of this
-    version, NS0748 if the plan was made for another program or sensor."""
+    version, NS0748 if the plan was made for another program or sensor. A plan is a choice of the
+    effects that are simulated. A container is a compiled program."""
     stored = _read(path)
     for kind, plan_sha256, actual_sha256 in (
         ("program", stored.program_sha256, program_sha256),
@@ -63,8 +66,9 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
 
 
 def plan_of(path: Path) -> Plan:
-    """Return the plan in a plan file or a frame file (.npz), whatever its program. Raises Rejected
-    (NS0747) for any other file, and for a frame that was exposed without a plan."""
+    """Return the plan (the effects that are simulated) in a plan file or a frame file (.npz),
+    whatever its program. Raises Rejected (NS0747) for any other file, and for a frame that was
+    exposed without a plan."""
     return _read(path).plan
 
 
@@ -99,5 +103,6 @@ def _read(path: Path) -> StoredPlan:
 
 
 def plan_table(plan: Plan, report: Audit | None = None) -> str:
-    """Return the plan as a table, followed by the audit if there is one."""
+    """Return the plan (the effects that are simulated) as a table, followed by the audit if there
+    is one."""
     return str(plan) if report is None else f"{plan}\n{report}"

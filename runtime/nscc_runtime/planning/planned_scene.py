@@ -135,7 +135,7 @@ def planning_of(
 ) -> PlannedScene:
     """Return a program on a scene, to be planned. `device_seed`: of the fixed patterns. `threads`:
     None for all processors. Raises Rejected for programs to which plans do not apply (NS0750), and
-    for light of another size (NS0734)."""
+    for light of another size (NS0734). A plan is a choice of the effects that are simulated."""
     refuse_planless(container, "planning")
     check_size(container, light)
     return PlannedScene(container, sensor, light, device_seed, threads)
@@ -360,7 +360,7 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
 
     For example, nearly all pixels may be full, so that noise changes nothing, except a few. Each of
     these pixels is assumed to change as much as the sampled pixels would if nothing saturated and
-    their light just filled PIX."""
+    their light just filled PIX. PIX is the photodiode."""
     sample, saturating = trial.sample, everything().names(Saturates)
     if not sample.unseen_share or effects.on | saturating >= trial.full.on:
         return 0.0

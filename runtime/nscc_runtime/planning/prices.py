@@ -24,7 +24,8 @@ class Prices:
     `scene`, and `light` for each frame of light and bucket; effects declare their own. A frame by
     the loop over words: `loop`; for each word of a pixel `word`, and `error` for each effect that
     adds an error to it; for each stretch between two words `count`, of each source of charge. The
-    reference: `slot`, each slot. In milliseconds: `trial_ms`, each set of effects on a sample."""
+    reference: `slot`, each slot. In milliseconds: `trial_ms`, each set of effects on a sample. A
+    stretch is the slots between two reads or resets of PIX, the photodiode."""
 
     frame: float = 15.0
     counts: float = 15.0
@@ -59,7 +60,8 @@ class Work:
     def of(cls, scene: PlannedScene) -> Work:
         """Return how much work a frame of `scene` is: words and stretches per pixel, as a mean over
         lanes (all words if pixels look), and pixels near saturation under every effect. If only the
-        reference simulates it, words and stretches are 0."""
+        reference simulates it, words and stretches (groups of slots between reads or resets of PIX)
+        are 0. PIX is the photodiode."""
         effects = everything()
         near = scene.pixels if scene.looks else len(scene.near_pixels(effects).places)
         if scene.needs_reference(effects):

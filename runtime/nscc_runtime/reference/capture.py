@@ -60,7 +60,7 @@ class Reference:
     def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
         """Prepare a program. Raises ValueError for a container without pixels, Rejected if a word
         is invalid (as `nscc.words.legality.decoded`), and Rejected with NS0442 if the words of a
-        program without looks open no shutters."""
+        program without looks open no shutters. A container is a compiled program."""
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
         if KINDS.of(container).open_times_known:
@@ -233,7 +233,8 @@ class ProgramPixels(WordPixels):
 
     def __post_init__(self) -> None:
         """Set the digital registers and FLAG: those in `code` as given, others to arbitrary bits of
-        the device seed; PIX and the analog registers to arbitrary values."""
+        the device seed; PIX (the photodiode) and the analog registers to arbitrary values. FLAG is
+        the bit that lets a pixel act."""
         super().__post_init__()
         bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
@@ -269,7 +270,8 @@ class ProgramPixels(WordPixels):
     def _until(self, word: RunningWord, slot_charge: Values) -> None:
         """Add to PIX the part of `slot_charge` (pixels,), the charge of the slot that begins at the
         word's boundary, that is collected until the word ends. Without the effect of slow words,
-        this is nothing. Update `fallen`, the fraction of the slot collected so far."""
+        this is nothing. Update `fallen`, the fraction of the slot collected so far. PIX is the
+        photodiode."""
         slots, slot_us = self.container.slots, self.container.slot_us
         for ends_us in self.at("time"):
             now = ends_us(word) / slot_us[min(word.boundary, slots - 1)]
@@ -280,7 +282,8 @@ class ProgramPixels(WordPixels):
 
     def run_word(self, word: RunningWord) -> None:
         """Execute one word in all pixels: a reset, a bus word, a comparison, or a digital word. The
-        first two act where FLAG is 1 (a reset everywhere on chips whose resets ignore FLAG)."""
+        first two act where FLAG (the bit that lets a pixel act) is 1 (a reset everywhere on chips
+        whose resets ignore FLAG)."""
         flag = self.digital.read("FLAG") == 1
         match word.op.operation.effect:
             case WordEffect.RESET_PIX:

@@ -29,9 +29,9 @@ def places_of(rows: range, cols: int) -> NDArray[np.int64]:
 class Fallen(NamedTuple):
     """The charge of some rows in successive intervals of slots.
 
-    `charge` float64 (intervals, rows, cols): electrons that reach PIX in each interval. `light`, of
-    the same shape: the electrons of the scene alone, without effects. `valid` (rows, cols): False
-    where a rate is NaN or its count is invalid."""
+    `charge` float64 (intervals, rows, cols): electrons that reach PIX (the photodiode) in each
+    interval. `light`, of the same shape: the electrons of the scene alone, without effects. `valid`
+    (rows, cols): False where a rate is NaN or its count is invalid."""
 
     charge: Charge
     light: Charge

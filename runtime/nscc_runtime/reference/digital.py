@@ -27,8 +27,9 @@ class Digital:
     def __init__(
         self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
     ) -> None:
-        """Begin with `bits` (pixels,) by name, of all digital registers and of FLAG. Registers that
-        are not written again within `retention_us` microseconds read 0."""
+        """Begin with `bits` (pixels,) by name, of all digital registers and of FLAG (the bit that
+        lets a pixel act). Registers that are not written again within `retention_us` microseconds
+        read 0."""
         self.bits: dict[str, Bits] = {name: plane.astype(np.int8) for name, plane in bits.items()}
         nothing = np.zeros_like(self.bits["FLAG"])
         self.bits |= {"SELECT": nothing, "bus": nothing}

@@ -55,7 +55,8 @@ def expose_stream(
     """Return the exposure of frame number `frame` (from 0) of a scene on a chip without logic.
 
     `seeds`: noise seed, device seed. Results do not depend on `threads` (None: all processors).
-    Raises ValueError for a container that sends no bit planes, that is, of a chip with logic."""
+    Raises ValueError for a container (a compiled program) that sends no bit planes, that is, of a
+    chip with logic."""
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
         raise ValueError("a container without planes")

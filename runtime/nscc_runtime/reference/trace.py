@@ -45,8 +45,8 @@ class RunningWord:
     """A word executed at `boundary`, ending `after_us` microseconds after it.
 
     `number`: number of the word among the analog words of a frame (bus, reset and compare words),
-    from 0; a digital word has the number of the next analog one. `in_e`: value of IN in electrons
-    while the word runs."""
+    from 0; a digital word has the number of the next analog one. `in_e`: value of IN (the level
+    sent to all pixels) in electrons while the word runs."""
 
     number: int
     boundary: int
@@ -56,7 +56,7 @@ class RunningWord:
 
     @property
     def resets(self) -> bool:
-        """Whether the word resets PIX."""
+        """Whether the word resets PIX (the photodiode)."""
         return self.op.operation.effect is WordEffect.RESET_PIX
 
     @property
@@ -66,8 +66,8 @@ class RunningWord:
 
     @property
     def sources(self) -> tuple[str, ...]:
-        """Names of the analog registers, PIX and IN that the word reads; a register that is read
-        twice occurs twice. A reset reads nothing."""
+        """Names of the analog registers, PIX (the photodiode) and IN (the level sent to all pixels)
+        that the word reads; a register that is read twice occurs twice. A reset reads nothing."""
         return () if self.resets else self.op.sources
 
     @property
@@ -83,19 +83,22 @@ class RunningWord:
 
 @dataclass(frozen=True, eq=False)
 class AnalogWord(RunningWord):
-    """A bus or reset word, and the mask `lanes` (lanes,) of the lanes in which it acts."""
+    """A bus or reset word, and the mask `lanes` (lanes,) of the lanes (groups of pixels with one
+    code each) in which it acts."""
 
     lanes: Bits
 
     @classmethod
     def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
-        """Return `word` with the mask `lanes` (lanes,) of the lanes in which it acts."""
+        """Return `word` with the mask `lanes` (lanes,) of the lanes (groups of pixels with one code
+        each) in which it acts."""
         return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
 
 
 def running_words(container: Container) -> Iterator[RunningWord]:
     """Yield every word of the exposure of a frame in execution order. Launches at one boundary run
-    in their order in the container, one after the other. IN is 0 e before a launch sets it.
+    in their order in the container (a compiled program), one after the other. IN (the level sent to
+    all pixels) is 0 e before a launch sets it.
 
     Raises Rejected for words that are no operations of the chip (`nscc.words.legality.decoded`)."""
     kernels, target, number = decoded(container), container.target, 0
@@ -139,7 +142,8 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
 
     A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected for
     words that are no operations of the chip (`nscc.words.legality.decoded`), and with NS0442 if
-    FLAG depends on the light."""
+    FLAG depends on the light. A lane is the pixels of one code. FLAG is the bit that lets a pixel
+    act."""
     target, encoding = container.target, container.encoding
     nothing = np.zeros(len(encoding), np.bool_)
     column = {name: i for i, name in enumerate(target.digital_registers)}

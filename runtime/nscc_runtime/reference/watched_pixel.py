@@ -33,8 +33,9 @@ def traced(
     Keys: `registers`, the names of the registers that the program uses; `steps`, at most 4096 of
     the `words` words; `exposure_e`, the electrons of each bucket by name. A step has the
     `boundary`, the end of the word in `us` after the start of the frame, the `word`, and the
-    `values` in the order of `registers`: electrons of PIX and of the analog registers, then bits.
-    Raises Rejected like `Reference.of`, and with NS0510 for chips without logic."""
+    `values` in the order of `registers`: electrons of PIX (the photodiode) and of the analog
+    registers, then bits. Raises Rejected like `Reference.of`, and with NS0510 for chips without
+    logic."""
     refuse_planes(container.target, "there are no words to follow", "see the shutters instead")
     row, col = pixel
     reference = Reference.of(container, sensor, effects)
@@ -68,8 +69,9 @@ class _WatchedPixel(ProgramPixels):
     `_MOST_STEPS` words."""
 
     def __post_init__(self) -> None:
-        """Set the registers at the start of the frame, and list those that are recorded: PIX, the
-        analog and digital registers that some word reads or writes, and FLAG."""
+        """Set the registers at the start of the frame, and list those that are recorded: PIX (the
+        photodiode), the analog and digital registers that some word reads or writes, and FLAG (the
+        bit that lets a pixel act)."""
         super().__post_init__()
         ops = [word.op for word in self.program.words]
         used = {name for op in ops for name in (*op.sources, *op.destinations)}

@@ -30,8 +30,8 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
     """Weights, each an array (lanes, buckets), by name: the number of a word, or this and the index
     of a destination. Names whose weights are all 0 are missing: reading one raises KeyError.
 
-    In long frames most words act in one lane of thousands. Only nonzero rows are stored, and arrays
-    are built on access; they must not be modified."""
+    In long frames most words act in one lane (the pixels of one code) of thousands. Only nonzero
+    rows are stored, and arrays are built on access; they must not be modified."""
 
     def __init__(self) -> None:
         """Begin without weights."""
@@ -39,7 +39,8 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 
     def keep(self, name: Name, weight: Weights) -> None:
         """Store the weights (lanes, buckets) of a name, in place of those stored before; all 0
-        changes nothing. The caller does not change the array afterwards."""
+        changes nothing. The caller does not change the array afterwards. A lane is the pixels of
+        one code."""
         # If more than half of the lanes have weights, a list of them would save little.
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
         if 2 * len(lanes) > len(weight):
@@ -55,8 +56,9 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         return renamed
 
     def __getitem__(self, name: Name) -> Weights:
-        """Return the weights (lanes, buckets) of a name, 0 in the lanes that are not stored. Raises
-        KeyError for a name whose weights are all 0 or were never stored."""
+        """Return the weights (lanes, buckets) of a name, 0 in the lanes (groups of pixels with one
+        code each) that are not stored. Raises KeyError for a name whose weights are all 0 or were
+        never stored."""
         count, lanes, lane_weights = self._held[name]
         if lanes is None:
             return lane_weights
@@ -112,10 +114,10 @@ class Backward:
     """Weights in the exposures; each array ends in (lanes, buckets).
 
     `slots` (N, ..): weights of each slot's charge. The others map the number of an analog word to
-    the weight of its error: `reads`, the noise of reading PIX; `resets`, the noise that PIX keeps
-    after a reset; `errors`, the fixed error that an addition adds to its result, keyed by word
-    number and destination index (signed by `error_sign`); `noise`, the random error that a word
-    adds, for that of an addition."""
+    the weight of its error: `reads`, the noise of reading PIX (the photodiode); `resets`, the noise
+    that PIX keeps after a reset; `errors`, the fixed error that an addition adds to its result,
+    keyed by word number and destination index (signed by `error_sign`); `noise`, the random error
+    that a word adds, for that of an addition. A lane is the pixels of one code."""
 
     slots: Weights
     reads: ByName[int]
@@ -125,8 +127,9 @@ class Backward:
 
     def covariance(self, at: Literal["reads", "resets", "words"]) -> Weights:
         """Return the covariance (buckets, buckets, lanes) of exposures if the errors of one kind
-        are independent, each of variance 1. `at`: errors of reading PIX, errors of resets, or the
-        random errors of words. Without such errors it is 0."""
+        are independent, each of variance 1. `at`: errors of reading PIX (the photodiode), errors of
+        resets, or the random errors of words. Without such errors it is 0. A lane is the pixels of
+        one code."""
         weights = {"reads": self.reads, "resets": self.resets, "words": self.noise}[at]
         _, lanes, buckets = self.slots.shape
         total = np.zeros((buckets, buckets, lanes))
@@ -136,19 +139,22 @@ class Backward:
 
     def variance(self, at: Literal["reads", "resets", "words"]) -> Weights:
         """Return the variance (lanes, buckets) of exposures if the errors of one kind are
-        independent, each of variance 1. `at`: errors of reading PIX, errors of resets, or the
-        random errors of words. Without such errors it is 0."""
+        independent, each of variance 1. `at`: errors of reading PIX (the photodiode), errors of
+        resets, or the random errors of words. Without such errors it is 0. A lane is the pixels of
+        one code."""
         return np.asarray(np.einsum("bbl->lb", self.covariance(at)))
 
     @cached_property
     def error_sum(self) -> Weights:
         """Sum (lanes, buckets) of the weights `errors` of all additions: the change of exposures if
-        each addition has an error of 1 e. It is 0 without additions."""
+        each addition has an error of 1 e. It is 0 without additions. A lane is the pixels of one
+        code."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> NDArray[np.bool_]:
         """Return the shutters (N, lanes, buckets), True where open. Raises Rejected with NS0442 if
-        the weight of a slot is neither 0 nor 1 up to rounding, as with a model that has losses."""
+        the weight of a slot is neither 0 nor 1 up to rounding, as with a model that has losses. A
+        lane is the pixels of one code."""
         is_open = self.slots > 0.5
         if not np.allclose(self.slots, is_open, rtol=0, atol=1e-9):
             raise opens_no_shutters(
@@ -162,14 +168,14 @@ def backward(
     container: Container, words: Sequence[AnalogWord], model: WeightModel = WeightModel()
 ) -> Backward:
     """Return the weights of the slots' charge and of the words' errors in the exposures, for each
-    lane.
+    lane (the pixels of one code).
 
     `words`: all bus and reset words of a frame in the order of execution (`analog_words`); empty or
     ignored for a chip without logic. Digital decay must already be contained in them: they are
     computed with the retention time. `model`: gains, leakage and times of words, by default words
-    without errors. With its `dead_time`, a slot's charge reaches PIX at a constant rate while the
-    words of its boundary run. With `lit_level`, words that read PIX after its reset at the same
-    boundary also read this charge.
+    without errors. With its `dead_time`, a slot's charge reaches PIX (the photodiode) at a constant
+    rate while the words of its boundary run. With `lit_level`, words that read PIX after its reset
+    at the same boundary also read this charge.
 
     A shutter that is open in the slots 1 and 2 of four counts their charge once. If every word
     loses a tenth, the two words between a slot and the readout leave 0.81 of it, and the
@@ -264,8 +270,8 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
 
 def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
     """Return a mask (words, lanes, 1): True if an earlier word of the same boundary has reset PIX
-    in this lane. `executed`: the words of one boundary in order, at least one. The last axis fits
-    the buckets of weights."""
+    (the photodiode) in this lane (the pixels of one code). `executed`: the words of one boundary in
+    order, at least one. The last axis fits the buckets of weights."""
     is_fresh = np.zeros((len(executed), lanes), np.bool_)
     for index, word in enumerate(executed[:-1]):
         is_fresh[index + 1] = is_fresh[index] | (word.lanes & word.resets)
@@ -292,8 +298,9 @@ def _through(
     """Change the weights of registers from those after `word` to those before it, in place, and
     store the weights of the word's errors in `result`.
 
-    `weight`: by name of an analog register, PIX and IN, how much of its content reaches the
-    exposures, (lanes, buckets). In lanes in which the word does not act nothing changes."""
+    `weight`: by name of an analog register, PIX (the photodiode) and IN, how much of its content
+    reaches the exposures, (lanes, buckets). In lanes (groups of pixels with one code each) in which
+    the word does not act nothing changes."""
     acts = word.lanes[:, None]
     if word.resets:
         result.resets.keep(word.number, weight["PIX"] * acts)

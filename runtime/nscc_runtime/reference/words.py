@@ -31,7 +31,7 @@ ADDED, SUBTRACTED, LEVEL = 1, 2, 4  # bits of `Marks.full`
 
 
 class Marks:
-    """Saturation marks of some pixels, by register and PIX; arrays are (pixels,).
+    """Saturation marks of some pixels, by register and PIX (the photodiode); arrays are (pixels,).
 
     `full`: uint8 by name; its bits tell whether the content includes a full PIX with positive sign
     (ADDED), with negative sign (SUBTRACTED), or in a reset level (LEVEL). `lost`: by name, the
@@ -50,12 +50,13 @@ class Marks:
         self.lost = {name: np.zeros(pixels) for name in registers}
 
     def fill(self, full: NDArray[np.bool_]) -> None:
-        """Mark PIX as full where the mask `full` (pixels,) is True; other marks of PIX stay."""
+        """Mark PIX (the photodiode) as full where the mask `full` (pixels,) is True; other marks of
+        PIX stay."""
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
     def fallen(self, pixels: Pixels, charge: Values) -> Values:
-        """Return the charge (pixels,) of PIX, in electrons, after the effects of the full well.
-        Mark PIX as full where an effect with such a mark has reduced the charge."""
+        """Return the charge (pixels,) of PIX (the photodiode), in electrons, after the effects of
+        the full well. Mark PIX as full where an effect with such a mark has reduced the charge."""
         for effect, clip in self.effects.acting("well"):
             charge_before, charge = charge, clip(pixels, charge)
             if "well" in effect.marks:
@@ -72,7 +73,8 @@ class Marks:
         return value, lost_e
 
     def empty(self, acting: NDArray[np.bool_]) -> None:
-        """Clear the marks of PIX where it is reset: in the pixels of the mask `acting`."""
+        """Clear the marks of PIX (the photodiode) where it is reset: in the pixels of the mask
+        `acting`."""
         self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
 
     def gathered(
@@ -81,9 +83,9 @@ class Marks:
         """Return the marks, as bits ADDED, SUBTRACTED and LEVEL, and the lost electrons that the
         result of the bus word `op` inherits from its sources, each (pixels,).
 
-        `unseen`: where the word reads the reset level without the charge of PIX; a full PIX leaves
-        no mark there. `lit`: where it reads the reset level with light; LEVEL is set there if PIX
-        is full."""
+        `unseen`: where the word reads the reset level without the charge of PIX (the photodiode); a
+        full PIX leaves no mark there. `lit`: where it reads the reset level with light; LEVEL is
+        set there if PIX is full."""
         full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
             source_full = self.full[name]
@@ -135,9 +137,9 @@ Bits = NDArray[np.bool_]
 
 
 class Resets:
-    """The reset levels of some pixels, in electrons, and when PIX was reset; arrays are (pixels,).
-    Boundaries are numbers that never decrease from call to call. All pixels begin at level 0, as if
-    reset before the frame."""
+    """The reset levels of some pixels, in electrons, and when PIX (the photodiode) was reset;
+    arrays are (pixels,). Boundaries are numbers that never decrease from call to call. All pixels
+    begin at level 0, as if reset before the frame."""
 
     def __init__(self, effects: Selection, pixels: int) -> None:
         """Begin with a reset level of 0 in all `pixels` pixels, before the first boundary.
@@ -155,19 +157,19 @@ class Resets:
         self._last = np.where(acting, boundary, self._last)
 
     def unseen(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words do not read the charge of PIX: PIX was reset at this
-        boundary, and no effect lets light into the level."""
+        """Return a mask of pixels where words do not read the charge of PIX: PIX (the photodiode)
+        was reset at this boundary, and no effect lets light into the level."""
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
     def lit(self, boundary: float) -> Bits:
         """Return a mask of pixels where words read the reset level plus light since the reset: PIX
-        was reset at this boundary, and an effect lets light into the level."""
+        (the photodiode) was reset at this boundary, and an effect lets light into the level."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
     def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
-        """Return the electrons (pixels,) that `word` reads from PIX at `boundary` when PIX contains
-        `charge`: reset level and charge. Where PIX was reset at this boundary, the charge is left
-        out, or what effects that let light into the level make of it."""
+        """Return the electrons (pixels,) that `word` reads from PIX (the photodiode) at `boundary`
+        when PIX contains `charge`: reset level and charge. Where PIX was reset at this boundary,
+        the charge is left out, or what effects that let light into the level make of it."""
         charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
         for lit in self._letting_in:
             charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)
@@ -232,17 +234,17 @@ def in_rows(
 class WordPixels(Pixels):
     """The contents of some pixels while the words of one frame run. All arrays are (pixels,).
 
-    `charge`: electrons of PIX. `register`: electrons of the analog registers by name. `word_draws`:
-    the source number, in random keys, of draws for single words; a subclass whose words have other
-    numbers has another."""
+    `charge`: electrons of PIX (the photodiode). `register`: electrons of the analog registers by
+    name. `word_draws`: the source number, in random keys, of draws for single words; a subclass
+    whose words have other numbers has another."""
 
     word_draws: ClassVar[int] = WORD_DRAWS
     container: Container
     effects: Selection
 
     def __post_init__(self) -> None:
-        """Set PIX and the analog registers to arbitrary values of the device seed, without
-        saturation marks."""
+        """Set PIX (the photodiode) and the analog registers to arbitrary values of the device seed,
+        without saturation marks."""
         self.begin()
         names = ("PIX", *self.target.analog_registers)
         start = {name: self.arbitrary(i) for i, name in enumerate(names)}
@@ -283,26 +285,26 @@ class WordPixels(Pixels):
         return self.draw(name, number)
 
     def fall(self, charge: Values) -> None:
-        """Add `charge` (pixels,), in electrons, to PIX, which may saturate."""
+        """Add `charge` (pixels,), in electrons, to PIX (the photodiode), which may saturate."""
         self.charge = self.marks.fallen(self, self.charge + charge)
 
     def hold(self, seconds: float) -> None:
-        """Let analog registers leak for a time in seconds, if effects do so; PIX keeps its
-        charge."""
+        """Let analog registers leak for a time in seconds, if effects do so; PIX keeps its charge.
+        PIX is the photodiode."""
         for decay in self.at("hold"):
             remaining = decay(self, seconds)
             self.register = {name: value * remaining for name, value in self.register.items()}
 
     def reset(self, word: RunningWord, acting: Bits) -> None:
-        """Run the reset word `word`: empty PIX in the pixels of the mask `acting`, clear its marks,
-        and set its reset level."""
+        """Run the reset word `word`: empty PIX (the photodiode) in the pixels of the mask `acting`,
+        clear its marks, and set its reset level."""
         self.charge = np.where(acting, 0.0, self.charge)
         self.marks.empty(acting)
         self.resets.reset(self, acting, word, word.boundary)
 
     def total(self, word: RunningWord) -> Values:
         """Return the sum of a word's sources in electrons (pixels,); reading PIX adds its reset
-        level and read errors."""
+        level and read errors. PIX is the photodiode."""
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name == "IN":

@@ -170,7 +170,8 @@ class Placement:
 
     def widened(self, container: Container) -> Container:
         """Return a copy of `container` with the codes of every pixel of the picture; the container
-        itself if it has no codes of pixels, or if one array is enough."""
+        itself if it has no codes of pixels, or if one array is enough. A container is a compiled
+        program."""
         if container.pixel_codes is None or self.fits_one_array:
             return container
         return replace(container, pixel_codes=self.repeated(container.pixel_codes))

@@ -91,9 +91,9 @@ def video_pages(path: Path) -> Pages:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
-    """Open the video `path` for a with block, and yield its container and the stream of the film:
-    the one marked as the default, else the first that is no cover. Files that it names are never
-    opened. Raises ValueError without a film, and FFmpeg's errors."""
+    """Open the video `path` for a with block, and yield its container (a compiled program) and the
+    stream of the film: the one marked as the default, else the first that is no cover. Files that
+    it names are never opened. Raises ValueError without a film, and FFmpeg's errors."""
     import av
 
     # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist

@@ -112,12 +112,12 @@ def read_coded_frames(
     """Read the frame file `path` that any program wrote. Return one frame, or three (red, green,
     blue) if it was exposed once for each colour.
 
-    Repeated frames are averaged. `program` is the container or text that exposed the frame; it is
-    needed if the file contains no shutters, and checked if it does. `dark` is a frame file of the
-    same program without light: each pixel's dark value replaces the mean offset of the words.
-    `warn` receives warnings about `dark`. Raises Rejected: NS0819 for an invalid file, missing
-    shutters, or a program or dark frame that does not belong to the frame, and the errors of
-    loading `program`."""
+    Repeated frames are averaged. `program` is the container (a compiled program) or text that
+    exposed the frame; it is needed if the file contains no shutters, and checked if it does. `dark`
+    is a frame file of the same program without light: each pixel's dark value replaces the mean
+    offset of the words. `warn` receives warnings about `dark`. Raises Rejected: NS0819 for an
+    invalid file, missing shutters, or a program or dark frame that does not belong to the frame,
+    and the errors of loading `program`."""
     try:
         arrays, meta = read_frame_arrays(
             path, lambda name: name == "saturated" or name.startswith("decode_")

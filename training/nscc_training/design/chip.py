@@ -86,7 +86,7 @@ class DesignChip:
 
     def _words_e2(self, reads: int, additions: int, moves: int) -> float:
         """Return the variance, in square electrons, that a pixel's words add: so many `reads` of
-        PIX, `additions` and `moves` of values."""
+        PIX (the photodiode), `additions` and `moves` of values."""
         words = self.effects.find_part(WordGain)
         move_noise = 1.0 if words is None else words.move_noise(self.sensor)
         times = {"reads": reads, "words": additions + moves * move_noise**2, "resets": 0.0}
@@ -130,15 +130,15 @@ class DesignChip:
 
     @cached_property
     def levels(self) -> NDArray[np.int64]:
-        """The levels to try, int64, in steps of IN, increasing from 1: at most `_MOST_LEVELS`,
-        evenly spaced."""
+        """The levels to try, int64, in steps of IN (the level sent to all pixels), increasing from
+        1: at most `_MOST_LEVELS`, evenly spaced."""
         most = most_steps(self.target, self.sensor.full_well_e)
         return np.unique(np.linspace(1, most, _MOST_LEVELS).round().astype(np.int64))
 
 
 def most_steps(target: Target, well_e: float) -> int:
     """Return the largest level of a look in steps of IN: below a full well (`well_e`) and the
-    largest value of a register; at least 1."""
+    largest value of a register; at least 1. IN is the level sent to all pixels."""
     full_e = min(target.full_well_e, target.register_max_e, well_e)
     below = math.ceil(full_e / target.electrons_per_step) - 1
     return max(1, min(target.in_high, below))

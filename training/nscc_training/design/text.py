@@ -67,7 +67,8 @@ def tile_text(
 
 def level_text(steps: int, target: Target) -> str:
     """Return a level of `steps` steps of IN as percent of a full well, with the fewest decimals
-    from which the compiler gets the same number of steps, such as "22%"."""
+    from which the compiler gets the same number of steps, such as "22%". IN is the level sent to
+    all pixels."""
     percent = 100 * steps * target.electrons_per_step / target.full_well_e
     candidates = (f"{percent:.{digits}f}" for digits in count())
     return next(f"{text}%" for text in candidates if level_steps(float(text), "%", target) == steps)

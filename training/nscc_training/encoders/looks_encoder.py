@@ -23,7 +23,8 @@ class LooksEncoder(Encoder):
     level. All pixels have the same looks.
 
     Its tile is (1, looks). Its parameters are the logarithms of the boundaries of looks, to base 2,
-    and the levels of looks in steps of IN, 1 to `spec.levels`."""
+    and the levels of looks in steps of IN, 1 to `spec.levels`. IN is the level sent to all pixels.
+    """
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin with all looks at boundary 1 and level 1; the tile (1, looks) says how many. Raise

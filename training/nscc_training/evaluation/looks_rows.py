@@ -65,7 +65,7 @@ _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 
 def row_of(name: str, target: Target) -> LookSchedule:
     """Return the looks of the method `name`, a key of ROWS (else KeyError), on a chip: boundaries,
-    and levels in steps of IN, which depend on its full well."""
+    and levels in steps of IN (the level sent to all pixels), which depend on its full well."""
     at, percent = ROWS[name]
     return LookSchedule(at, (level_steps(percent, "%", target),) * len(at))
 

@@ -54,8 +54,8 @@ def _compile(values: Values, _task: PointTask) -> Figures:
 
 def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
     """Return the figures that the report of a program (`build_report`) has for every chip, by name:
-    class, shutters, lowering, times in microseconds, and the first digits of the SHA-256 of its
-    text."""
+    class, shutters, lowering (a way to compute the exposure), times in microseconds, and the first
+    digits of the SHA-256 of its text."""
     return {
         "program_class": build_report["class"],
         "shutters": build_report["codes"]["shutters"],

@@ -155,7 +155,7 @@ class NamedLight:
 @dataclass(frozen=True)
 class MeasuredPlan:
     """A plan for the tolerance that is called `setting`, and `measured_e`, its measured RMS error
-    in electrons in the worst bucket."""
+    in electrons in the worst bucket. A plan is a choice of the effects that are simulated."""
 
     setting: str
     plan: Plan
@@ -177,8 +177,9 @@ class EmulatorStudy:
     """The result of one scene: `points` in electrons and in LSB, `measured_plans` by tolerance, and
     bounds.
 
-    `floor_ms` is the time to read the scene from memory once. `budget` is the plan that is shown
-    effect by effect. `refused` are methods that could not run, with the reasons."""
+    `floor_ms` is the time to read the scene from memory once. `budget` is the plan (the effects
+    that are simulated) that is shown effect by effect. `refused` are methods that could not run,
+    with the reasons."""
 
     scene: str
     points: tuple[Point, ...]
@@ -254,12 +255,12 @@ class EmulatorBench:
 
     @cached_property
     def plans(self) -> dict[str, Plan]:
-        """The plan of each tolerance, by its name."""
+        """The plan (the effects that are simulated) of each tolerance, by its name."""
         return {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
 
     @cached_property
     def budget(self) -> Plan:
-        """The plan that is shown effect by effect."""
+        """The plan (the effects that are simulated) that is shown effect by effect."""
         return self._plan(self._tolerance(self.settings.budget))
 
     @cached_property
@@ -292,17 +293,19 @@ class EmulatorBench:
     @cache  # noqa: B019  # a bench lives as long as the command
     def plan_error(self, name: str) -> tuple[float, float]:
         """Return the RMS error of the plan for the tolerance `name`, in electrons and in codes,
-        measured against the reference with the same random numbers. Results are cached."""
+        measured against the reference with the same random numbers. Results are cached. A plan is a
+        choice of the effects that are simulated."""
         rms_e = audit(self._on(self.scene.light), self.plans[name]).measured_rms_e
         return rms_e, rms_e / self.program.sensor.electrons_per_lsb
 
     def first_frame(self, name: str) -> Frame:
-        """Return a frame under the plan for the tolerance `name`, which exists before the time is
-        measured."""
+        """Return a frame under the plan (the effects that are simulated) for the tolerance `name`,
+        which exists before the time is measured."""
         return self._first(self.plans[name])
 
     def first_planned(self, tolerance: Tolerance) -> Frame:
-        """Make a plan for a tolerance, and return a frame under it."""
+        """Make a plan (the effects that are simulated) for a tolerance, and return a frame under
+        it."""
         return self._first(self._plan(tolerance))
 
     def result(self, measured: StudyResult, gb_per_s: float) -> EmulatorStudy:
@@ -341,14 +344,14 @@ class EmulatorBench:
         return tolerance_of(tolerance, scene.sensor, scene)
 
     def _plan(self, tolerance: Tolerance) -> Plan:
-        """Make the plan for a tolerance, of light without stored sums, so that its time includes
-        them."""
+        """Make the plan (the effects that are simulated) for a tolerance, of light without stored
+        sums, so that its time includes them."""
         light = unknown(self.scene.light)
         return make_plan(self._on(light), PlanRequest(selected("auto"), tolerance, figures=True))
 
     def _first(self, plan: Plan) -> Frame:
-        """Return a frame under a plan, of light without stored sums, so that its time includes
-        them."""
+        """Return a frame under a plan (the effects that are simulated), of light without stored
+        sums, so that its time includes them."""
         light = unknown(self.scene.light)
         return next(iter(self._on(light).frames(plan.kept, self.settings.seed, 1)))
 

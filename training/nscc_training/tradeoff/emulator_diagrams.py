@@ -82,7 +82,8 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
 
     Each scene has a colour. A line joins the two errors of a plan: a large hollow mark is the
     prediction, a small full mark the measurement. Errors too small for the axis are drawn at its
-    lower end, with the measured value as text. Raise ValueError without plans."""
+    lower end, with the measured value as text. Raise ValueError without plans (choices of the
+    effects that are simulated)."""
     from matplotlib.lines import Line2D
 
     plans = [

@@ -66,8 +66,8 @@ class EmulatorBenches:
         return tuple(bench.result(measured, self.gb_per_s) for bench in self.benches)
 
     def keep_promises(self, measured: StudyResult) -> bool:
-        """Return whether no plan has a measured error above its tolerance, with the slack of
-        `keeps_promise`."""
+        """Return whether no plan (the effects that are simulated) has a measured error above its
+        tolerance, with the slack of `keeps_promise`."""
         results = self.results(measured)
         return all(keeps_promise(plan) for scene in results for plan in scene.measured_plans)
 

@@ -32,8 +32,8 @@ def keeps_promise(measured_plan: MeasuredPlan) -> bool:
 
 
 def studies_text(studies: Sequence[EmulatorStudy], gb_per_s: float) -> str:
-    """Return all tables as text: for each of `studies` the methods, then the plan for its error
-    budget.
+    """Return all tables as text: for each of `studies` the methods, then the plan (the effects that
+    are simulated) for its error budget.
 
     `gb_per_s` is the speed of memory copies, which the first line says."""
     tables = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
@@ -78,8 +78,8 @@ def _methods_text(study: EmulatorStudy) -> str:
 
 
 def _setting(measured_plan: MeasuredPlan) -> str:
-    """Return the tolerance of a plan as text. If it is not in electrons (such as 1% or 0.1lsb), its
-    value in electrons follows."""
+    """Return the tolerance of a plan (the effects that are simulated) as text. If it is not in
+    electrons (such as 1% or 0.1lsb), its value in electrons follows."""
     plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
     if plain:
         return measured_plan.setting
@@ -91,7 +91,7 @@ def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> s
     large), or that another point is better in error and time; else "".
 
     `beaten` says whether another point is better. `measured_plan` is None for methods without a
-    plan."""
+    plan (the effects that are simulated)."""
     if measured_plan is not None and not keeps_promise(measured_plan):
         return f"PROMISE BROKEN: {SLACK:g} x {measured_plan.tolerance_e:g} e"
     # Planning time is expected, so it is not marked.

@@ -53,7 +53,7 @@ class Joint:
     def advice(self, points: Sequence[Point]) -> dict[str, tuple[Point | None, bool]]:
         """Return the recommendation for each stage of nscc (compile, lowering, slots, effects,
         decoder) by name: the recommended one of `points`, None if the stage has no point, and
-        whether its error reaches the target."""
+        whether its error reaches the target. A lowering is a way to compute the exposure."""
         return {
             stage: advised([p for p in points if p.case == stage], self.target_percent)
             for stage in self.request.stages
@@ -63,8 +63,9 @@ class Joint:
 def joint_study(
     request: JointRequest, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Study:
-    """Return the study of time against error of the stages that `request` names: compile, lowering,
-    slots, effects, decoder. Messages about program and scene are passed to `warn`.
+    """Return the study of time against error of the stages that `request` names: compile, lowering
+    (a way to compute the exposure), slots, effects, decoder. Messages about program and scene are
+    passed to `warn`.
 
     Raises Rejected for an invalid program, scene or target. A setting or stage that cannot be
     measured is recorded with its reason."""

@@ -48,7 +48,7 @@ class Bench:
     sensor, light, and a frame with all effects. Each is computed when it is first needed.
 
     `warn` receives messages. `notes` collects remarks on the numbers of stages. `known_errors`
-    holds errors of programs by their digest."""
+    holds errors of programs by their digest. A lowering is a way to compute the exposure."""
 
     request: JointRequest
     warn: Callable[[Diagnostic], None] = lambda _: None
@@ -132,8 +132,8 @@ class Bench:
         )
 
     def noise_e(self) -> float:
-        """Return the standard deviation of the frame's noise in electrons, as a plan of the program
-        and scene predicts it."""
+        """Return the standard deviation of the frame's noise in electrons, as a plan (the effects
+        that are simulated) of the program and scene predicts it."""
         seed = self.request.device_seed
         return planning_of(self.container, self.sensor, self.light, seed).noise_e()
 

@@ -59,7 +59,8 @@ def compiling(bench: Bench) -> Iterator[StudyPoint]:
     compiled program's frame."""
 
     def figures(level: int, compiled: Compiled) -> Figures:
-        """Return error, lowering and number of words of the program, compiled at this level."""
+        """Return error, lowering (a way to compute the exposure) and number of words of the
+        program, compiled at this level."""
         container = bench.with_codes(compiled)
         return {
             PERCENT: bench.error_percent(container),
@@ -83,7 +84,7 @@ def lowering(bench: Bench) -> Iterator[StudyPoint]:
 
     def measured(name: str) -> Figures:
         """Return the error, the time of the shortest frame in ms, and the number of words of the
-        program with the lowering `name`."""
+        program with the lowering `name`. A lowering is a way to compute the exposure."""
         compiled = bench.compiled(source, lowering=name)
         container = bench.with_codes(compiled)
         return {
@@ -157,8 +158,8 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
     ways.append(("all", scaled_text(request.target_error, 1.0)))
 
     def planning() -> PlannedScene:
-        """Return the scene for a plan. Its light has no stored sums, because computing them is part
-        of the frame's time."""
+        """Return the scene for a plan (the effects that are simulated). Its light has no stored
+        sums, because computing them is part of the frame's time."""
         light = unknown(bench.light)
         return planning_of(container, bench.sensor, light, request.device_seed)
 

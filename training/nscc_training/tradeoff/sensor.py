@@ -89,7 +89,7 @@ def sensor_points(settings: SensorStudySettings) -> list[StudyPoint]:
     "looks-N" and "designed-N" for pixels that look N times, with the usual or with designed times
     and levels. Clips have as many frames as the largest number of slots. Stills are exposed by
     class b on a tile of 2 x 2 stops, and by pixels that look. Raises Rejected (NS0811) for a folder
-    without scenes."""
+    without scenes. A lowering is a way to compute the exposure."""
     kinds = KINDS if settings.data is None else kinds_in(settings.data)
     shapes = [("clips", *shape) for shape in product(settings.classes, settings.slots)]
     shapes += [("stills", "b", slots) for slots in settings.stop_slots]
@@ -216,7 +216,8 @@ def _clip(
 
 def sensor_diagram(points: Sequence[Point], target: str, slot_us: float | None) -> Figure:
     """Draw the PSNR of points against the shortest slot. Stills have a panel for their class and
-    one for pixels that look; clips have a panel for each kind of codes and lowering.
+    one for pixels that look; clips have a panel for each kind of codes and lowering (a way to
+    compute the exposure).
 
     `slot_us` is the length of the slots, None if each program has its shortest; the note says so.
     """

@@ -43,8 +43,8 @@ class StudiedProgram:
     codes: Codes
 
     def compiled(self, lowering: Lowering, level: int) -> Compiled:
-        """Compile the program from text to proof with this lowering and level, without the cache.
-        Raise Rejected if it does not fit."""
+        """Compile the program from text to proof with this lowering (a way to compute the exposure)
+        and level, without the cache. Raise Rejected if it does not fit."""
         options = Options(level=level, codes=self.codes, lowering=lowering, cache=False)
         return run_passes(self.source, self.base, options)
 
@@ -83,7 +83,7 @@ def programs_of(files: Sequence[Path]) -> tuple[StudiedProgram, ...]:
 
 def synthesis_study(programs: Sequence[StudiedProgram], settings: SynthesisStudySettings) -> Study:
     """Return the study of each combination of program, lowering and level, with the words that
-    `settings.count` names as its error."""
+    `settings.count` names as its error. A lowering is a way to compute the exposure."""
     count = settings.count
     words = _WORDS[count]
     points = [
@@ -123,8 +123,9 @@ def word_figures(count: Count, compiled: Compiled) -> Figures:
 
 
 def synthesis_diagram(words: str, measured: StudyResult, device: str) -> Figure:
-    """Draw words against compile time: a panel for each program, a line for each lowering. `words`
-    says which words are counted, and `device` is named in the note."""
+    """Draw words against compile time: a panel for each program, a line for each lowering (a way to
+    compute the exposure). `words` says which words are counted, and `device` is named in the note.
+    """
     points = measured.points
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
