@@ -76,6 +76,7 @@ def with_pixels(
         return KINDS.of(container).with_planes(replace(container, pixel_codes=codes))
     if container.pixel_codes is not None:
         return container
+    # Without fields there is one code, number 0, which all pixels have.
     if not fields:
         everywhere = np.zeros((target.rows, target.cols), np.int32)
         return KINDS.of(container).with_planes(replace(container, pixel_codes=everywhere))
@@ -104,6 +105,7 @@ def program_text(source: object, folder: str | os.PathLike[str] | None) -> tuple
             f"nscc.compile takes a program's path or its text, not {shown(source)}",
             helps=("a str that ends in .nsl is a path, any other the text of a program",),
         )
+    # A single word without white space is more likely a mistyped path than a program.
     if isinstance(source, str) and ("\n" in source or not source.lower().endswith(_PATHS)):
         if source.strip() and not any(map(str.isspace, source.strip())):
             raise wrong_argument(

@@ -53,6 +53,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
         price_all="report" in places_by_kind,  # only the report lists the other lowerings
         see=_printer(after),
     )
+    # A chip that is sent bit planes has no gates to print.
     if after == "gates":
         refused_option = "--print-after gates does not apply to this program"
         refuse_planes(compiled.program.target, refused_option, "its other passes can be printed")
@@ -61,9 +62,11 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
     say(compiled.diagnostics)
     container = out if out is not None else file.with_suffix(".icw")
     products: dict[Path, bytes] = {}
+    # Without `--emit`, or with `-o` beside it, the container is written too.
     if out is not None or not places_by_kind:
         places_by_kind.setdefault("icw", False)
     for kind, to_terminal in places_by_kind.items():
+        # A product may have further files beside it, such as the pictures that C++ code loads.
         (name, data), *beside = emitted(kind, compiled, container.stem).items()
         if not to_terminal:
             products.update(

@@ -87,6 +87,7 @@ def serve(**options: Any) -> None:
         warn=lambda diagnostic: support.show([diagnostic]),
         failed=_report,
     )
+    # Compiling the loops takes seconds, so it happens before the port is announced.
     support.say_compiling(expose_pixels, "the emulator's loops")
     expose_pixels.load()
     with stand_in.loaded(options["machine"], target, chip, say_done) as running:
@@ -177,6 +178,8 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
     if options["out"] is not None and (options["count"] or options["every"]):
         raise click.UsageError("--count and --every go with --to FOLDER")
+    # Without a program, the device exposes with the one that it holds, and the settings are
+    # empty.
     if program is not None and options["target"] and program.suffix.lower() == ".icw":
         raise rejected(
             "NS0743",

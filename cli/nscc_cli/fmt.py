@@ -46,6 +46,8 @@ def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
             continue
         differs = text != source.text
         changed += differs
+        # `--diff` and `--check` only report; standard input is printed, and other files are
+        # rewritten.
         if diff:
             lines = source.text.splitlines(keepends=True), text.splitlines(keepends=True)
             click.echo("".join(unified_diff(*lines, source.name, source.name)), nl=False)

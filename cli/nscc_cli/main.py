@@ -127,6 +127,7 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
         try:
             status = _invoke(arguments, session)
         except Exception as error:
+            # A library may turn Ctrl-C into an error of its own; it still counts as an interrupt.
             if interrupts:
                 raise KeyboardInterrupt from error
             raise

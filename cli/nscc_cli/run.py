@@ -224,6 +224,7 @@ def _run_on_emulator(
         say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")
         if simulated.audit is not None:
             say_done(str(simulated.audit))
+    # The summary gives one set of figures if all repeated frames are equal.
     kept = container.keeps_states
     alike = request.effects.noiseless and not kept
     colours = "colours" in exposed.laid
@@ -258,6 +259,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc_runtime.timings import Timings
 
     place, scene = options["place"], options["scene"]
+    # The options of the simulation do not apply to a device.
     _refuse_simulation(place, scene, keep)
     timings = Timings()
     with timings.measure("compile_s"):
@@ -282,6 +284,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
             )
     say(messages_so_far)
     out = frame_path(program, options)
+    # The place is either a Python host of the chip's maker or a serial port.
     if place.startswith(HOST):
         from nscc_runtime.device.host_module import expose_by_host
         from nscc_runtime.effects import everything

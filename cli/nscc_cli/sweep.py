@@ -97,5 +97,6 @@ def command(
     for line in summary_lines(swept):
         say_done(line)
     if swept.failed:
+        # A sweep in which no program fits its chip has no results, which is a failure, too.
         raise failures(swept)
     return 1 if swept.misfits == len(swept.table) else 0

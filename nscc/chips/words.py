@@ -116,6 +116,7 @@ def _row(values: Any, who: str) -> Operation:
     if the table is invalid: the first fault that is found."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is not a table of keys")
+    # From here on, messages name the word instead of its number.
     if isinstance(values.get("name"), str):
         who = ascii(values["name"][:40])
     for key in values:
@@ -149,6 +150,7 @@ def _row(values: Any, who: str) -> Operation:
     inverted = keys["inverted"]
     if not isinstance(inverted, bool) or (inverted and effect is not WordEffect.DIGITAL):
         raise ValueError(f"{who} is inverted, but only digital words can be inverted")
+    # Python counts True and False as integers; they are not times.
     number = isinstance(us, int | float) and not isinstance(us, bool)
     if us is not None and not (number and isfinite(us) and 0 < us <= 1e6):
         raise ValueError(f"{who} takes a number of microseconds above 0 and up to 1000000 (us)")

@@ -68,6 +68,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     if "#" in re.split(r"[\r\n]", before[end:])[-1]:  # in a comment
         return Span(offset, offset), []
     starts = statement_starts(tokens)
+    # Inside an unclosed quotation mark, a digest or a path is completed.
     if tokens.kinds[-1:] == ["UNCLOSED"]:
         opening = len(tokens.kinds) - 1
         span = Span(tokens.span(opening).start + 1, offset)
@@ -89,6 +90,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
         if ending is None:
             return span, []
         return span, list(_files(document, document.text[span.start : offset], ending))
+    # Elsewhere, the part of a word before the cursor is replaced.
     match = _WORD.search(before)
     typed = match.group() if match else ""
     span = Span(offset - len(typed), offset)

@@ -125,6 +125,7 @@ def _picture(document: Document, name: str) -> str | None:
     compiled, declared = document.checked.compiled, document.declared
     if document.tokens.version < 3:
         return None
+    # Names are looked up by kind: buckets, values from the host, kernels, then images and planes.
     if any(isinstance(rule, tree.Bucket) and rule.name.text == name for rule in declared.rules):
         return "one of the sums of light that a frame gives"
     container = None if compiled is None else compiled.container
@@ -146,6 +147,7 @@ def _picture(document: Document, name: str) -> str | None:
     description = (
         "a plane, a bit of every pixel" if is_plane else "an image, a value of every pixel"
     )
+    # Costs are known only if the program compiles.
     cost = next((c for c in pictures.costs if c.name == name), None)
     if cost is None:
         return description

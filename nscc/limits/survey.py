@@ -122,6 +122,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
     except Rejected as rejected:
+        # Of several errors, a proved one counts: then no search can make the program fit.
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         worst = next((d for d in errors if d.data.get("proved")), errors[0])
         proved = worst.data.get("proved") is True

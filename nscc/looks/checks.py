@@ -61,12 +61,14 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
     """
     for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
+        # Values of one state must be told apart by their bits.
         for value_bits in (solution.encoding.code, *solution.encoding.states):
             distinct = {row.tobytes() for row in value_bits.bits}
             require(
                 len(distinct) == len(value_bits.bits) or not value_bits.registers,
                 f"{value_bits.name}: two values with the same bits",
             )
+        # All registers that gates may use: planes, states, scratch registers and FLAG.
         names = {
             *(f"p{i}" for i in range(len(solution.planes))),
             *solution.states,
@@ -78,6 +80,7 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
             gates = [item for item in items if isinstance(item, Gate)]
             used = {name for gate in gates for name in (gate.destination, *gate.sources)}
             require(names >= used, f"unknown registers: {sorted(used - names)}")
+            # Each comparison of the program needs one word that compares, at its boundary.
             comparison_count = sum(
                 isinstance(item, Op) and item.operation.effect is WordEffect.FLAG_ANALOG
                 for item in items

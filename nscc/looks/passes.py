@@ -196,6 +196,7 @@ def _kernels(
     boundary's gates, words and values of IN, in order. With `apart`, the gates after the last
     analog word are a kernel of their own."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
+    # The gates after the last analog word become kernels of their own.
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
         return [
@@ -221,6 +222,7 @@ def _kernels(
             run.append(item)
         elif level is None:
             level = item.level
+        # A new value of IN ends the kernel, because IN is set only when a kernel starts.
         elif level != item.level:
             kernels.append((level, tuple(run)))
             run, level = [], item.level
@@ -254,6 +256,7 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
     A step has the words that it would need alone; the program may share words between steps."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
+    # The word tests whether the sum of its sources, the negative signal and IN, is above 0.
     compare = op("where", (), (*plan.scratched, "IN"))
     for comparison in moment.comparisons:
         steps.append(

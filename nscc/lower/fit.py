@@ -69,6 +69,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     required = bits_needed(shutters)
     if required <= available:
         return None
+    # The text says how the number of shutters arises in the program.
     if program.mode == "fixed":
         shutters_text = f"{shutters} different shutters in use"
     elif program.class_name == "e":

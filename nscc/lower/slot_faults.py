@@ -48,6 +48,7 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
+    # The error is certain if every possible lowering lacks time for its analog words alone.
     certain = _nothing_untried(choice) and all(
         _too_short(candidate) for candidate in choice.lowerings
     )

@@ -43,6 +43,7 @@ class BitWords:
         nodes = [node for each in expressions.values() for node in p.subexpressions(each)]
         self.steering = [*pictures.steering]
         self.count_steps, self.or_sources = pictures.count_steps, or_sources
+        # R1 to R4 choose the neighbours to read, so planes may not occupy them meanwhile.
         self.kept_for_steering = [r for r in registers if self.steering and r in STEERING]
         if self.steering and len(self.kept_for_steering) < len(STEERING):
             available = len(self.kept_for_steering)
@@ -51,12 +52,14 @@ class BitWords:
         self.free = list(self.available)
         self.planes: dict[str, str] = {}
         self.uses: dict[str, int] = {}
+        # A register becomes free after the last of these reads.
         for node in nodes:
             if isinstance(node, p.Bit):
                 self.uses[node.name] = self.uses.get(node.name, 0) + 1
         for name in pictures.outputs:
             self.uses[name] = self.uses.get(name, 0) + 1
         self.steered: frozenset[str] | None = None
+        # A plane that is kept between frames needs a register that the exposure never writes.
         lasting = [register for register in self.free if register in unwritten]
         held = pictures.held_planes
         for name in held:

@@ -60,6 +60,7 @@ def _inlined(pictures: p.Pictures, is_inlined: Callable[[p.Node], bool]) -> p.Pi
             return nodes.get(node.name, node)
         return p.with_operands(node, changed)
 
+    # Items that keep their place: outputs, and what the steps of a loop read again.
     kept = {*pictures.outputs}
     for loop in pictures.repeated.values():
         kept |= {*names_read(loop.step)}

@@ -207,6 +207,7 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
     `nodes` are the expressions of the next values by name, which read the old ones. Return the next
     values of images by name; planes are left out. Raises PictureRefused if registers run out."""
     results: dict[str, Held] = {}
+    # New values that must not be stored yet, because a later name reads the old value.
     waiting: list[tuple[str, Held | tuple[str, str | None]]] = []
     for name, is_read_later in _in_order(nodes):
         lowering.now, node = name, nodes[name]

@@ -184,6 +184,7 @@ class Lowering(RegisterEmitter):
         `synthesis` for which there are enough registers is used. The weights {(0, 0): 1} and {(0,
         0): -1} need no words; without weights, the result is 0. Raises PictureRefused if no program
         fits, if values exceed the range of registers, or if weights are finer than 2^-40."""
+        # Some kernels need no word: the identity, no weights at all, and a change of sign.
         if weights == {(0, 0): 1}:
             return value
         if not weights:
@@ -197,6 +198,8 @@ class Lowering(RegisterEmitter):
         except ValueError:  # weights are multiples of 1 / UNIT = 2^-40
             raise PictureRefused("halvings", self.now, needed=41, available=40) from None
         low, high = value.scaled(*gains(taps))
+        # The error of the input adds up over the squared weights, and the words add errors of
+        # their own.
         squares = sum(float(weight) ** 2 for weight in weights.values())
         refused: PictureRefused | None = None
         for program, sign in programs:

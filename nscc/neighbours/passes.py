@@ -404,6 +404,7 @@ def _refusal(
         "store": "words in the store",
     }[refused.kind]
     notes, helps = [], ["read out fewer images and planes, or use smaller convolution kernels"]
+    # The help depends on what is lacking.
     if refused.kind == "halvings":
         helps = [f"divide by at most 2^{available:g} in all"]
     elif refused.kind == "registers":

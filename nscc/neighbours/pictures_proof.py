@@ -348,6 +348,7 @@ class PictureReplay:
             case WordEffect.FLAG_ANALOG:
                 before, totals = self.digital["FLAG"], self._totals(op, level, Fraction(1))
                 flags = {at: forms.positive(total, at) for at, total in totals.items()}
+                # On some chips a comparison leaves FLAG 0 where it was 0.
                 if self.container.target.where_obeys_flag:
                     times = forms.diagrams.times
                     flags = {at: times(bit, before[at]) for at, bit in flags.items()}

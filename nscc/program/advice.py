@@ -43,6 +43,7 @@ def judge_looking(
     that cannot, are NS0415. Rules that never open are NS0350, a warning. `untold` says which bucket
     has an unknown open time; None if the readout determines all. `declared` are the program's
     statements, and `machine` is its state machine."""
+    # The state that the message suggests has a value for each look, and one for "not yet".
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)

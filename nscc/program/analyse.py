@@ -45,6 +45,7 @@ def analyse(
     books = make_books(declared.books, constants["N"], base, problems)
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
+    # Each has a scope of its own: rules may read the slot, conditions may not.
     scope = require_scope(declared, constants)
     conditions = [
         check(r.condition, "boolean", scope, problems, "a condition") for r in declared.requires
@@ -53,6 +54,7 @@ def analyse(
     rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
     if chosen is not None and not chosen.has_logic and declared.looking:
         _refuse_looking(declared, chosen, problems)
+    # The modules for looks and images are imported only for programs that need them.
     looking, pictures = None, NO_PICTURES
     if declared.looking:
         from nscc.program.looking import make_looking
@@ -66,6 +68,7 @@ def analyse(
         declared, fields, constants, target=chosen, base=base, problems=problems
     ).make()
     problems.stop_on_errors()
+    # Without an error, the frame and the chip are known.
     assert frame is not None
     assert chosen is not None
     chunks = (chunk for field in fields.values() if field is not None for chunk in chunks_of(field))

@@ -141,6 +141,7 @@ class Completion:
         from nscc.program.machine import MachineBuilder
         from nscc.program.open_time import with_open_times
 
+        # "open" compiles all legal codes, "fixed" only those that pixels have.
         codes, legal = in_use, None
         if self.mode == "open":
             codes, at_pixel = self._legal(in_use, at_pixel)
@@ -161,6 +162,7 @@ class Completion:
             machine, untold = with_open_times(machine, self.frame.slot_us)
         except TooMuch as problem:
             raise self._too_much_looked(problem, most_looks(self.declared, looking)) from problem
+        # Warnings about names and values that have no effect come last.
         problems, rules = self.problems, self.rules
         judge_looking(self.declared, machine, untold, self.target, problems)
         judge_looked_names(self.declared, looking, rules.rules, machine, problems)
@@ -231,6 +233,7 @@ class Completion:
         if self.declared.pixels_file is not None:
             statements.append(self.declared.pixels_file)
         conditions = zip(self.declared.requires, self.rules.requires, strict=True)
+        # The message shows the first condition that forbids this code.
         broken = next(
             statement
             for statement, condition in conditions

@@ -241,6 +241,7 @@ class PlaneMaker:
         if not outside.any():
             first, *higher_names = (chunk.name for chunk in chunks_of(field))
             planes[first] = plane
+            # The value is in the lowest chunk; the higher chunks of a wide field are 0.
             planes.update((name, np.zeros_like(plane)) for name in higher_names)
             return
         y, x = first_place(outside)

@@ -146,6 +146,7 @@ class HostValues:
         param = self.params.get(name)
         if param is None:  # its declaration has an error
             return None
+        # The expression is sign * parameter + offset; both are found by taking it apart.
         sign, offset = 1, 0
         inner: tree.Expr = expr
         if isinstance(inner, tree.Binary) and inner.op in ("+", "-"):

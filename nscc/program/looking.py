@@ -195,6 +195,8 @@ class _Maker:
         if checked is None or not self.slots:
             return None
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)
+        # All boundaries are evaluated at once; a fault is then one for all, or one for some of
+        # them.
         evaluated = evaluate(checked, {"n": Value(numbers)}, {})
         if isinstance(evaluated.faults, Fault):
             evaluated.faults.report(self.problems)
@@ -263,6 +265,8 @@ class _Maker:
                     ),
                 )
             return None
+        # From here on, the level has a value and a unit; it must lie where the light can cross
+        # it.
         unit, value = level.unit, level.value
         most_e, full_e = target.in_high * target.electrons_per_step, _full_e(target)
         least, most = (

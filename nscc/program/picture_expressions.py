@@ -213,6 +213,7 @@ class Reader(LoopReader):
         Raises WrongPicture after reporting an error, for example for a function of planes or a
         wrong number of arguments."""
         name, arguments = call.function.text, call.arguments
+        # `exposure` stands for the only bucket; with several buckets it would be ambiguous.
         is_pair = len(arguments) == 2 and not self._is_kernel(arguments[1])
         if name in ("min", "max") and is_pair and self.declared.version > 3:
             first, second = map(self._image, arguments)
@@ -264,6 +265,7 @@ class Reader(LoopReader):
 
         In version 4, conditions on x and y alone become input planes. Raises WrongPicture after
         reporting an error, for example for an image."""
+        # A condition on the pixel's own row and column is a plane that the host loads.
         if self.declared.version > 3:
             text = self.problems.source.text[expr.span.start : expr.span.end]
             plane = self.host.plane_of_places(expr, text)

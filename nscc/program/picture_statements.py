@@ -97,6 +97,7 @@ class PictureMaker:
         for picture in self.declared.pictures:
             reader.now = name = picture.name.text
             if name in self.declared.repeats:
+                # All statements of a `repeat` are read together, at the first of their names.
                 reader.repeat(self.declared.repeats[name], name)
                 continue
             if isinstance(picture, tree.Plane) and reader.declare_places(name, picture.condition):
@@ -123,6 +124,7 @@ class PictureMaker:
         reports = tuple(report for report in read_reports if report is not None)
         reports += tuple(reader.floods)
         limits = self._limits()
+        # Everything that is computed must reach the host, as an image or in a report.
         if not (reads or reports) and not self.problems.has_errors():
             self.problems.error(
                 "NS0536",
@@ -385,6 +387,7 @@ class PictureMaker:
             start_e = 0.0
             if isinstance(level, tree.Amount):
                 start_e = sign * self.target.level_e(float(level.value), level.unit)
+            # A level needs a unit, except 0.
             is_zero = isinstance(level, tree.Int) and level.value == 0  # needs no unit
             invalid = level is not None and not isinstance(level, tree.Amount) and not is_zero
             target = self.target

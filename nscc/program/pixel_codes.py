@@ -96,6 +96,7 @@ def codes_from(
         origin = f'"{file.shown}"'
         for name, chunk_names in fields.items():
             stored += stored_planes(file, name, shape, len(chunk_names))
+    # The loop only serves to take the first unknown name, if there is one.
     else:
         for name in {*pixels} - {*fields}:
             raise rejected(
@@ -119,6 +120,7 @@ def codes_from(
     )
     missing |= unknown
     if missing.any():
+        # Of several faults, a value outside its range explains most, so it is reported first.
         known = ranges()
         for name, plane in zip(table.fields, planes, strict=True):
             if name in known:

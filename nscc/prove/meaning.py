@@ -203,6 +203,7 @@ class PictureMeaning:
         forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():
+                # The name of a state stands for its bit of the frame before.
                 if condition.name in self.planes:
                     return forms.kept_bit(condition.name, at)
                 node = self.nodes[condition.name]
@@ -211,6 +212,7 @@ class PictureMeaning:
             case p.Constant():
                 return diagrams.one if condition.bit else diagrams.zero
             case p.RepeatedPlane():
+                # A repeated plane is known only by its node, so its name is looked up.
                 name = next(name for name, node in self.nodes.items() if node is condition)
                 return forms.kept_bit(name, at)
             case p.Above() | p.AboveParam() | p.Exceeds():
@@ -222,6 +224,7 @@ class PictureMeaning:
                         unit, steps = in_at(condition.param), Fraction(condition.factor)
                     case p.Exceeds():
                         steps = condition.level * self.count_steps
+                # The comparison `value > level` is the sign of value - level.
                 level = {unit: diagrams.leaf(-steps)} if steps else {}
                 form = self.image(condition.value, at)
                 return forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)

@@ -28,6 +28,7 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
     places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
+    # Destinations of light that no bucket collects.
     closed_places = sorted(
         {int(place) for place in sending.route.zeros} - {*range(len(program.buckets))}
     )

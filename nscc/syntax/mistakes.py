@@ -246,6 +246,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     `last` - 1. There are none if the statement ended too early."""
     if stuck.token >= last:
         return
+    # Each branch recognises a habit from another language, or a common slip, by the stuck token.
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
     if kind == "MALFORMED":
         yield from _number_hints(tokens, first, stuck.token)

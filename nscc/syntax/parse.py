@@ -223,6 +223,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
         return Diagnostic("NS0104", message, source=source, label=Label(Span(0, 0)))
     span = tokens.span(0)
     word = tokens.text(0)
+    # A version line further below is moved up, rather than added a second time.
     later = next((index for index in starts if tokens.kinds[index] == "nsl"), None)
     helps: tuple[str, ...] = ()
     fixes: tuple[Fix, ...] = ()

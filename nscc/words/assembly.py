@@ -107,9 +107,11 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
     known = mnemonics(own_words)
     offset = 0
     for line in source.text.split("\n"):
+        # The span of a line is needed in characters of the whole text.
         text = line.rstrip("\r").lstrip()
         begin = offset + line.index(text)
         offset += len(line) + 1
+        # A line that begins with a bar continues the block of the directive above it.
         if text.startswith("|"):
             span = Span(begin, begin + len(text))
             content = read_block_line(text)

@@ -306,6 +306,7 @@ def _assembled(data: bytes, start: int) -> Container:
     header = from_json(_Header, data[_PREAMBLE.size : start])
     target = target_from_dict(header.target)
     arrays = unpacked(_layout(header, target), data[:-_DIGEST], start)
+    # The words of all kernels are stored in one array, one kernel after the other.
     words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
     kernels, first = [], 0
     for name, count in header.kernels:

@@ -182,6 +182,7 @@ def picture_fault(operation: Op, target: Target) -> str | None:
     count, row = len(operation.sources), operation.operation
     if (fault := _neighbour_fault(operation, target)) is not None:
         return fault
+    # Chips may limit the sources of WHERE and of OR and NOR differently.
     if row.effect is WordEffect.FLAG_DIGITAL:
         kind, limit = "a WHERE", target.where_sources
     else:

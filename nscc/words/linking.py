@@ -47,6 +47,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         raise AssertionError("a target was refused without a fault")
     check_instructions(draft, target, faults)
     _check_complete(draft, faults)
+    # Without `.buckets`, the buckets are those that readouts name, or a single one.
     if draft.buckets:
         buckets = tuple(_indexed(draft.buckets, "bucket", faults))
     else:
@@ -61,6 +62,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     faults.stop()  # the following steps need valid sizes
 
     notes = dict(draft.notes)
+    # Register contents are defined by shutters and codes, or by bit planes, but not by both.
     if draft.shutters or draft.codes:
         table, encoding = _table(draft, target, buckets, faults)
         pixels = _pixels(draft, target, len(table.codes), faults)

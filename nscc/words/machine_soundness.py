@@ -108,6 +108,7 @@ def _state_faults(container: Container, machine: StateMachine) -> Iterator[str]:
             yield f"the planes of {name[:40]!a} have two rows of bits for one value"
         if name not in names or not {*planes.registers} <= {*registers}:
             yield f"the planes of {name[:40]!a} belong to no state"
+    # Code k of the encoding belongs to behaviour k, so each behaviour needs exactly one start.
     starts = machine.behaviour[machine.start_nodes()]
     if not np.array_equal(starts, np.arange(len(container.encoding))):
         yield "a behaviour of its machine has no start"

@@ -74,6 +74,7 @@ def devkit_fault(container: Container, devkit: Devkit) -> str | None:
     if extra:
         shown = ", ".join(extra) if len(extra) < 4 else f"{extra[0]} to {extra[-1]}"
         return f"has registers that no devkit has: {shown}"
+    # The devkit's words for R12 always obey R0, so a target without this rule cannot use them.
     if "R12" in target.digital_registers and (
         (target.mask_register, target.masked_register) != ("R0", "R12")
     ):

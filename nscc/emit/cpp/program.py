@@ -384,6 +384,7 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     shown += [(register, names.get(register, register)) for register in state_registers(container)]
     yield "int main() {"
     yield "    vs_init();"
+    # One display for each readout and each state, in rows of `_DISPLAYS_A_ROW`.
     for number, (_, name) in enumerate(shown):
         row, col = divmod(number, _DISPLAYS_A_ROW)
         yield (
@@ -402,6 +403,7 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     if loading.loads:
         yield "    load_codes();"
     preparing = preparation_of(container)
+    # Before each frame, IN settles and the words that prepare the readout run.
     prepare = []
     if preparing.level is not None:
         settle = ceil(exact(container.target.in_settle_us))

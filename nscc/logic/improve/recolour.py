@@ -183,6 +183,7 @@ class _Painter:
         topological order of the graph "plane -> plane in its home". For each cycle of this graph,
         one plane waits in a free register."""
         frame = self.frame
+        # Register that holds each plane now, by the plane's home register.
         current_place = {
             value.home: self.place[number]
             for number, value in enumerate(self.values)
@@ -202,20 +203,25 @@ class _Painter:
             """Append an operation that copies a register to another at the end of the frame."""
             out.append(frame.op(False, target, (source,), CLOSING, segment))
 
+        # An edge leads from a plane to the plane in its home, which must leave first.
         waits = nx.DiGraph()
         waits.add_nodes_from(astray)
         waits.add_edges_from((plane, at) for plane, at in astray.items() if at in astray)
         rank = {plane: i for i, plane in enumerate(astray)}
+        # Each circle of waiting planes begins with its lowest plane, so that results are
+        # reproducible.
         circles = []
         for circle in nx.simple_cycles(waits):
             first = circle.index(min(circle, key=rank.__getitem__))
             circles.append(circle[first:] + circle[:first])
+        # Planes outside of circles can be copied in topological order.
         waits.remove_nodes_from([plane for circle in circles for plane in circle])
         for plane in nx.lexicographical_topological_sort(waits, rank.__getitem__):
             copy(plane, astray[plane])
         free = [r for r in range(frame.flag) if r not in current_place and r != frame.masked]
         if circles and not free:
             return None
+        # A circle is opened by moving its first plane to a free register meanwhile.
         for first, *followers in sorted(circles, key=lambda circle: rank[circle[0]]):
             copy(free[0], astray[first])
             for plane in followers:

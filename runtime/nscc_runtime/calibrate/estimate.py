@@ -262,6 +262,7 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
     else:
         remark = f"darks of {len(dark.times_s)} times, extrapolated to no time"
     pattern, pattern_se = root(*shared_variance(dark.offsets, good_mask))
+    # Relative errors of the gain carry over to everything that is converted to electrons.
     gain_share = curve.gain_se / curve.gain
     in_electrons = pattern / curve.gain
     electrons_se = sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2)
@@ -278,6 +279,7 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
     current_se = sqrt((dark.current_se / curve.gain) ** 2 + (current * gain_share) ** 2)
     slope = f"slope of the darks of {len(dark.times_s)} times"
     quantities |= _quantities(slope, dark_current=(current, current_se))
+    # A spread relative to a current that may be 0 would be meaningless.
     if dark.current < _SURE * dark.current_se:
         return quantities | _unknown(
             "the dark current is too small to measure its spread", "dark_spread"

@@ -311,6 +311,7 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
             helps=("save the codes as integers: a.astype(np.uint8)",),
         )
     low, high = float(values.min()), float(values.max())
+    # Codes may be stored as floats, but they must be whole numbers that the converter can give.
     integral = values.dtype.kind in "ui" or bool(np.all(values == np.rint(values)))
     if not (integral and low >= 0 and high <= top_code):
         problem = f"values from {low:g} to {high:g}" if integral else "values that are not whole"

@@ -153,17 +153,20 @@ def _pattern(
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
+    # The measured pattern is the sum of several parameters; one gets all of it, the others 0.
     _take(chosen, "adc_pattern_lsb", pattern)
     for name in ("analog_pattern_lsb", "adc_smooth_lsb", "adc_level_lsb"):
         _contain(chosen, name, value=0.0, sum_parameter="adc_pattern_lsb")
     words = abs(chain.word_sum)
     text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
+    # If the words cancel the offset, no part of it can come from the analog side.
     if words < _NO_PART:
         remark = f"{offset.remark}; the program's words cancel what is not whole codes"
         chosen["adc_offset_lsb"] = ParameterChoice(
             offset.value, se=offset.se, status="measured", remark=remark
         )
         return
+    # The converter's part is whole codes; the remainder is a bias of the words before it.
     whole_codes = float(round(offset.value))
     chosen["adc_offset_lsb"] = ParameterChoice(
         whole_codes,

@@ -50,6 +50,8 @@ class EmulatedChip:
         from nscc_runtime.interface import Exposure
         from nscc_runtime.neighbours.pictured_program import image_sensor
 
+        # The light depends on the lengths of the slots only, so it is computed once for a
+        # program.
         if self._light is None or self._light[0] != program.slot_us:
             self._light = (program.slot_us, self.scene(program.slot_us))
         registers = [*(name for name, _ in program.readouts), *program.images]
@@ -62,6 +64,8 @@ class EmulatedChip:
         gains = np.array([gain for _, gain in program.readouts] + [1.0] * len(program.images))
         exposure_e = contents * gains[:, None, None] + 0.0  # -0 + 0 is +0
         sensor = self._converting([*registers, *program.kept])
+        # Buckets are converted as the target says; images, whose values may be negative, in full
+        # range.
         full = replace(self.target, readout="full")
         codes = [
             read_out(Exposure(values, np.isfinite(values)), target, of_readouts).frame

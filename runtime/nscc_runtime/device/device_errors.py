@@ -159,6 +159,7 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
                 "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
                 "enough",
             )
+    # Any other fault means that the loader's rules differ from those of nscc.
     name = {fault.value: fault.name for fault in LoaderFault}.get(failure.fault, str(failure.fault))
     request = {kind.value: kind.name for kind in PacketKind}.get(
         failure.request, str(failure.request)

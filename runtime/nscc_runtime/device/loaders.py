@@ -38,6 +38,7 @@ def loader_notes(container: Container, source: Source, frame: Span) -> list[Diag
     if not container.target.has_logic:
         return []
     sent = with_picture_words(container)
+    # What the program needs is compared with the room of each loader, by the same names.
     needed = {
         "kernels": len(sent.kernels),
         "rows of its schedule": sum(1 for _ in schedule_rows(sent, steered_launches(container))),

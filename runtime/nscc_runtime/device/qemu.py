@@ -120,6 +120,7 @@ class Emulated(RunningFirmware):
                     loader.target,
                     chip,
                 )
+                # The emulator connects once it runs; the socket then is its serial line.
                 try:
                     line, _ = listening.accept()
                 except TimeoutError:

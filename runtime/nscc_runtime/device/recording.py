@@ -100,6 +100,7 @@ class Recording:
                 self._events = []
             case b"E":
                 self._events.append(_EVENT.unpack(data))
+            # A job is a head, its readouts, then the numbers of the registers of states.
             case b"J":
                 number, channels, readouts, states, kept = _JOB.unpack_from(data)
                 split = _JOB.size + readouts * _READOUT.size

@@ -82,6 +82,7 @@ def _clashes(effect: Effect) -> list[str]:
         conflicts.append(
             "`words` that is CannotHave: that loop is compiled, for the effects it knows"
         )
+    # Each mark is one bit of a byte, which no other effect uses.
     effects = (*_registered.values(), effect)
     bits = [mark.bit for known_effect in effects for mark in known_effect.marks.values()]
     if not {*bits} <= {1 << k for k in range(8)} or len({*bits}) < len(bits):

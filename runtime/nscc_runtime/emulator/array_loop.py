@@ -391,6 +391,7 @@ def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: 
     first, bus, last = word.operands, plane_of(shape, shape.bus, y), shape.cols - 1
     for g in range(shape.plane_words):
         planes[bus + g] = _ZERO
+    # Three numbers for each operand: its register, columns to the right, rows down.
     for at in range(first + 6, first + 3 * word.sources, 3):
         steering, right = plane_of(shape, operands[at], y), operands[at + 1]
         row = y + operands[at + 2]
@@ -399,7 +400,7 @@ def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: 
             seen, outside = _ZERO, _ZERO
             if row < 0 or row >= shape.rows:
                 outside = _FULL
-            elif right > 0:
+            elif right > 0:  # a shift by one bit, with a bit of the next 64 pixels
                 seen = planes[source + g] >> _ONE
                 if g + 1 < shape.plane_words:
                     seen |= planes[source + g + 1] << np.uint64(63)

@@ -218,6 +218,8 @@ def _along(
     updated. A segment is the part of a path between two comparisons."""
     count, i, running = 0, block.head[segment], state.running
     block.head[segment] = -1
+    # The pixels that wait form a linked list; they are copied to `running`, so that loops are
+    # simple.
     while i >= 0:
         running[count] = i
         count += 1
@@ -240,6 +242,7 @@ def _along(
             continue
         write(switches, numbers, word, count, program, state, BLOCK)
     ended = count
+    # Without a comparison, all pixels go on as if the answer were 0.
     for j in range(count):
         answer = 1 if asks and state.total[j] > 0.0 else 0
         at = chosen[first + running[j]]
