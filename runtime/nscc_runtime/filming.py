@@ -75,6 +75,7 @@ def film(
     Rejected
         NS0789 for a program without images or planes, or for no lights; otherwise as `capture`.
     """
+    # Read before any other local name exists, so that it holds the arguments only.
     given = locals()
     call = "nscc_runtime.film"
     container = container_of(call, program)
@@ -98,6 +99,7 @@ def film(
                 f"{call}: light {number} takes several exposures",
                 helps=("use scenes in grey, and fit='crop' or fit='scale'",),
             )
+    # The first frame is exposed like a capture; the request has the light of all others.
     next_lights = tuple(scene[0].light for scene in scenes[1:])
     settings = settings_of(container, params, inputs)
     request = Request.of(**options, repeat=len(scenes), next_lights=next_lights, settings=settings)

@@ -216,6 +216,7 @@ def unplanned(
     of effects that the chip cannot have, with the reason, which has priority over others."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     rows = []
+    # Later conditions override earlier ones: an effect that is absent cannot have been simulated.
     for effect in registered():
         decision = "kept" if effect in chosen else "dropped"
         reason = "part of --effects all" if effect in chosen else "not in --effects"

@@ -82,6 +82,7 @@ def simulate_scene(
     if not (len(scene) == 1 and placement.fits_one_array):
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
+    # One light for each part of a picture and each colour, exposed one after the other.
     lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     piece_listener = listener
@@ -104,6 +105,7 @@ def simulate_scene(
             turn = Turn(plans, number, frames=1)  # pieces of a scene are rarely similar
             piece_request = replace(request, seed=request.seed + number, turn=turn)
         simulated_pieces.append(simulate(exposed, light, sensor, piece_request, piece_listener))
+    # A single exposure is the result itself; several are put together.
     simulated, light = simulated_pieces[0], scene[0].light
     if len(simulated_pieces) > 1 or not placement.fits_one_array:
         simulated = _joined(simulated_pieces, container, placement, len(scene))

@@ -121,6 +121,7 @@ class Request:
             "audit": audit,
             "plan": plan is not None,
         }
+        # Tolerance, audit and plan all ask for a plan, so they imply the effects "auto".
         planning_options = [name for name, present in given_options.items() if present]
         text = effects if effects is not None else "auto" if planning_options else "none"
         chosen = selected(text) if isinstance(text, str) else text
@@ -132,6 +133,8 @@ class Request:
                 "the reference simulates the selected effects without a plan",
                 f"leave {named} out, or {mark}fidelity reference",
             )
+        # A plan file that does not exist yet will be written; an existing one replaces the
+        # choice.
         file = plan if isinstance(plan, Path) else None
         plan_exists = file.exists() if file is not None else plan is not None
         if plan_exists and (effects is not None or tolerance is not None):

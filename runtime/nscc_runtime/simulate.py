@@ -156,11 +156,13 @@ def _planned(
     digest = digest_of(container)
     with timings.measure("analyse_s"):
         scene.ready()
+    # A plan may be given as a file or a value, or `plan` names a file that this call writes.
     file = request.plan if isinstance(request.plan, Path) else None
     is_new_file = file is not None and not file.exists()
     plan_given = request.plan is not None and not is_new_file
     with timings.measure("plan_s"):
         plan = _plan_of(scene, digest, request, plan_given)
+    # The plan of the user may be unable to keep the tolerance on this scene.
     if plan.breach is not None and (request.effects.auto or plan_given):
         listener.warn(run_messages.over(plan, plan.breach, plan_given))
     with timings.measure("expose_s"):

@@ -162,6 +162,7 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     stored = np.stack(pictures) if len(pictures) > 1 else pictures[0]
     if pictures[0].ndim == 2:
         return stored
+    # Three equal channels are a grey picture.
     if (stored == stored[..., :1]).all():
         return stored[..., 0]
     raise rejected(

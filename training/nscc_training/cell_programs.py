@@ -62,6 +62,8 @@ def cell_files(
     states, updates = (_numbered(name, cell.states) for name in ("h", "f"))
     outputs = _numbered("o", cell.outputs)
     gates, thresholds = [*updates, *outputs], cell.thresholds().tolist()
+    # Each gate has a kernel for the input plane x and one for each state; zero kernels are left
+    # out.
     names = [[_kernel_name(gate, plane, states) for plane in ("x", *states)] for gate in gates]
     arrays: dict[str, NDArray[np.int64]] = {
         names[i][j]: kernel
@@ -79,6 +81,7 @@ def cell_files(
         else f'kernel {name} from "{kernels_name}"'
         for name, kernel in arrays.items()
     ]
+    # Pooling over an odd size is that many steps of an OR with the nearest neighbours.
     steps = cell.pool // 2
     if steps:
         lines.append("kernel around = [[1, 1, 1], [1, 1, 1], [1, 1, 1]]")
@@ -98,6 +101,8 @@ def cell_files(
         for plane, output in zip(planes, outputs, strict=True)
     ]
     for state, gate in zip(states, updates, strict=True):
+        # "flip" changes the state where its gate is above the threshold; else the gate is the new
+        # state.
         flips = f"not ({state} xor {gate} > {above[gate]})"
         rule = flips if cell.update == "flip" else f"{gate} > {above[gate]}"
         lines.append(f"next {state} = {rule}")

@@ -191,6 +191,7 @@ def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
         for value in model.graph.input
     ]
     size = shapes[0][-2:]
+    # The bits of the light and those of the states, for one frame.
     expected = [(1, 1, *size), (1, cell.states, *size)]
     if shapes != expected or not 0 < np.prod(size) <= _MOST_PIXELS:
         raise refused(
@@ -209,6 +210,7 @@ def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
         except Exception as error:
             raise refused(path, f"its graph cannot be evaluated: {one_line(error)}") from error
         with torch.no_grad():
+            # The graph and the cell must give equal bits for random frames.
             outputs = [tensor.numpy() for tensor in cell(*map(torch.from_numpy, planes))]
         if len(found) != 2 or not all(map(np.array_equal, found, outputs)):
             raise refused(path, "its graph does not compute the bits of a cell")
@@ -243,6 +245,7 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     if missing:
         raise refused(path, f"{listed([f'`{name}`' for name in missing])} is missing")
     weight, threshold = state["weight"], state["threshold"]
+    # The weights have an axis for the gates and one for the planes that they read.
     gates, planes, rows, cols = weight.shape if weight.ndim == 4 else (0, 0, 0, 0)
     states = planes - 1
     fits = (

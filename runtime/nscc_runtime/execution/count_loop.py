@@ -86,6 +86,7 @@ def draw_deviations(
     the photodiode."""
     rows, pixels = sources[0][2].shape
     away = np.empty((rows, pixels))
+    # One key for each source and row, so that a draw depends only on these and on the pixel.
     keys = [
         np.array([key(seed, stream, source, frame, row) for row in range(rows)], np.uint64)
         for stream, source, _ in sources

@@ -122,6 +122,7 @@ def frame_source(
         seeds = seed, device_seed
         return converted(exposure, container.target, sensor, effects, seeds, number)
 
+    # Some effects exist word by word only; then the reference exposes every pixel.
     if by_words or slow_effects(effects):
         reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
         return FrameSource(
@@ -130,6 +131,7 @@ def frame_source(
             np.empty(0, np.int64),
         )
     program = analysed(container, sensor)
+    # Pixels that cannot saturate are exposed by sums of light; the others run their words.
     near = near_saturation(program, light, device_seed, effects).places
     moments = scene_moments(program, light, effects, device_seed, count)
     block: BlockScene | None = None

@@ -177,6 +177,8 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
         beside, unknown = np.zeros(1, np.float32), np.zeros((4, buckets, lanes.size))
         if exchanged_fraction(effects, program) and effects.names(Counted):
             beside, unknown = _neighbour_weights(program, model)
+        # The weights of a pixel's own counts: none without counts, or fixed if buckets never
+        # overlap.
         own_weights = None
         if not effects.names(Counted):
             own_weights = np.zeros((0, buckets, lanes.size), np.float32)
@@ -219,6 +221,7 @@ def _completed(
     0 if light is not counted. `exchanged`: fraction of its charge that a pixel gives to each
     neighbour."""
     buckets, pixels = chip.fixed_e.shape
+    # Without light or dark charge that is counted, nothing is drawn.
     draws = buckets if light_pairs or len(chip.dark_e2) else 0
     mean_e, counts = np.empty((buckets, pixels)), np.empty((draws, pixels))
     own_weights = chip.own_weights

@@ -229,6 +229,7 @@ def scene_sums(
             for j in range(sizes.sums):
                 for p in range(first, stop):
                     out[j * pixels + p] = 0.0
+            # Successive sums with equal lanes are added together, `alike[k]` of them at a time.
             k = 0
             while k < count:
                 _add_alike(

@@ -31,10 +31,12 @@ def draw_exposures(
     Results do not depend on `threads`."""
     (rows, cols), (buckets, pixels) = lane.shape, moments.mean_e.shape
     places = np.arange(pixels, dtype=np.int64)
+    # Deviations of photon and dark counts, which the loop spreads over buckets and neighbours.
     away = np.empty((0, pixels))
     if len(moments.counts):
         sources = [(SUMS, COUNTS, moments.counts)]
         away = draw_deviations(sources, places, seed, frame, threads)
+    # Errors of words are drawn for all words of a pixel together.
     draws, _, lanes = moments.error_e.shape
     noise_keys = [key(seed, SUMS, ERRORS, frame, draw) for draw in range(draws)]
     sizes: dict[str, Any] = {

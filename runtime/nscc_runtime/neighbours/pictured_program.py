@@ -291,6 +291,7 @@ class PicturedProgram:
         told: Told = {}
         wait_s = self.container.target.readout_us * 1e-6
         read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
+        # Readouts follow each other, and registers leak while they wait for theirs.
         for name in pictures.reads:
             register = pictures.registers[name]
             if register not in pixels.register:
@@ -298,6 +299,8 @@ class PicturedProgram:
             values = pixels.register[register].reshape(valid.shape) + 0.0  # -0 + 0 is +0
             read[name] = values, pixels.cut_by[register].reshape(valid.shape)
             pixels.hold(wait_s)
+        # Buckets are converted like an exposure, and images in a range of their own, which has a
+        # sign.
         images = [name for name in read if name not in buckets]
         if images:
             codes, saturated_by = self._converted(images, read, valid, seeds, number)

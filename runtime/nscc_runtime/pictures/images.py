@@ -46,6 +46,7 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
         """Return `text` in lines as wide as an image; [] if it is empty."""
         return textwrap.wrap(text, int(side * _LETTERS))
 
+    # Each row is as high as its tallest image, with room for the longest title and note.
     boxes, top = [], 0.0
     for row in rows:
         sizes = [sheet.zoomed(image.values.shape, side) for image in row]

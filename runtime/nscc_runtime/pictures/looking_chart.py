@@ -285,6 +285,8 @@ def _draw_times(axes: Axes, container: Container, courses: Courses) -> None:
     for axis in (axes.xaxis, axes.yaxis):
         sheet.round_ticks(axis)
     axes.tick_params(axis="y", labelleft=False, length=0)
+    # States are named beside the lights where they keep one combination of values for long
+    # enough.
     read = [k for k, state in enumerate(machine.states) if state.read]
     if not read:
         return

@@ -127,6 +127,8 @@ def _draw_chart(
     buckets = [to_rgb(theme().of(lane)["color"]) for lane in range(lanes)]
     image = np.empty((count, lanes + 1, len(columns) - 1, 3))
     image[:] = to_rgb(theme().paper)  # the colour of the gap, the last lane
+    # A column may cover several slots; its colour says for which part of its time the shutter is
+    # open.
     for row, lane in np.ndindex(count, lanes):
         share = open_share(rows[row, lane], edges, columns)
         colour = row_colours[row] if lanes == 1 else buckets[lane]

@@ -97,6 +97,7 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     if not filled_panels:
         raise ValueError("no points to draw")
     names = list(dict.fromkeys(name for panel in filled_panels for name in panel.lines))
+    # Axes with the same label share a scale, so that panels can be compared.
     values: dict[tuple[str, str], list[Place]] = {}
     for panel in filled_panels:
         for across, upwards in chain.from_iterable(panel.lines.values()):
@@ -112,6 +113,7 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     ]
     figure.align_ylabels(grid)
     sheet.lay_out(figure)
+    # Names without room beside their line move to the legend.
     homeless = {*names} - {""}
     if len(names) <= _MOST_NAMED:
         homeless = {

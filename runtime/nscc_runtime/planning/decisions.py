@@ -48,6 +48,7 @@ def plan_of(choice: EffectChoice) -> Plan:
     measured."""
     work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
     effects, scene = request.requested.without(*choice.dropped), choice.work.scene
+    # Why the words of some pixels run one by one; empty if sums suffice for all.
     reasons = scene.needs_reference(effects)
     if not reasons and scene.looks:
         reasons = ("pixels look at the light: each runs through the words that act in it",)

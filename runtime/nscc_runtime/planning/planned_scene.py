@@ -250,6 +250,7 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     All sets of effects of a scene are exposed in the same way, because the two have different
     random numbers."""
     container, sensor, threads = scene.container, scene.sensor, threads_of(scene.threads)
+    # The loop over words exposes the sample alone; the reference would need the whole scene.
     if not scene.needs_reference(everything()):
         laid = lay_out(
             container,

@@ -93,6 +93,7 @@ def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScen
     match = _TOLERANCE.fullmatch(requested.lower())
     if match is None:
         raise _malformed(f"'{requested[:40]}'")
+    # Electrons and codes are absolute; fractions of the noise or the signal need the scene.
     value, unit = float(match[1]), match[2]
     text = f"{match[1]}{unit}"
     if unit in ("e", "lsb"):

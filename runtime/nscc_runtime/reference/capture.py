@@ -132,6 +132,7 @@ class Reference:
         names = sorted(states | {*container.code_registers}) if states else []
         final_planes = {name: np.empty((len(rows), cols), np.bool_) for name in names}
 
+        # The rows are exposed in strips, so that memory does not grow with the array.
         def fall(part_rows: range) -> Fallen:
             """Return the charge that falls on the rows `part_rows` in each interval."""
             return charge_of_rows(

@@ -40,6 +40,7 @@ def exr_pages(path: Path) -> Pages:
     with OpenEXR.File(str(path), header_only=True) as file:
         headers = [dict(file_part.header) for file_part in file.parts]  # emptied when closed
     part_names = [[channel.name for channel in header["channels"]] for header in headers]
+    # Sizes are checked before any channel is decoded.
     samples = sum(
         prod(_size(header["dataWindow"])) * len(names)
         for header, names in zip(headers, part_names, strict=True)
@@ -59,6 +60,7 @@ def exr_pages(path: Path) -> Pages:
             f"it has no channels R, G, B or Y, but {_listed(names)}",
             "save the picture as the channels R, G, B, or as Y",
         )
+    # Colours and notes are those of the first part with a picture.
     stated = of_primaries(headers[next(iter(layers))].get("chromaticities"))
     weights = LUMINANCE if stated.colours is None else stated.colours.weights
     notes: list[Note] = []

@@ -218,6 +218,7 @@ def laid_scene(
     crop, spec = parse_crop(scene.crop), scene.name
     request = _Request(scene, Window(rows, cols, crop), slot_us, **about)
     exposure, times = request.exposure, parse_times(scene.times)
+    # Options that this kind of scene does not use are refused, not ignored.
     checked_white(scene.white)
     if crop is not None and scene.fit != "crop":
         _refuse(request, f"--fit {scene.fit} exposes the whole picture", "crop")

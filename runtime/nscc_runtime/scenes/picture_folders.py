@@ -49,6 +49,7 @@ def files_of(
             notes=(f"{len(names)} other files; pictures end in {', '.join(PICTURES)}",),
             helps=("name the folder that holds the clip's frames",),
         )
+    # One example of each kind, linear and for display, by whether it is linear.
     first = {path.suffix.lower() in LINEAR: path.name for path in reversed(pictures)}
     if len(first) > 1:
         raise rejected(

@@ -31,6 +31,7 @@ def raw_pages(path: Path) -> Pages:
         size = (int(raw.sizes.height), int(raw.sizes.width))
         stored = (int(raw.sizes.raw_height), int(raw.sizes.raw_width))
 
+    # The file is opened again when the picture is read, because decoding it takes much memory.
     def read() -> Iterator[NDArray[Any]]:
         """Yield the one picture of a camera raw file: linear, in the camera's colours, without
         corrections."""

@@ -62,6 +62,7 @@ def video_pages(path: Path) -> Pages:
     other files."""
     import av
 
+    # The times of all frames are read first, without decoding pictures.
     timing = _timing_of(path)
     if not len(timing.times):
         raise ValueError("no frame can be decoded")

@@ -124,6 +124,7 @@ def read_coded_frames(
         )
     except (InvalidArrays, OSError) as error:
         raise no_frame(path, why_no_arrays(error), _WRITE) from error
+    # A program that is named supplies the shutters, if it has exposed this frame.
     if program is not None:
         table = _table_of(path, program, meta)
         pixels, frame_pixels = (
@@ -150,6 +151,7 @@ def read_coded_frames(
         )
     offset = None if dark is None else _dark_of(dark, arrays, meta, warn)
     try:
+        # Frames of three colours have one frame and one saturation mark for each colour.
         if "colours" not in meta:
             return (coded_frame(arrays, meta, offset),)
         by_colour = [name for name in ("frame", "saturated") if name in arrays]

@@ -151,7 +151,10 @@ class ExposureSet(Dataset[Exposures]):
         draws: list[tuple[float, float, int, bool, bool, float]] = []
         source: list[int] = []
         pixel_index, names, drawn_scenes = [], [], []
+        # `together` patches share one exposure: the same scene, brightness and turn.
         for start in range(0, self.batch, self.settings.together):
+            # The generator depends on the step alone, so that a resumed run draws the same
+            # patches.
             generator = np.random.default_rng([self.seed, DrawStream.PATCHES, step, start])
             scene = int(generator.integers(len(self.lights)))
             drawn_scenes.append(scene)

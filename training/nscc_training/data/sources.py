@@ -177,6 +177,7 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
             scenes = call(kind=kind_text, part=split_name, slots=kind.slots, seed=kind.seed)
             drawn = [(str(name), np.asarray(light), label) for name, light, *label in scenes]
         for name, _, label in drawn:
+            # With classes, every scene needs one of them; without, none may have one.
             if label not in ([[known] for known in kind.classes] or [[]]):
                 wanted = f"one of {', '.join(kind.classes)}" if kind.classes else "no class"
                 raise own_failed(

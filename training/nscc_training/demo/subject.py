@@ -51,6 +51,7 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):
         return Subject(scene, not scene.name.startswith("builtin:motion"), "linear")
+    # Arrays of light are recognised by their axes, files of pictures by their number of frames.
     if suffix in ARRAYS and path.is_file():
         shapes: list[tuple[int, ...]] = []
         if path.suffix.lower() == ".mat":

@@ -210,6 +210,7 @@ def _choices(
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.programs import Chip, compiled, program_of, words_per_slot
 
+    # Baselines with several exposures bring their tiles; others have a start, or a list of stops.
     if baseline.tiles is not None:
         if codes:
             raise rejected("NS0840", f"{name} has fixed codes", helps=("leave --shutter out",))
@@ -231,6 +232,7 @@ def _choices(
         for key, values in encoder.codes().items():
             settings["stops" if key == "stop" else key] = values.tolist()
         return [(encoder.hard().cpu(), settings)]
+    # The candidates of "best uniform": every power of two up to the frame.
     stops = (
         [int(baseline.start)]
         if baseline.start
@@ -254,6 +256,7 @@ def named_codes(text: str, protocol: Protocol, name: str, seed: int) -> Encoder:
     known, rows = _CLASSES.get(protocol.name, ()), BASELINES[protocol.name]
     kind, _, start = text.partition(":")
     slots = int(protocol["slots" if protocol.still else "frames"])
+    # A text may name a run, whose codes must have as many slots as the protocol, or a class.
     if text == rows[name].start or rows[name].takes_codes:
         folder = run_path(Path(text))
         if (folder / CONFIG).is_file():

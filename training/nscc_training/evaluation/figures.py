@@ -109,6 +109,7 @@ def figures(settings: FigureSettings) -> dict[str, bytes]:
     without a suitable file, built-in scenes are shown. Raises Rejected: NS0756 for unknown effects,
     NS0811 for a folder without scenes."""
     data = settings.data
+    # Without data of the user, the built-in scenes are shown (None).
     runs = {still: load_run(path) for still, path in RUNS.items()}
     scenes = {
         kind: None if data is None else _scene_of(folder, data, kind)

@@ -66,6 +66,7 @@ def _row(
     `psnr_db` and `ssim` are the paper's as text ("-" for none), `name` is the pattern of the result
     files (* for any text), and `remark` is put at the end."""
     results = results_named(folder, name)
+    # Several results of one name differ in their seed; the row has their means.
     settings = [result["settings"] for result in results]
     remarks = [NOT_RUN * (not results), remark]
     if any(s.get("moved") for s in settings):

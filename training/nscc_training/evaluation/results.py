@@ -120,6 +120,7 @@ class Scorer:
         electrons and seconds. Raises Rejected (NS0804) for a reconstruction with values that are
         not finite."""
         self._passes += 1
+        # Scenes keep their index, which selects their noise, when others are left out.
         tasks = [
             _SceneTask(self._passes, index, scene)
             for index, scene in enumerate(scenes)
@@ -137,6 +138,7 @@ class Scorer:
                 items = task.scene.items(result_e)
                 yield Done(task, PointRow(task.key, {"items": items, "seconds": seconds}))
 
+        # The loop computes and stores all rows; its items are not needed.
         for _ in self._track(results(self.store, tasks, execute), "scoring", len(tasks)):
             pass
         rows = rows_in(self.store)

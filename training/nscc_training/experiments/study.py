@@ -228,6 +228,7 @@ def _gathered(
     made: list[Point] = []
     refused = []
     for point in points:
+        # The rows of those repeats of the point that are stored.
         point_rows = [rows[key] for n in range(turns) if (key := _Turn(point, turn=n).key) in rows]
         names = {"method": point.method, "setting": point.setting, "bound": None}
         figures: Figures = {**names, **point_rows[0].figures}
@@ -238,6 +239,7 @@ def _gathered(
             )
             continue
         ms = figures.pop("ms")
+        # A method may measure several times itself; otherwise each repeat has one time.
         times_ms = ms if isinstance(ms, list) else [row.figures["ms"] for row in point_rows]
         method, setting, bound = (figures.pop(name) for name in names)
         made += [
