@@ -184,6 +184,7 @@ def begun_with(
     )
     if container.slots != spec.slots:
         raise ValueError(f"the program has {container.slots} slots, but the run has {spec.slots}")
+    # Pixels that look have boundaries and levels in place of shutters.
     if spec.kind == "looks":
         comparisons = container.machine.comparisons
         if len(comparisons) != spec.tile[1]:
@@ -206,6 +207,7 @@ def begun_with(
         raise ValueError(f"the program has {len(container.buckets)} buckets, but the run has one")
     rows, cols = container.pixel_codes.shape
     at = container.pixel_codes[: spec.tile[0], : spec.tile[1]]
+    # A run learns the codes of one tile, so the array must repeat that tile.
     if not np.array_equal(over_array(at, rows, cols), container.pixel_codes):
         raise ValueError(
             f"its pixels are not a repeated tile of {spec.tile[0]} x {spec.tile[1]}: give the run "

@@ -88,6 +88,7 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     most = _MOST_FRAME_PIXELS if moving else _MOST_DRAWN_PIXELS
     frames = read_frames(path) if moving else pages.read()
     stored = [_reduced(frame, most) for frame in islice(frames, _MOST_FRAMES)]
+    # Light is drawn with a logarithmic curve, pictures for display as they are.
     linear = pages.colours.transfer == "linear" or stored[0].dtype.kind == "f"
     clip = np.stack([light_in(f, "linear" if linear else pages.colours) for f in stored])
     usual, unit = ("log", "e") if linear else ("srgb", "")

@@ -252,8 +252,8 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
             "NS0821",
             f"'{folder.path}' was trained with two buckets, but clips of sci8 have one",
             helps=("protocol two-bucket-v1 has two",),
-        # Benchmark clips bring their own mask, which a decoder for one code cannot use.
         )
+    # Benchmark clips bring their own mask, which a decoder for one code cannot use.
     if protocol.name == "sci8" and name in DECODERS and not DECODERS[name].any_code:
         raise rejected(
             "NS0821",
@@ -298,8 +298,8 @@ def evaluate(
     Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes and
     NS0841 for effects that the subject does not support, NS0811 for a folder without suitable data,
     and the errors of `load_run` and `evaluate_run`."""
-    # A subject is looked up as a row without decoder, then as a baseline, then as a run.
     chosen, subject = load_protocol(wanted.protocol), wanted.subject
+    # A subject is a row without decoder, else a baseline, else a run.
     known = (*BASELINES.get(chosen.name, ()), *(UNDECODED if chosen.still else ()))
     if subject in UNDECODED and chosen.still:
         _refuse_codes(wanted.shutter, subject)

@@ -191,6 +191,7 @@ def _stages(
         compiled_looks = [
             (comparison.boundary, comparison.level) for comparison in machine.comparisons
         ]
+        # The compiled program must look at the learned boundaries and levels.
         same = compiled_looks == [
             *zip(codes["at"][0].tolist(), codes["level"][0].tolist(), strict=True)
         ]

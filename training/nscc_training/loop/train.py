@@ -476,6 +476,7 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
     if counts and scores.loss < run.progress.best_loss:
         run.progress.best_loss, run.progress.best_step = scores.loss, step
         run.progress.best = tensors_of(setup)
+    # Validation used the averaged weights; training goes on with the learned ones.
     if learned is not None:
         set_tensors(setup, learned)
 

@@ -123,6 +123,7 @@ def some_scenes(
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:
         files = files_of(protocol, data)
+        # Scenes that each file contributes, rounded up.
         of_file = -(-count // len(files))
         candidates = [
             scene

@@ -95,6 +95,7 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
         raise _unusable(path, "`orig` has other values than whole numbers 0..255")
     if values[1].min() < 0 or values[1].max() == 0:
         raise _unusable(path, "`mask` has negative values, or is 0 everywhere")
+    # The measurement in the file shows whether mask and clip belong together.
     truth, opened, measured = values[0][:frames], values[1], values[2][0]
     if not np.allclose((truth * opened).sum(axis=0), measured, rtol=1e-4, atol=0.5):
         raise _unusable(path, "its first measurement is not sum(mask x orig) of its first frames")

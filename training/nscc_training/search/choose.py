@@ -101,6 +101,7 @@ def design_motion(
     )
     passed: list[str] = []
     refused: Rejected | None = None
+    # The codes from which most is expected are tried first; the first that fits is taken.
     for name in sorted(expected, key=lambda code_name: -expected[code_name]):
         try:
             files = program_of(

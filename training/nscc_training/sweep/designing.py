@@ -87,6 +87,7 @@ def _design(values: Values, task: PointTask) -> Figures:
     write_whole(task.files, design.text.encode())
     lowered = design.compiled.lowered
     assert lowered is not None
+    # The tile is judged by its PSNR-mu, looks also by other curves; logarithms have no PSNR.
     expected = {
         f"expected_{curve}_db": psnr_of_mse(error, 1.0)
         for curve, error in errors.items()

@@ -107,6 +107,7 @@ def read_grid(path: Path) -> Grid:
     for name, value in tables.items():
         if not (isinstance(value, Mapping) and name != _PLOT):
             continue
+        # A part may take the keys of an earlier part and change some of them.
         part_keys = _flat(value)
         like = part_keys.get(_LIKE.name)
         if like is not None and like not in grid_parts:
@@ -292,6 +293,7 @@ def _linked(points: Sequence[GridPoint], source: Source) -> tuple[GridPoint, ...
 
     Raises Rejected (NS0832) unless exactly one point of kind train has the name, and for a run that
     depends on itself."""
+    # A value `run:NAME` is a link to the point that trains this run.
     trained = [point for point in points if point.kind == "train"]
     runs = {point.name: point for point in trained}
     count = Counter(point.name for point in trained)

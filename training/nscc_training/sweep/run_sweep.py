@@ -106,6 +106,7 @@ def sweep(
         if tasks:
             _compute(tasks, keys, store, how, track)
         rows, times = rows_in(store), times_csv(store)
+    # The table has all points with a row, also those of parts that this call left out.
     keys = {point: key for point, key in keys.items() if key in rows}
     point_rows = [(point, rows[key]) for point, key in keys.items()]
     grid = replace(grid, points=tuple(keys))

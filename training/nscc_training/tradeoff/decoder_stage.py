@@ -98,6 +98,7 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
         rows, cols = (side.stop - side.start for side in middle)
         bench.notes.append(f"decoder: clips were decoded on the middle {rows} x {cols} pixels")
     cropped, clip = coded.crop(*middle), np.asarray(light.part(*middle).dense())
+    # Slots may differ in length; the decoders reconstruct slots of equal length.
     slots = (cropped.slot_us / cropped.slot_us.mean()).astype(np.float32)[:, None, None]
     measured = cropped.clip()
     tensors = measured.tensors()

@@ -209,6 +209,8 @@ class EmulatorBench:
         ((counting, _),) = everything().having(CountedLight)
         naive, seed = Naive(self.program, self.scene.light), self.settings.seed
         seeds = range(seed, seed + self.frames)
+        # Each method has a name, a setting, a call whose time is measured, and one for its
+        # errors.
         methods: list[tuple[str, str, Callable[[], Any], Callable[[], tuple[float, float]]]] = [
             (SUMMED, "none", naive.summed, lambda: self.error([naive.summed()] * self.frames)),
             (

@@ -55,6 +55,7 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
                 Guide("reading the scene", ":", time_ms=study.floor_ms),
             )
             panels.append(Panel(study.scene, error, points, guides))
+    # If all tolerances are in electrons, the unit is named once, in the note.
     plain = all(
         measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
         for study in studies
@@ -159,6 +160,7 @@ def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
     budgets = [study.budget for study in studies]
     values = [decision.predicted_rms_e for plan in budgets for decision in plan.decisions]
     known = [e for e in (*values, *(plan.tolerance_e for plan in budgets)) if e]
+    # All panels share one range of errors, at most six decades.
     span = (max(min(known), max(known) * 1e-6) / 2, max(known) * 2)
     bars = max(len(_decisions(plan)) for plan in budgets)
     figure, grid = sheet.panels(len(studies), (sheet.WIDTH / _COLUMNS, _BAR * bars + 0.8), _COLUMNS)
@@ -214,6 +216,7 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
                 style="italic",
                 path_effects=halo(),
             )
+        # Effects that are left out have hollow bars.
         elif rms_e is not None and rms_e > span[0]:
             face = colour if decision.decision == "kept" else theme().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)

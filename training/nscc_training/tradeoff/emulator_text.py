@@ -52,6 +52,7 @@ def _methods_text(study: EmulatorStudy) -> str:
     lsb = {(p.method, p.setting): p.error for p in study.points if p.error_unit != ELECTRONS}
     beaten = dict(zip(map(id, study.points), dominated(study.points), strict=True))
     rows = [_HEAD]
+    # The name of a method stands in the first of its rows only.
     before = ""
     for point in electrons:
         mine = plans_by_setting.get(point.setting) if point.method == PLANNED else None

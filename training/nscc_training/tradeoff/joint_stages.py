@@ -148,6 +148,7 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
     container, request = bench.container, bench.request
     refuse_planless(container, "comparing tolerances")
     height, cols = bench.light.shape
+    # The reference is slow, so it runs only as many rows as a fixed amount of work allows.
     rows = range(min(height, max(1, COMPARED // (container.slots * cols))))
     if len(rows) < height:
         bench.notes.append(
