@@ -109,7 +109,7 @@ def data_of(folder: Path, key: str) -> NDArray[np.int64]:
         return np.asarray(data[key])
 
 
-def test_at_most_fourteen_words_a_look(tmp_path: Path) -> None:
+def test_a_look_takes_at_most_fourteen_words(tmp_path: Path) -> None:
     path = ROOT / "examples" / "float_pixel.nsl"
     fine(["build", path, "-O", "2", "-o", "a.icw", "--emit", "report"], tmp_path)
     report = json.loads((tmp_path / "a.report.json").read_text())

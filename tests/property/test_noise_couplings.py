@@ -70,7 +70,7 @@ def test_any_bits_give_whole_counts_or_are_flagged(values, seed):
 
 
 @given(st.data())
-def test_pixels_in_any_order_and_pieces(data):
+def test_draws_depend_on_neither_order_nor_pieces_of_the_pixels(data):
     n = data.draw(st.integers(1, 70))
     first = data.draw(st.integers(0, 2**40))
     order = np.array(data.draw(st.permutations(range(n))))

@@ -101,7 +101,9 @@ def test_any_sequence_of_words_is_parsed_or_refused(words: list[str], blank: str
 
 
 @given(PROGRAMS, st.data())
-def test_a_right_program_with_one_change(program: list[object], data: st.DataObject) -> None:
+def test_a_right_program_with_one_change_never_crashes_the_parser(
+    program: list[object], data: st.DataObject
+) -> None:
     text = "\n".join(["nsl 1", *map(statement_text, program)])
     start = data.draw(st.integers(0, len(text)))
     end = data.draw(st.integers(start, min(len(text), start + 6)))

@@ -62,11 +62,11 @@ def test_case_01_the_reference_is_exact() -> None:
 
 
 @pytest.mark.parametrize("kind", ["clip", "still"])
-def test_case_01_the_truth_of_a_scene(kind: str) -> None:
+def test_case_01_the_truth_of_a_scene_is_the_exact_sum(kind: str) -> None:
     np.testing.assert_allclose(lights()[kind].total_e(), exact(SLOTS), rtol=1e-9)
 
 
-def test_case_01_a_clip_brought_to_an_exposure(tmp_path: Path) -> None:
+def test_case_01_a_clip_is_scaled_to_its_exposure_without_bias(tmp_path: Path) -> None:
     """The factor comes from the all-open sum; a wrong sum would be in every pixel."""
     np.savez(tmp_path / "clip.npz", light=np.full((SLOTS, 1, 3), TENTH))
     light = load_scene(

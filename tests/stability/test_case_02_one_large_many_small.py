@@ -45,7 +45,7 @@ def test_case_02_the_large_one_before_the_shutter_opens(lowering: str) -> None:
     np.testing.assert_allclose(found, wanted, rtol=1e-6)
 
 
-def test_case_02_the_reference_and_the_truth() -> None:
+def test_case_02_the_reference_and_the_truth_keep_the_small_slots() -> None:
     container = program(OPEN, "edges", 1, len(PLACES))
     found = by_reference(container, light(), sensor_of(container), selected("none"))
     np.testing.assert_allclose(found.exposure_e[0, 0], LARGE + SLOTS - 1, rtol=1e-12)

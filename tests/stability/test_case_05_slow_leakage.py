@@ -29,7 +29,7 @@ def exposed(tau_s: float) -> float:
 
 
 @pytest.mark.parametrize("a_slot", [1e-8, 1e-10, 1e-4, 0.1])
-def test_case_05_value_and_loss_of_leakage(a_slot: float) -> None:
+def test_case_05_the_charge_left_and_the_charge_lost_are_exact(a_slot: float) -> None:
     found = exposed(SLOT_US * 1e-6 / a_slot)
     # Read at boundary 1, so 4095 slots old at the end.
     kept = (-Decimal(a_slot) * (SLOTS - 1)).exp()

@@ -39,7 +39,7 @@ def test_case_06_what_leaks_away(x: float) -> None:
 
 
 @pytest.mark.parametrize("x", [1e-9, 1e-6, 1e-3])
-def test_case_06_the_chance_of_any_electron(x: float) -> None:
+def test_case_06_the_chance_of_any_electron_is_exact(x: float) -> None:
     """The uniform number from which on a rate of x gives no electron."""
     low, high = 0.0, 1.0
     # A count is monotone in the uniform number, up or down: bisect for where it leaves 0.

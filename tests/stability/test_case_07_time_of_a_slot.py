@@ -34,7 +34,7 @@ def test_case_07_plain_arithmetic_would_fail() -> None:
 
 
 @pytest.mark.parametrize("fps", [10_000.0, 30.0, 7.7])
-def test_case_07_light_of_each_slot(fps: float) -> None:
+def test_case_07_each_slot_has_the_light_of_its_own_time(fps: float) -> None:
     """Every slot is as long as it says, whatever of which frames it holds."""
     parts = overlaps([100.0] * SLOTS, check_fps(fps))
     for n in range(SLOTS):

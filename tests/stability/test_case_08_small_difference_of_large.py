@@ -30,7 +30,7 @@ def light(place: int) -> Light:
 
 @pytest.mark.parametrize("rule", LIGHT)
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
-def test_case_08_after_and_before_much_light(rule: str, lowering: str) -> None:
+def test_case_08_a_small_exposure_is_exact_beside_much_light(rule: str, lowering: str) -> None:
     _, place = LIGHT[rule]
     container = program(TEXT.format(rule), lowering, 2, 3)
     for seed in range(5):
@@ -43,7 +43,7 @@ def test_case_08_after_and_before_much_light(rule: str, lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
-def test_case_08_above_a_noisy_reset_level(lowering: str) -> None:
+def test_case_08_a_noisy_reset_level_is_subtracted_exactly(lowering: str) -> None:
     """Reset noise is subtracted with the level: the same charge comes out."""
     container = program(TEXT.format("n < 1"), "edges", 2, 3)
     sensor = sensor_of(container, reset_noise_e=30_000.0)

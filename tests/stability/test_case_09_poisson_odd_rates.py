@@ -13,7 +13,7 @@ from nscc_runtime.noise import key, poisson
 
 @pytest.mark.parametrize("drawn", BOTH)
 @pytest.mark.parametrize("beside", [1.0, 1000.0], ids=["few", "many"])
-def test_case_09_zero_negative_and_nan(drawn, beside):
+def test_case_09_zero_negative_and_nan_rates_give_no_count(drawn, beside):
     odd = [0.0, -0.0, -1e-12, -10.0, -math.inf, 5e-324, math.nan]
     rate = np.array([*odd * 1000, beside])
     counts = drawn(key(1, 1), np.arange(len(rate)), rate)

@@ -18,14 +18,14 @@ EXPECTED = 65536 * SLOTS * 1e-8
 
 
 @pytest.mark.parametrize("drawn", BOTH)
-def test_case_10_slots_summed_first(drawn):
+def test_case_10_rare_counts_are_right_if_slots_are_summed_first(drawn):
     rate = np.full(65536, SLOTS * 1e-8)
     seeds = 200
     events = sum(drawn(key(seed, 1), PIXELS, rate).sum() for seed in range(seeds))
     assert abs(events - seeds * EXPECTED) < 5 * math.sqrt(seeds * EXPECTED)
 
 
-def test_case_10_slot_by_slot():
+def test_case_10_rare_counts_are_right_slot_by_slot():
     rate = np.full(65536, 1e-8)
     events = sum(poisson(key(0, 1, group=slot), PIXELS, rate)[0].sum() for slot in range(SLOTS))
     assert 0 < events < EXPECTED + 5 * math.sqrt(EXPECTED)

@@ -12,7 +12,7 @@ from nscc_runtime.noise import key
 
 
 @pytest.mark.parametrize("drawn", BOTH)
-def test_case_11_mean_and_variance(drawn):
+def test_case_11_mean_and_variance_equal_the_rate(drawn):
     n, rate = 200_000, 1e9
     counts = drawn(key(1, 1), np.arange(n), np.full(n, rate))
     assert np.array_equal(counts, np.floor(counts))

@@ -18,7 +18,7 @@ from nscc_runtime.noise import key
 
 
 @pytest.mark.parametrize("rate", [10.0, 10.2, 11.0, 13.0, 15.99, 16.0, 20.0, 80.0, 1000.0, 30000.0])
-def test_case_13_bias_variance_and_total_variation(rate):
+def test_case_13_the_approximation_is_near_the_poisson_law(rate):
     counts = np.arange(int(rate + 9 * math.sqrt(rate) + 30))
     reached = fast_distribution(rate, counts)
     masses = np.diff(reached, prepend=0.0)

@@ -27,7 +27,7 @@ def light_near_the_well() -> Light:
 
 @pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
 @pytest.mark.parametrize("effects", ["full_well", "full_well,register", "full_well,shot"])
-def test_case_14_around_the_full_well(lowering: str, effects: str) -> None:
+def test_case_14_codes_never_fall_around_the_full_well(lowering: str, effects: str) -> None:
     container = program(OPEN, lowering, 3, 7)
     light = light_near_the_well()
     (frame,) = frames(container, light, sensor_of(container), selected(effects))

@@ -36,7 +36,7 @@ def test_case_15_halves_go_to_the_even_code() -> None:
     assert codes(halves[:200], 3.0).tolist() == (nearest_even[:200] + 3).astype(int).tolist()
 
 
-def test_case_15_no_bias() -> None:
+def test_case_15_rounding_has_no_bias() -> None:
     even = np.linspace(10.0, 200.0, 190 * 1000, endpoint=False)
     on_halves = np.arange(10, 200, 0.5)
     random = np.random.default_rng(5).uniform(10, 200, 1_000_000)

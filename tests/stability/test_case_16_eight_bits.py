@@ -19,7 +19,7 @@ EXPECTED = [0, 255, 255, 0, 255, 0, 255, 0, 255, 0]
 
 
 @pytest.mark.parametrize("noisy", [False, True])
-def test_case_16_clamps_and_flags(noisy: bool) -> None:
+def test_case_16_values_outside_the_codes_are_clamped_and_flagged(noisy: bool) -> None:
     shaped = VALUES.reshape(1, 1, -1)
     noise = np.zeros(shaped.shape) if noisy else 0.0
     exposure = Exposure(shaped, np.isfinite(shaped))
@@ -37,7 +37,7 @@ def test_case_16_nan_is_flagged_even_where_the_exposure_was_not() -> None:
 
 
 @pytest.mark.parametrize("offset", [-65536.0, -3.0, 10.0, 65536.0])
-def test_case_16_offsets_clamp_too(offset: float) -> None:
+def test_case_16_values_with_an_offset_are_clamped(offset: float) -> None:
     sensor = default_sensor(TARGET).changed(adc_offset_lsb=offset)
     levels = np.arange(-300.0, 600.0).reshape(1, 1, -1)
     found = read_out(Exposure(levels, np.ones(levels.shape, bool)), TARGET, sensor).frame

@@ -33,7 +33,9 @@ def test_case_17_plain_arithmetic_would_fail() -> None:
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.int16, np.uint16, np.int64, np.uint64])
 @pytest.mark.parametrize("ending", [".npz", ".npy", ".mat"])
-def test_case_17_light_of_integers(dtype: type, ending: str, tmp_path: Path) -> None:
+def test_case_17_light_of_integers_never_overflows(
+    dtype: type, ending: str, tmp_path: Path
+) -> None:
     from scipy.io import savemat
 
     values, path = np.full((SLOTS, 1, 3), 255, dtype), tmp_path / f"light{ending}"
@@ -53,7 +55,7 @@ def test_case_17_light_of_integers(dtype: type, ending: str, tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
-def test_case_17_a_clip_of_integers_brought_to_an_exposure(dtype: type, tmp_path: Path) -> None:
+def test_case_17_scaling_a_clip_of_integers_never_overflows(dtype: type, tmp_path: Path) -> None:
     from scipy.io import savemat
 
     top = np.iinfo(dtype).max
@@ -64,7 +66,7 @@ def test_case_17_a_clip_of_integers_brought_to_an_exposure(dtype: type, tmp_path
     np.testing.assert_allclose(light.total_e(), [[1e6, 1e6 * (top // 2) / top, 1e6]], rtol=1e-6)
 
 
-def test_case_17_frames_of_a_calibration() -> None:
+def test_case_17_sums_of_calibration_frames_never_overflow() -> None:
     codes = np.random.default_rng(1).integers(253, 256, (SLOTS, 8, 8)).astype(np.uint16)
     codes[:, 1, 1] -= 250
     level = level_of(Stack("flat", codes, np.ones((8, 8), bool)), 255)

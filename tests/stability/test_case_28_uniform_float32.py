@@ -24,7 +24,7 @@ def _all(first, out):
 
 
 @pytest.mark.parametrize("lowest", [0, 255], ids=["low bits 0", "low bits 1"])
-def test_case_28_all_of_2_to_the_24(lowest):
+def test_case_28_all_2_to_the_24_numbers_are_evenly_spread_inside_0_and_1(lowest):
     found = np.empty(2**24, np.float32)
     _all(lowest, found)
     assert found.min() == np.float32(2.0**-24)

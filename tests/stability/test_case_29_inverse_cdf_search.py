@@ -32,7 +32,7 @@ def check_moments(rate, blocks, drawn):
 @pytest.mark.slow
 @pytest.mark.parametrize("drawn", BOTH)
 @pytest.mark.parametrize("rate", [1e-3, 0.1, 1.0, 12.0])
-def test_case_29_moments_of_50_million(rate, drawn):
+def test_case_29_moments_of_50_million_counts_equal_the_law(rate, drawn):
     check_moments(rate, 50, drawn)
 
 

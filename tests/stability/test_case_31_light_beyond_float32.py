@@ -28,7 +28,9 @@ def test_case_31_sums_are_exact(lowering: str) -> None:
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("effects", ["shot", "full_well", "shot,full_well,prnu", "all"])
-def test_case_31_with_effects(lowering: str, effects: str) -> None:
+def test_case_31_the_brightest_light_is_saturated_and_finite_under_effects(
+    lowering: str, effects: str
+) -> None:
     """Codes that mean something are the top one; others are marked."""
     container = program(STOPS, lowering, ROWS, COLS)
     found = capture(container, light(), sensor=sensor_of(container), effects=effects)

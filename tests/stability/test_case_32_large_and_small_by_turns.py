@@ -36,7 +36,7 @@ def test_case_32_the_sum_is_exact(lowering: str) -> None:
         assert np.abs(lost).max() < 0.01 * float(SMALL) * SLOTS / 2
 
 
-def test_case_32_the_small_ones_alone() -> None:
+def test_case_32_small_slots_are_exact_between_large_closed_ones() -> None:
     """Where PIX is reset in between: what is lost is a part of the light of the whole frame, which
     the arbitrary start of the registers follows."""
     container = program(ODD, "accumulate", 2, 3)

@@ -25,7 +25,7 @@ def text(when: str) -> str:
 @pytest.mark.parametrize(
     ("when", "slots"), [("< 8", range(8)), (">= 2", range(2, 8)), ("== 3", [3])]
 )
-def test_case_36_dark_charge(when: str, slots) -> None:
+def test_case_36_dark_charge_follows_the_open_time(when: str, slots) -> None:
     """Means over many pixels, of the reference and of a plan, against time itself."""
     container = program(text(when), "accumulate", 64, 64)
     sensor = sensor_of(container, dark_current_e_per_s=DARK_E_PER_S, dark_spread_fraction=0.0)

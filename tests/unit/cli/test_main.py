@@ -58,7 +58,7 @@ def test_every_option_is_explained() -> None:
                 )
 
 
-def test_version_and_help(folder: Path) -> None:
+def test_version_and_help_are_printed(folder: Path) -> None:
     assert invoke(["--version"], folder).out == f"nscc {__version__}\n"
     listed = invoke(["--help"], folder)
     assert listed.status == 0

@@ -82,7 +82,7 @@ def test_long_requests_are_not_read(address: Any) -> None:
     assert status == 400
 
 
-def test_wrong_arguments_teach(tmp_path: Path) -> None:
+def test_wrong_arguments_of_play_are_refused_with_a_help(tmp_path: Path) -> None:
     compiled = invoke(["play", "mine.icw"], tmp_path)
     assert (compiled.status, compiled.codes) == (2, ["NS0796"])
     assert "give the .nsl file" in compiled.err

@@ -94,7 +94,7 @@ def test_the_readout_is_that_of_frame_files() -> None:
     assert silent.frame.tobytes() == taken.frame.tobytes()
 
 
-def test_seeds_threads_and_plans() -> None:
+def test_captures_repeat_by_seed_and_plan_with_any_threads() -> None:
     one = capture(PROGRAM, CLIP, effects="auto", seed=1)
     assert (
         capture(PROGRAM, CLIP, effects="auto", seed=1, threads=3).exposure_e.tobytes()

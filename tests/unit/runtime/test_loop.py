@@ -226,7 +226,7 @@ def code(monkeypatch, *places):
     return object_file(expose_pixels.module).code()
 
 
-def test_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):
+def test_a_loop_is_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):
     place = tmp_path / "cache"
     assert code(monkeypatch, place) == b"machine code"
     assert code(monkeypatch, place) == b"machine code"

@@ -142,7 +142,7 @@ def test_an_exported_mask_is_imported_to_the_same_shutters(tmp_path: Path, suffi
     np.testing.assert_array_equal(mask, expected)
 
 
-def test_masks_of_several_buckets_and_of_pixels_that_look(tmp_path: Path) -> None:
+def test_masks_are_exported_by_bucket_and_refused_for_pixels_that_look(tmp_path: Path) -> None:
     examples = ROOT / "examples"
     program = str(examples / "two_buckets.nsl")
     assert invoke(["export-mask", program, "-o", "m.npy"], tmp_path).status == 0

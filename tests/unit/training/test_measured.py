@@ -16,7 +16,7 @@ from nscc_training.sensor_model import SensorModel
 SENSOR = SensorModel(30000.0, 120.0, adc_bits=8, adc_noise_lsb=0.75)
 
 
-def test_the_noise_of_a_read_frame() -> None:
+def test_the_noise_of_a_read_frame_is_computed_from_the_sensor() -> None:
     """Converter noise and rounding everywhere, photons where there is light."""
     rng = np.random.default_rng(3)
     masks = rng.random((1, 3, 40, 50)) < 0.5

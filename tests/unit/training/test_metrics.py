@@ -145,7 +145,7 @@ def test_arguments_of_other_types_are_refused(call: Any, words: str) -> None:
 
 
 @pytest.mark.parametrize("bad", [[], [math.nan], [30.0, math.nan], [-math.inf, 30.0]])
-def test_no_mean_of_bad_scores(bad: list[float]) -> None:
+def test_means_of_bad_scores_are_refused(bad: list[float]) -> None:
     with pytest.raises(ValueError, match="a mean is taken of numbers of dB"):
         metrics.finite_mean(bad)
 

@@ -28,7 +28,7 @@ def about(text: str, piece: str) -> str:
     )
 
 
-def test_the_look_of_an_error() -> None:
+def test_an_error_is_rendered_with_its_lines_and_labels() -> None:
     error = Diagnostic(
         "NS0107",
         "the codes need 16 bits a pixel, the chip has 13",

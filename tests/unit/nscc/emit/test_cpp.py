@@ -351,7 +351,7 @@ def test_codes_where_no_register_is_left_to_spread_with(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_pixels_that_look_at_other_levels_of_in(tmp_path: Path) -> None:
+def test_pixels_that_look_at_several_levels_set_in_for_each(tmp_path: Path) -> None:
     text = (
         "nsl 2\nframe 8 slots of 1ms\nsense a when light > [10%, 60%] at n in [2, 5]\n"
         "sense b when light > 30% at n in [2, 5]\nstate s : 0..3 = 0\n"

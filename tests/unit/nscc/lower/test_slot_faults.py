@@ -68,7 +68,7 @@ def book_file(folder, rows, slots):
         ),
     ],
 )
-def test_more_shutters_than_states(chip, text, codes, required, what):
+def test_more_shutters_than_register_states_are_refused(chip, text, codes, required, what):
     found = fault(f"target {chip}\n{text}" if chip else text, codes)
     # `required` is the binary logarithm of the number of shutters, rounded up.
     assert found.code == "NS0412"

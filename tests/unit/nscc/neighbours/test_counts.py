@@ -177,7 +177,7 @@ def test_the_largest_of_neighbours_equals_numpy(kernel: str) -> None:
     np.testing.assert_allclose(told["image_down"][inside], least[inside] / 2, atol=1e-6)
 
 
-def test_the_largest_count_of_neighbours() -> None:
+def test_the_largest_count_of_neighbours_equals_a_maximum_filter() -> None:
     text = (
         HEAD
         + AROUND

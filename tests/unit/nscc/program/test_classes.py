@@ -153,5 +153,5 @@ def test_a_target_is_named_by_the_file_or_the_caller(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("shutters", "registers"), [(1, 0), (2, 1), (3, 2), (4, 2), (5, 3), (256, 8), (257, 9)]
 )
-def test_registers_that_distinguish_shutters(shutters: int, registers: int) -> None:
+def test_bits_needed_is_the_logarithm_rounded_up(shutters: int, registers: int) -> None:
     assert bits_needed(shutters) == registers

@@ -61,7 +61,7 @@ def pythons(text: str) -> Any:
 
 
 @pytest.mark.parametrize("first", OPERATORS)
-def test_three_operators_in_a_row(first: str) -> None:
+def test_three_operators_in_a_row_bind_as_in_python(first: str) -> None:
     for second, third in product(OPERATORS, repeat=2):
         text = f"a {first} b {second} c {third} d"
         assert ours(text) == pythons(text), text

@@ -296,7 +296,7 @@ def test_frame_files_of_one_run_are_one_level(tmp_path: Path) -> None:
     assert found.codes == ["NS0791"]
 
 
-def test_a_file_whose_name_looks_like_a_time(
+def test_a_file_whose_name_looks_like_a_time_is_taken_as_a_file(
     stacks: tuple[list[Stack], list[Stack]], tmp_path: Path
 ) -> None:
     flats, darks = written(tmp_path, stacks, "npy")

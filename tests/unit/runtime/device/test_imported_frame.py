@@ -117,7 +117,7 @@ def test_an_imported_frame_is_the_frame_without_its_scene(tmp_path: Path) -> Non
     assert np.median(np.abs(light - same)) < 0.02 * np.median(same)
 
 
-def test_images_planes_and_buckets_by_name_and_in_order(tmp_path: Path) -> None:
+def test_pictures_are_assigned_by_name_or_in_order(tmp_path: Path) -> None:
     program = str(EXAMPLES / "edges.nsl")
     made = exposed(tmp_path, program)
     saved(tmp_path / "e.png", made["plane_edge"].astype(np.uint8) * 255)

@@ -68,7 +68,7 @@ def test_bytes_are_hit_at_the_rates_given() -> None:
     assert abs(lost - 5120) < 5 * 71
 
 
-def test_faults_of_probability_zero_and_one_never_and_always_happen() -> None:
+def test_faults_happen_never_at_probability_0_and_always_at_1() -> None:
     assert Spoiler(LineFaults(), 1).spoiled(b"as it is") == b"as it is"
     assert Spoiler(LineFaults(drop=1.0), 1).spoiled(b"gone") == b""
     out = Spoiler(LineFaults(corrupt=1.0), 1).spoiled(b"\0" * 1000)

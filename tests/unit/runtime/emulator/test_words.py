@@ -61,7 +61,7 @@ def test_a_chip_without_the_rule_writes_everywhere():
 
 
 @pytest.mark.parametrize(("behaviour", "everywhere"), [("no", True), ("yes", False)])
-def test_reset_under_the_flag(behaviour, everywhere):
+def test_resets_obey_the_flag_only_where_the_chip_says_so(behaviour, everywhere):
     level = run([*CLEAR, op("rpix"), *SHOW])
     words = [*CLEAR, op("WHERE", (), ["R1"]), op("rpix"), op("all"), *SHOW]
     found = run(words, reset_honours_flag=behaviour) == level
@@ -99,7 +99,7 @@ def test_what_a_frame_starts_with_depends_on_the_seed_alone():
     assert (first.exposure_e > 0).any()
 
 
-def test_seeds_of_any_size():
+def test_seeds_of_any_size_are_accepted():
     program = container_of(target_of(SHAPE), PLANES, [SHOW], [(0, 0)], 1)
     for seed in (0, -1, 2**63, 2**64 - 1, 10**30):
         assert np.isfinite(expose(program, LIGHT, device_seed=seed).exposure_e).all()

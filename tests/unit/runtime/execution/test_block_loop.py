@@ -172,7 +172,7 @@ def test_extreme_sensors_equal_the_reference() -> None:
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-3)
 
 
-def test_light_without_limit_and_next_to_none() -> None:
+def test_extreme_light_equals_the_reference() -> None:
     container = case("b edges", rows=6, cols=9)
     light = moving_light((8, 6, 9), 500.0)
     light.frames[2, 1, 1] = 3e38

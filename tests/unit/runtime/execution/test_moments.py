@@ -76,7 +76,7 @@ def test_weights_are_those_of_the_light_that_is_asked_for() -> None:
         matrix += 1.0
 
 
-def test_slots_that_share_frames_and_frames_that_share_slots() -> None:
+def test_shared_frames_and_slots_are_weighed_once_each() -> None:
     """Weights of slots, through the light's own matrix; runs of frames with the same weights are
     added up before they are weighed."""
     rng = np.random.default_rng(3)

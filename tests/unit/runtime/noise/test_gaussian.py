@@ -18,7 +18,7 @@ def quantiles(values):
     return np.array([normal(float(value)) for value in values])
 
 
-def test_relative_error_from_end_to_end():
+def test_the_relative_error_is_small_from_end_to_end():
     few = STEP * np.arange(1, 2000, 2)
     tail = 2.0 ** np.linspace(-53, -1, 40_001)[:-1]
     middle = 0.5 - 2.0 ** np.linspace(-53, -2, 4001)
@@ -33,7 +33,7 @@ def test_quantiles_are_symmetric_to_the_bit():
     assert np.array_equal(quantiles(u), -quantiles(1 - u))
 
 
-def test_never_decreases_where_cells_meet():
+def test_quantiles_never_decrease_where_cells_meet():
     for octave in range(1, 53):
         edges = 2.0**-octave * (1 + np.arange(32) / 32) / 2
         steps = np.arange(-8, 9) * max(STEP, 2.0 ** -(octave + 54))
@@ -42,7 +42,7 @@ def test_never_decreases_where_cells_meet():
             assert np.all(np.diff(quantiles(row)) >= 0)
 
 
-def test_never_decreases_from_one_number_to_the_next():
+def test_quantiles_never_decrease_from_one_number_to_the_next():
     rng = np.random.default_rng(3)
     for start in rng.random(200) * 0.5:
         run = np.floor(start / STEP) * STEP + STEP * np.arange(1, 40)

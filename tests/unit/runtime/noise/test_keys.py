@@ -105,7 +105,7 @@ def test_numbers_too_large_for_a_key_are_refused(wrong):
         key(*wrong)
 
 
-def test_shape_and_order_of_the_pixels():
+def test_draws_keep_the_shape_and_ignore_the_order_of_pixels():
     pixels = np.arange(60).reshape(3, 20)
     whole = normals(key(1, 1), pixels)
     assert whole.shape == (3, 20)

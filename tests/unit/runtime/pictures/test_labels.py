@@ -21,7 +21,7 @@ LINES = st.lists(st.lists(PLACES, min_size=1, max_size=6), min_size=1, max_size=
 
 @settings(deadline=None, max_examples=25)
 @given(LINES, st.integers(1, 30), st.floats(1.2, 5))
-def test_labels_cover_nothing(
+def test_labels_never_cover_anything(
     lines: list[list[tuple[float, float]]], long: int, wide: float
 ) -> None:
     """No text or halo on another text, on a mark or on the edge, whatever is drawn; no leader

@@ -23,7 +23,9 @@ ROWS, COLS = 60, 90
 
 
 @given(rows=st.integers(1, 40), cols=st.integers(1, 40), seed=st.integers(0, 99), data=st.data())
-def test_reduced_by_means_over_areas(rows: int, cols: int, seed: int, data: Any) -> None:
+def test_large_pictures_are_reduced_by_means_over_areas(
+    rows: int, cols: int, seed: int, data: Any
+) -> None:
     size = data.draw(st.integers(1, rows)), data.draw(st.integers(1, cols))
     band_rows = data.draw(st.integers(1, rows))
     light = np.random.default_rng(seed).uniform(0, 9, (rows, cols))

@@ -52,7 +52,7 @@ def test_rates_outside_reason_are_refused() -> None:
             timing.check_fps(fps)
 
 
-def test_a_clip_in_real_time(tmp_path: Path) -> None:
+def test_a_clip_in_real_time_is_divided_among_the_slots(tmp_path: Path) -> None:
     from PIL import Image
 
     for k, value in enumerate((50, 100, 200)):

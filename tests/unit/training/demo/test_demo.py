@@ -178,7 +178,7 @@ def test_run_like_uses_the_program_and_exposure_of_a_run(folder: Path, run_nscc:
         assert (path / "decoder.safetensors").is_file(), name
 
 
-def test_the_liveliest_part_of_a_clip() -> None:
+def test_the_liveliest_part_of_a_clip_is_found() -> None:
     frames = np.zeros((30, 8, 8), np.float32)
     for k in range(30):
         frames[k, :, k % 8] = 1 if 10 <= k < 18 else 0.1
@@ -265,7 +265,9 @@ def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:
     assert run_nscc(["view", "frame.npz", "-o", "view.jpg"], folder).codes == ["NS0786"]
 
 
-def test_a_photo_through_ones_own_run(folder: Path, run_nscc: RunNscc, tmp_path: Path) -> None:
+def test_a_photo_is_demonstrated_with_a_run_of_the_user(
+    folder: Path, run_nscc: RunNscc, tmp_path: Path
+) -> None:
     own = trained(tmp_path / "own", shutter={"slots": 64, "tile": [2, 2]}, decoder={"width": 0.25})
     outcome = run_nscc(["demo", "photo.jpg", "--run", own, "-o", tmp_path / "shown"], folder)
     assert outcome.status == 0, outcome.err

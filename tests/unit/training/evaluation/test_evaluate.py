@@ -98,7 +98,7 @@ def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["unet3d", "unrolled", "refined"])
-def test_a_run_with_the_mask_of_the_file(name: str, tmp_path: Path) -> None:
+def test_a_run_is_evaluated_with_the_mask_of_the_file(name: str, tmp_path: Path) -> None:
     shutter = {"class": "e", "slots": 8, "tile": [4, 4], "init": "random"}
     trained(
         tmp_path / "r",

@@ -179,7 +179,7 @@ def test_what_is_not_finite_stops_before_the_step(
     assert not (tmp_path / "r" / "checkpoint.safetensors").exists()
 
 
-def test_own_data_by_import_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_own_data_are_imported_by_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "data_of_tests.py").write_text(
         "import numpy as np\n"
         "def scenes(kind, part, slots, seed):\n"

@@ -86,7 +86,7 @@ def test_starts_that_a_class_has_not(spec: ShutterSpec, name: str, reason: str) 
         make_encoder(spec, name)
 
 
-def test_the_closed_form_of_light_without_neighbours() -> None:
+def test_the_closed_form_equals_least_squares_by_hand() -> None:
     """Beside least squares of one pixel by hand: still light, and light that changes each slot."""
     shutters = np.zeros((8, 4, 4))
     shutters[:3] = 1

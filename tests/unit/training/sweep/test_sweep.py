@@ -569,7 +569,7 @@ def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     assert {each.code for each in wrong.value.diagnostics} == {"NS0832"}
 
 
-def test_dry_run_and_parquet(tmp_path: Path) -> None:
+def test_a_dry_run_counts_points_and_parquet_equals_the_table(tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     written(tmp_path, GRID + BITS)
     said = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run"], tmp_path)

@@ -356,7 +356,7 @@ def test_other_names_are_no_program(folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_the_decoders_of_a_run(tmp_path: Path) -> None:
+def test_the_decoders_of_a_run_are_compared(tmp_path: Path) -> None:
     pytest.importorskip("torch")
     command = [
         "tradeoff",
