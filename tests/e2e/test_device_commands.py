@@ -210,7 +210,7 @@ def test_a_port_where_nobody_answers(folder: Path) -> None:
         os.close(master)
 
 
-def test_a_device_that_sends_other_things(folder: Path) -> None:
+def test_a_device_that_sends_foreign_bytes_is_refused(folder: Path) -> None:
     """A terminal of another device, whose lines contain no end of a packet."""
     from threading import Timer
 
@@ -310,7 +310,7 @@ def test_serving_ends_when_told(folder: Path) -> None:
         assert device.process.wait(LIMIT_S) == 0
 
 
-def test_what_serve_does_not_take(folder: Path) -> None:
+def test_serve_refuses_invalid_scenes_and_faults(folder: Path) -> None:
     line = ["device", "serve", "--target", "chip.toml"]
     failed(invoke(line, folder), "NS0744", 2)
     failed(invoke([*line, "--scene", "builtin:nothing"], folder), "NS0731", 2)

@@ -57,7 +57,7 @@ def test_programs_are_the_examples() -> None:
         assert (ROOT / "examples" / f"{name}.nsl").read_text().endswith(program)
 
 
-def test_what_check_says_is_shown() -> None:
+def test_pages_show_the_output_of_check() -> None:
     [shown] = blocks("README.md", "text")
     assert invoke(["check", "examples/hdr_2x2.nsl"], ROOT).out == shown
 
@@ -132,7 +132,7 @@ def test_the_table_of_a_plan_is_that_of_its_command(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_links_lead_somewhere(page: str) -> None:
+def test_links_lead_to_existing_pages(page: str) -> None:
     """But to pages that the site's build makes: it checks those itself."""
     for link in re.findall(r"\]\(([^)#]+)\)", (ROOT / page).read_text()):
         assert (

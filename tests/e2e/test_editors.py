@@ -84,7 +84,7 @@ def test_words_of_version_2_have_no_colour_in_version_1() -> None:
         assert found[-1] == (2, 12, 17, scope)
 
 
-def test_what_is_declared_is_there() -> None:
+def test_files_commands_and_settings_of_the_extension_exist() -> None:
     about = package()
     assert about["version"] == nscc.__version__
     contributed = about["contributes"]

@@ -62,7 +62,7 @@ def test_every_example_that_looks_has_an_oracle() -> None:
 
 
 @pytest.mark.parametrize("name", ORACLES)
-def test_frames_are_what_the_comment_says(name: str, tmp_path: Path) -> None:
+def test_frames_match_the_comments_of_the_examples(name: str, tmp_path: Path) -> None:
     path = ROOT / "examples" / f"{name}.nsl"
     scene = ["--scene", "builtin:hdr", "--exposure", "300000"]
     fine(["run", path, *scene, "-o", "f.npz", "--keep", "light,truth"], tmp_path)
@@ -118,7 +118,7 @@ def test_a_look_takes_at_most_fourteen_words(tmp_path: Path) -> None:
     assert len(report["digital_registers"]) <= 13
 
 
-def test_what_is_missing_says_so(tmp_path: Path) -> None:
+def test_unsupported_outputs_and_lowerings_of_looks_are_refused(tmp_path: Path) -> None:
     path = ROOT / "examples" / "float_pixel.nsl"
     for arguments, code in (
         (["shutters", path, "-o", "s.npz"], "NS0444"),

@@ -59,7 +59,7 @@ DOCUMENTED = (
 
 
 @pytest.mark.parametrize("name", DOCUMENTED)
-def test_what_a_module_shows_works(
+def test_examples_in_docstrings_of_modules_work(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if name.startswith("nscc_training"):

@@ -215,7 +215,7 @@ def test_a_broken_promise_exits_1_and_leaves_the_files(folder: Path) -> None:
     assert (folder / "f.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_what_is_forced_off_is_warned_of(folder: Path) -> None:
+def test_effects_that_are_forced_off_give_a_warning(folder: Path) -> None:
     forced = "--effects", "auto,-shot", "--tolerance", "5e"
     outcome = run(folder, *forced)
     assert (outcome.status, outcome.codes) == (0, ["NS0749"])

@@ -67,7 +67,7 @@ def test_needs_no_torch(arguments: list[str], folder: Path) -> None:
     ],
     ids=" ".join,
 )
-def test_says_that_torch_is_missing(arguments: list[str], folder: Path) -> None:
+def test_a_missing_torch_is_reported(arguments: list[str], folder: Path) -> None:
     (folder / "c.toml").write_text("[train]\nsteps = 1\n")
     done = without_torch(arguments, folder)
     assert done.returncode == 2

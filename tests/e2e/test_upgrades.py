@@ -77,7 +77,7 @@ def test_a_run_decodes_as_it_did(old: Path) -> None:
         assert new_meta["electrons_per_lsb"] == old_meta["electrons_per_lsb"]
 
 
-def test_what_comes_from_a_later_version_is_told(old: Path) -> None:
+def test_files_of_later_versions_are_refused(old: Path) -> None:
     """Files of the next version, opened in this one."""
     data = bytearray((old / "stops.icw").read_bytes())
     data[8] = 99

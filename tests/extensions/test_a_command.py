@@ -48,7 +48,7 @@ def test_a_command_from_outside_is_one_of_nscc(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("name", "value"), [("shine", "text"), ("check", "command")])
-def test_what_is_no_command_or_takes_a_name_is_refused(
+def test_invalid_commands_and_taken_names_are_refused(
     tmp_path: Path, name: str, value: str
 ) -> None:
     add_package(tmp_path, SOURCE, "nscc.commands", name, value)

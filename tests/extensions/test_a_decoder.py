@@ -57,7 +57,7 @@ def test_a_decoder_from_outside_learns_and_decodes(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("name", "value"), [("shine", "text"), ("unet2d", "Shine")])
-def test_what_is_no_decoder_or_takes_a_name_is_refused(
+def test_invalid_decoders_and_taken_names_are_refused(
     tmp_path: Path, name: str, value: str
 ) -> None:
     add_package(tmp_path, SOURCE, "nscc.decoders", name, value)

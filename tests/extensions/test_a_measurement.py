@@ -69,7 +69,7 @@ def test_a_measurement_from_outside_has_a_table_and_a_diagram(tmp_path: Path) ->
     assert "4 known, 0 to compute" in again.stderr
 
 
-def test_what_is_no_measurement_is_refused(tmp_path: Path) -> None:
+def test_invalid_measurements_are_refused(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.measurements", "range", "other")
     (tmp_path / "grid.toml").write_text(GRID)
     done = nscc_with(tmp_path, "sweep", "grid.toml", "--out", "out", "--workers", "0")

@@ -50,7 +50,7 @@ def test_a_target_from_outside_compiles_and_runs(tmp_path: Path) -> None:
     ("name", "value", "status"),
     [("tiny", "FILE", 0), ("tiny", "VALUE", 0), ("tiny", "WRONG", 2), ("scamp7", "TABLE", 2)],
 )
-def test_files_and_values_serve_too_and_the_rest_is_refused(
+def test_targets_come_from_files_or_values_and_others_are_refused(
     tmp_path: Path, name: str, value: str, status: int
 ) -> None:
     add_package(tmp_path, SOURCE, "nscc.targets", name, value)

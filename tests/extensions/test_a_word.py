@@ -36,7 +36,7 @@ BY_FIFTHS = "bus5 C, NEWS, D, E, F, A, PIX\n    sum A, B, C, NEWS, D, E, F\n"
 RUNS = ("none", "all --fidelity reference", "auto --audit", "all")
 
 
-def test_words_of_ones_own_are_assembled_proved_and_run(tmp_path: Path) -> None:
+def test_words_of_the_user_are_assembled_proved_and_run(tmp_path: Path) -> None:
     (tmp_path / "tiny.toml").write_text(TABLE)
     (tmp_path / "p.nsl").write_text(RULE + "pixels stop = tile [[1, 3], [5, 8]]\n")
     assert invoke(f"build {OPTIONS} -o p.icw".split(), tmp_path).status == 0
@@ -57,7 +57,7 @@ def test_words_of_ones_own_are_assembled_proved_and_run(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("change", ['"bus"/"blend"', "[5,/[4,", '"sum"/"OR"', '"fbus"/"W1"'])
-def test_what_cannot_be_a_word_is_refused(tmp_path: Path, change: str) -> None:
+def test_invalid_words_are_refused(tmp_path: Path, change: str) -> None:
     (tmp_path / "tiny.toml").write_text(TABLE.replace(*change.split("/"), 1))
     (tmp_path / "p.nsl").write_text(RULE)
     assert invoke(["check", *OPTIONS.split()], tmp_path).codes == ["NS0235"]

@@ -59,7 +59,7 @@ def test_an_effect_from_outside_in_everything_there_is(tmp_path: Path) -> None:
         assert audit["measured_rms_e"] == pytest.approx(plan["predicted_e"], rel=0.15, abs=1e-6)
 
 
-def test_what_it_lacks_is_said_by_its_name(tmp_path: Path) -> None:
+def test_missing_parts_of_an_effect_are_named(tmp_path: Path) -> None:
     lacking = SOURCE.replace("rms of the columns' offsets", "")
     add_package(tmp_path, lacking, "nscc.effects", "columns", "COLUMNS")
     refused = nscc_with(tmp_path, "effects").stderr

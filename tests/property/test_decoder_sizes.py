@@ -82,7 +82,7 @@ def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
         ("unet2d", 500, (8, 8)),
     ],
 )
-def test_where_it_would_be_more_it_is_narrower_and_not_much(
+def test_decoders_that_would_be_too_large_are_narrowed_slightly(
     name: str, slots: int, tile: tuple[int, int]
 ) -> None:
     with torch.device("meta"):
@@ -100,6 +100,6 @@ def test_the_papers_size_is_not_narrowed() -> None:
 
 
 @pytest.mark.parametrize("tile", [(64, 64), (256, 256)])
-def test_what_cannot_be_small_says_so_and_takes_no_memory(tile: tuple[int, int]) -> None:
+def test_decoders_that_cannot_be_small_are_refused_without_memory(tile: tuple[int, int]) -> None:
     with pytest.raises(ValueError, match=r"fcnet has at most 600,000 parameters.*another decoder"):
         make_decoder("fcnet", "small", DecoderTask("clip", 16, tile))

@@ -295,7 +295,7 @@ replies = st.one_of(
 
 
 @given(st.lists(st.tuples(st.sampled_from(list(PacketKind)), replies), max_size=30), st.data())
-def test_a_host_ends_whatever_a_loader_says(
+def test_a_host_ends_after_any_answers_of_a_loader(
     answers: list[tuple[PacketKind, bytes]], data: st.DataObject
 ) -> None:
     """The host gets the answers to its latest request, or any others, and then silence."""

@@ -16,7 +16,7 @@ each other by 3e-8 there."""
 
 
 @given(VALUES)
-def test_srgb_curves_undo_each_other(values: np.ndarray) -> None:
+def test_srgb_curves_are_inverses_of_each_other(values: np.ndarray) -> None:
     for given_ in (values, BENDS, BENDS * 0.99, BENDS * 1.01):
         np.testing.assert_allclose(linear_to_srgb(srgb_to_linear(given_)), given_, atol=1e-6)
         np.testing.assert_allclose(srgb_to_linear(linear_to_srgb(given_)), given_, atol=1e-7)
@@ -30,7 +30,7 @@ def test_display_curves_increase(values: np.ndarray) -> None:
         assert (np.diff(curve(apart)) > 0).all()
 
 
-def test_the_ends_and_the_standards_own_values() -> None:
+def test_srgb_curves_give_the_values_of_the_standard() -> None:
     """Of IEC 61966-2-1: grey of 18 % is 0.4614; the first of 255 steps is a light of 1 / 3294.6."""
     np.testing.assert_allclose(linear_to_srgb(np.array([0, 0.18, 1])), [0, 0.4614, 1], atol=5e-5)
     np.testing.assert_allclose(linear_to_srgb(np.array([1 / 3294.6])), [1 / 255], rtol=1e-4)

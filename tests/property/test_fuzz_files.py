@@ -42,7 +42,7 @@ def test_mutated_files_never_crash_a_command(folder: Path, part: int) -> None:
     assert faults(folder, QUICK, SEED + part, 100) == []
 
 
-def test_what_the_fuzzer_must_notice(folder: Path) -> None:
+def test_the_fuzzer_notices_partial_files_and_exceptions(folder: Path) -> None:
     def left(where: Path, line: str) -> Outcome:
         (where / "out.npz").write_bytes(b"")
         return Outcome(2, "", "error[NS0801]: refused\n")

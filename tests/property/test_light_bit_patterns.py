@@ -200,7 +200,7 @@ def test_pictures_are_refused_or_right(seed: int, how: str, lit: bool) -> None:
 
 @settings(max_examples=300, deadline=None)
 @given(st.integers(0, 2**32))
-def test_arrays_in_python_mark_what_is_no_number(seed: int) -> None:
+def test_arrays_in_python_mark_values_that_are_not_numbers(seed: int) -> None:
     """`expose` looks at no values: what does not come out as a number is not valid."""
     patterns = bits(np.random.default_rng(seed), (SLOTS, ROWS, COLS), np.float32).view(np.uint32)
     values = (patterns & 0x7FFF_FFFF).view(np.float32)
@@ -223,7 +223,7 @@ def test_arrays_in_python_mark_what_is_no_number(seed: int) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(arrays(), st.sampled_from(["all", "all,-crosstalk", "shot,dark,full_well"]))
-def test_every_effect_takes_whatever_is_light(values: np.ndarray, effects: str) -> None:
+def test_every_effect_accepts_any_valid_light(values: np.ndarray, effects: str) -> None:
     if any(is_bad(v) for v in values.reshape(-1).tolist()):
         return
     with saved(values, ".npy") as path:

@@ -163,7 +163,7 @@ def test_the_exposure_of_a_sum_is_the_sum_of_exposures(one: np.ndarray, other: n
 
 @settings(max_examples=80, deadline=None)
 @given(patterns())
-def test_what_a_frame_begins_with_does_not_matter(light: np.ndarray) -> None:
+def test_the_initial_register_contents_do_not_change_a_frame(light: np.ndarray) -> None:
     container = program(EVERY, "accumulate", ROWS, COLS)
     seen = Light.of_clip(light)
     one, other = (expose(container, seen, device_seed=seed).exposure_e for seed in (1, 2))

@@ -39,7 +39,7 @@ def random_light(seed: int = 1, scale: float = 500.0) -> Light:
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("text", [STOPS, BUMPS, BUCKETS], ids=["stops", "bumps", "buckets"])
-def test_without_effects_it_is_the_exact_sum(text: str, lowering: str) -> None:
+def test_the_reference_without_effects_is_the_exact_sum(text: str, lowering: str) -> None:
     try:
         container = program(text, lowering)
     except Rejected:

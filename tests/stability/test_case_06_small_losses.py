@@ -24,7 +24,7 @@ def lost_part(x: float) -> float:
 
 
 @pytest.mark.parametrize("x", [1e-9, 1e-8, 1e-6, 1e-3])
-def test_case_06_what_leaks_away(x: float) -> None:
+def test_case_06_the_charge_that_leaks_is_exact(x: float) -> None:
     text = "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"
     container = program(text, "accumulate", 1, 2)
     light = np.array([[[ELECTRONS] * 2], [[0.0] * 2]], np.float32)

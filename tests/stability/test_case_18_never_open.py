@@ -24,7 +24,7 @@ def test_a_pixel_that_never_opens() -> None:
     assert exposure.grad[0, 0, 0] == 8.0
 
 
-def test_what_never_opened_may_hold_anything() -> None:
+def test_nan_in_pixels_that_never_open_is_ignored() -> None:
     exposure = torch.tensor([[[1.0, float("nan")]]])
     shutters = torch.tensor([[1.0, 0.0]]).reshape(1, 1, 2)
     assert lifted(exposure, shutters)[0].tolist() == [[[[1.0, 0.0]]]]

@@ -25,7 +25,7 @@ def share_of_the_brightest(name: str, seed: int) -> float:
 
 
 @pytest.mark.parametrize("name", ["log", "mu-law", "pu21"])
-def test_the_brightest_have_their_part_and_no_more(name: str) -> None:
+def test_the_brightest_pixel_has_a_small_share_of_the_loss(name: str) -> None:
     assert share_of_the_brightest(name, 1) < 0.05
 
 
@@ -34,7 +34,7 @@ def test_bright_pixels_dominate_the_loss_of_linear_light() -> None:
 
 
 @pytest.mark.parametrize("name", [name for name in LOSSES if name != "class"])
-def test_gradients_are_finite_at_nothing_and_at_a_sun(name: str) -> None:
+def test_gradients_are_finite_without_light_and_at_a_sun(name: str) -> None:
     prediction = torch.tensor([0.0, -1e-7, 1e-6, 1e8, -3.0], requires_grad=True)
     truth = torch.tensor([0.5, 0.0, 0.0, 1.0, 0.0])
     loss = LOSSES[name](prediction, truth)

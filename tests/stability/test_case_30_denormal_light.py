@@ -20,7 +20,9 @@ def light(electrons: np.float32) -> Light:
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("electrons", TINY)
-def test_case_30_without_effects_they_are_counted(lowering: str, electrons: np.float32) -> None:
+def test_case_30_denormal_light_is_counted_without_effects(
+    lowering: str, electrons: np.float32
+) -> None:
     container = program(STOPS, lowering, ROWS, COLS)
     found = capture(container, light(electrons), effects="none").exposure_e[0]
     wanted = np.arange(COLS) % 5 * float(electrons)
@@ -29,7 +31,7 @@ def test_case_30_without_effects_they_are_counted(lowering: str, electrons: np.f
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("effects", ["shot", "all", "auto"])
-def test_case_30_with_effects_they_are_darkness(lowering: str, effects: str) -> None:
+def test_case_30_denormal_light_counts_as_dark_under_effects(lowering: str, effects: str) -> None:
     container = program(STOPS, lowering, ROWS, COLS)
     sensor = sensor_of(container)
     dark = capture(container, light(np.float32(0)), sensor=sensor, effects=effects)

@@ -17,7 +17,9 @@ ROWS, COLS = 8, 20
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("effects", ["none", "shot", "all", "auto"])
 @pytest.mark.parametrize("fill", [0.0, np.nan, np.inf])
-def test_case_39_a_frame_comes_out(lowering: str, effects: str, fill: float) -> None:
+def test_case_39_a_frame_results_without_anything_to_measure(
+    lowering: str, effects: str, fill: float
+) -> None:
     container = program(STOPS, lowering, ROWS, COLS)
     light = Light.of_clip(np.full((SLOTS, ROWS, COLS), fill, np.float32))
     with warnings.catch_warnings():

@@ -214,7 +214,7 @@ def test_build_writes_what_its_help_says(
     assert "Also write" not in told
 
 
-def test_denied_warnings_are_errors_and_nothing_is_written(folder: Path) -> None:
+def test_denied_warnings_are_errors_and_write_no_file(folder: Path) -> None:
     (folder / "warns.nsl").write_text(WARNS)
     plain = invoke(["build", "warns.nsl", "-o", "a.icw"], folder)
     assert plain.status == 0
@@ -323,7 +323,9 @@ def test_a_second_interrupt_ends_at_once_without_a_traceback(folder: Path) -> No
     assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
 
 
-def test_who_handles_interrupts_goes_on_to(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_caller_that_handles_interrupts_keeps_its_handler(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A program's own handler is left in place, and threads have none."""
     came: list[int] = []
     monkeypatch.setattr(

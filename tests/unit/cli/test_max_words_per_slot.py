@@ -189,7 +189,7 @@ def test_what_is_certain_is_an_error_of_check_and_what_is_not_a_note(tmp_path):
 
 
 @pytest.mark.parametrize("command", ["run", "shutters", "view"])
-def test_every_command_that_compiles_takes_it(tmp_path, command):
+def test_every_command_that_compiles_accepts_the_limit(tmp_path, command):
     (tmp_path / "p.nsl").write_text(STOPS + "pixels stop = 1 + (x + 4 * y) % 16\n")
     scene = ["--scene", "builtin:dark"] if command == "run" else []
     out = "out.png" if command == "view" else "out.npz"

@@ -63,7 +63,7 @@ def test_a_built_container_is_proved(stops: Path) -> None:
         ("    bus A, B, NEWS\n", "    bus A, B\n", "shutter"),
     ],
 )
-def test_what_was_changed_does_not(stops: Path, old: str, new: str, says: str) -> None:
+def test_a_changed_container_is_not_proved(stops: Path, old: str, new: str, says: str) -> None:
     text = invoke(["disasm", "stops.icw"], stops).out
     assert old in text
     (stops / "other.asm").write_text(text.replace(old, new, 1))

@@ -79,7 +79,9 @@ def test_a_dark_frame_says_the_offset_of_its_converter(value: object, folder: Pa
     ],
 )
 @pytest.mark.filterwarnings("error")
-def test_what_is_not_said_in_numbers_gives_no_light(name: str, value: float, folder: Path) -> None:
+def test_frames_without_numbers_in_their_meta_give_no_light(
+    name: str, value: float, folder: Path
+) -> None:
     def change(arrays: dict[str, Any]) -> None:
         arrays[f"decode_{name}"] = np.full_like(arrays[f"decode_{name}"], value)
 

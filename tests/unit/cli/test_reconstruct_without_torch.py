@@ -35,7 +35,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     ("name", "key", "method", "least_db"),
     [("still", "image", "merge", 25), ("clip", "video", "gap-tv", 20)],
 )
-def test_any_takes_what_needs_no_torch(
+def test_any_decodes_stills_without_torch(
     folder: Path, name: str, key: str, method: str, least_db: float
 ) -> None:
     outcome = invoke(["reconstruct", "any", f"{name}.npz", "-o", "out.npz"], folder)

@@ -20,7 +20,7 @@ class Terminal(io.StringIO):
         return True
 
 
-def test_progress_hands_on_what_it_gets(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_progress_yields_its_items_unchanged(monkeypatch: pytest.MonkeyPatch) -> None:
     for stream in (io.StringIO(), Terminal()):
         monkeypatch.setattr(sys, "stderr", stream)
         assert list(progress(range(5), "counting")) == [0, 1, 2, 3, 4]
@@ -33,7 +33,9 @@ def test_the_bar_shows_share_and_time_left() -> None:
     assert "100%" in bar_line("light", 300, 100, 1.0)
 
 
-def test_waiting_is_told_on_a_terminal_and_leaves_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_waiting_is_shown_on_a_terminal_and_erased_afterwards(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr("nscc_cli.support._BAR_DELAY_S", 0.0)
     monkeypatch.setenv("COLUMNS", "30")
     terminal = Terminal()

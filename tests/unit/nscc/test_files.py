@@ -27,7 +27,7 @@ def test_a_file_is_written_and_replaced(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_what_a_killed_process_left_is_no_obstacle(
+def test_files_of_a_killed_process_are_no_obstacle(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """In a container the next process has the same number, and counts its writes from 0 again."""
@@ -94,7 +94,7 @@ def test_a_file_that_is_replaced_keeps_its_rights(tmp_path: Path, mode: int) -> 
     assert (tmp_path / "real").stat().st_mode & 0o777 == mode
 
 
-def test_what_others_may_not_read_they_cannot_while_it_is_written(tmp_path: Path) -> None:
+def test_private_files_stay_private_while_they_are_written(tmp_path: Path) -> None:
     path = tmp_path / "file"
     path.write_bytes(b"old")
     path.chmod(0o600)

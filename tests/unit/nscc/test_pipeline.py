@@ -45,7 +45,7 @@ def test_every_value_is_seen_in_the_order_of_the_passes() -> None:
     assert values["prove"] is made.proof
 
 
-def test_a_pass_needs_nothing_but_the_value_before_it() -> None:
+def test_a_pass_needs_only_the_value_before_it() -> None:
     seen, _ = compiled(price_all=True)
     values = {each.name: value for each, value in seen}
     options = Options(level=0, price_all=True)
@@ -79,7 +79,7 @@ def test_gates_of_a_program_that_looks_are_emitted(tmp_path: Path) -> None:
     assert "encoding: " in outcome.out
 
 
-def test_what_does_not_fit_is_printed_all_the_same(tmp_path: Path) -> None:
+def test_passes_of_a_program_that_does_not_fit_are_printed(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(TEXT.replace("1ms", "1us"))
     outcome = invoke(["build", "p.nsl", "--print-after", "schedule"], tmp_path)
     assert outcome.codes == ["NS0601"]

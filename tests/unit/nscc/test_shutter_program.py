@@ -95,7 +95,7 @@ def test_files_and_defaults_are_those_of_the_command(tmp_path: Path) -> None:
     assert p.report["alternatives"]
 
 
-def test_other_codes_are_laid_and_wrong_ones_told(tmp_path: Path) -> None:
+def test_other_codes_are_laid_over_the_array_and_invalid_ones_refused(tmp_path: Path) -> None:
     p = program(codes="open")
     other = np.full((ROWS, COLS), 2)
     other[0, 1] = 5
@@ -160,7 +160,7 @@ def test_a_str_that_ends_in_nsl_is_a_path_and_any_other_a_program(tmp_path: Path
         (lambda: program().with_pixels("a.npz", split=SPLIT), "either a file or fields"),
     ],
 )
-def test_wrong_arguments_are_told_in_a_sentence(call: Any, words: str) -> None:
+def test_wrong_arguments_are_refused_in_a_sentence(call: Any, words: str) -> None:
     with pytest.raises(TypeError, match=words) as caught:
         call()
     assert isinstance(caught.value, nscc.Rejected)

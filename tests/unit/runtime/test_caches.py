@@ -24,7 +24,7 @@ def taken(effects: str) -> Container:
 
 
 @pytest.mark.parametrize("effects", ["none", "all"])
-def test_what_is_analysed_goes_with_its_container(effects: str) -> None:
+def test_analyses_are_freed_with_their_container(effects: str) -> None:
     kept = weakref.ref(taken(effects))
     gc.collect()
     assert kept() is None

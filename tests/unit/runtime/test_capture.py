@@ -133,7 +133,7 @@ def test_capture_takes_tolerances_and_effects_as_on_the_command_line() -> None:
         (CLIP, {"effects": "shots"}, "NS0756"),
     ],
 )
-def test_what_is_no_light_no_tolerance_or_no_effect(
+def test_invalid_light_tolerances_and_effects_are_refused(
     light: np.ndarray, options: dict[str, object], code: str
 ) -> None:
     with pytest.raises(Rejected) as caught:

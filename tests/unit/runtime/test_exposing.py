@@ -189,7 +189,7 @@ def test_a_sensor_is_that_of_a_chip_with_some_numbers_changed(
     assert len(frames) == 1
 
 
-def test_torch_is_taken_where_it_is_numbers(program: nscc.ShutterProgram) -> None:
+def test_tensors_of_torch_are_accepted_as_arrays(program: nscc.ShutterProgram) -> None:
     torch = pytest.importorskip("torch")
     light = torch.from_numpy(LIGHT)
     wanted = nscc_runtime.capture(program, LIGHT).exposure_e
@@ -260,7 +260,9 @@ WRONG = {
 
 
 @pytest.mark.parametrize("wrong", WRONG)
-def test_wrong_arguments_are_told_in_a_sentence(wrong: str, program: nscc.ShutterProgram) -> None:
+def test_wrong_arguments_are_refused_in_a_sentence(
+    wrong: str, program: nscc.ShutterProgram
+) -> None:
     call, words = WRONG[wrong]
     with pytest.raises(TypeError, match=words) as caught:
         call(program)
@@ -277,7 +279,7 @@ def test_wrong_arguments_are_told_in_a_sentence(wrong: str, program: nscc.Shutte
         ({"effects": "auto", "fidelity": "reference"}, "NS0739.*effects auto with fidelity ref"),
     ],
 )
-def test_what_the_command_refuses_is_refused(
+def test_python_refuses_what_the_command_refuses(
     options: dict[str, Any], words: str, program: nscc.ShutterProgram
 ) -> None:
     with pytest.raises(nscc.Rejected, match=words):

@@ -69,7 +69,7 @@ def test_a_sound_file_is_read(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", DAMAGED)
-def test_what_is_wrong_is_said(tmp_path: Path, name: str) -> None:
+def test_damaged_frame_files_are_refused_with_the_reason(tmp_path: Path, name: str) -> None:
     changes, said = DAMAGED[name]
     np.savez(tmp_path / "f.npz", **arrays(**changes))
     with pytest.raises(InvalidArrays) as raised:

@@ -101,7 +101,7 @@ def test_readout_rounds_half_to_even_and_clips() -> None:
     np.testing.assert_array_equal(frame.frame.ravel(), np.clip(np.rint(codes) + 10, 0, 255))
 
 
-def test_what_is_no_number_reads_zero_and_is_invalid() -> None:
+def test_values_that_are_not_numbers_read_zero_and_are_invalid() -> None:
     frame = read_out(exposure(np.array([[[np.nan, np.inf, -np.inf, 5.0]]])), TARGET)
     np.testing.assert_array_equal(frame.frame, [[[0, 255, 0, 0]]])
     np.testing.assert_array_equal(frame.valid, [[[False, False, False, True]]])

@@ -56,7 +56,7 @@ def test_a_frame_is_let_go_before_the_next_is_asked_for(monkeypatch: pytest.Monk
     assert frame_series.gathered(reused(), 3).exposure_e[:, 0, 0, 0].tolist() == [0.0, 1.0, 2.0]
 
 
-def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     def full(*_: int) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 

@@ -90,14 +90,14 @@ def test_the_error_bar_is_the_error(program: Container, at_look_e: float) -> Non
     assert np.unique(frame.told["open_slots"]).tolist() == [LOOK if at_look_e > LEVEL_E else SLOTS]
 
 
-def test_a_full_pixel_says_at_least(program: Container) -> None:
+def test_a_saturated_pixel_has_a_lower_bound_and_infinite_deviation(program: Container) -> None:
     frame = taken(program, 4 * WELL_E, "full_well,shot")
     assert frame.saturated.all()
     assert np.isinf(frame.told[DEVIATION]).all()
     assert (frame.told[LIGHT] * LOOK * 1e-3 > 0.99 * WELL_E).all()
 
 
-def test_buckets_merge_by_what_they_know() -> None:
+def test_buckets_merge_by_their_precision() -> None:
     light = np.array([[[10.0, 10.0, 5.0, np.nan]], [[20.0, 30.0, 7.0, np.nan]]])
     deviation = np.array([[[1.0, 1.0, np.inf, np.nan]], [[1.0, np.inf, np.inf, np.nan]]])
     assert merged_image(light, deviation).tolist() == [[15.0, 10.0, 7.0, 0.0]]

@@ -112,7 +112,7 @@ def read_only():
         ({"other": 1, "also": 1}, "scaled: does not take also, other"),
     ],
 )
-def test_what_is_not_as_declared_is_refused_by_name(changed, message):
+def test_arguments_that_differ_from_their_declaration_are_refused_by_name(changed, message):
     with pytest.raises(TypeError, match=message):
         scaled(**given(**changed))
 

@@ -85,6 +85,6 @@ def test_frames_have_the_errors_of_their_effects() -> None:
     np.testing.assert_array_equal(frame, np.rint(np.clip(codes, 0, 255)))
 
 
-def test_chips_that_were_not_measured_have_none() -> None:
+def test_chips_that_were_not_measured_have_no_converter_pattern() -> None:
     sensor = default_sensor(builtin_target("dual-tap"))
     assert sensor.adc_pattern_lsb == sensor.adc_smooth_lsb == sensor.adc_level_lsb == 0

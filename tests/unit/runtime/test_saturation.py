@@ -80,7 +80,7 @@ def test_without_effects_the_last_code_is_all_that_saturates(
 
 
 @pytest.mark.parametrize("effects", ["auto", "all"])
-def test_with_effects_it_is_what_well_and_registers_take(
+def test_saturation_under_effects_follows_from_well_and_registers(
     lit: tuple[Container, np.ndarray], effects: str
 ) -> None:
     container, light = lit
@@ -111,7 +111,9 @@ def test_fast_paths_and_reference_agree(lit: tuple[Container, np.ndarray], effec
 
 
 @pytest.mark.parametrize("knee", [KNEE, 1.0])
-def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: float) -> None:
+def test_saturation_of_device_frames_follows_from_codes(
+    lit: tuple[Container, np.ndarray], knee: float
+) -> None:
     """What unsaturated pixels never read: light that fills PIX before a shutter opens leaves any
     code."""
     container, light = lit
@@ -129,7 +131,7 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     assert np.array_equal(blind.saturated, found.frame == 255)
 
 
-def test_registers_lose_in_many_small_steps_what_no_single_one_shows() -> None:
+def test_many_small_losses_in_registers_add_up_to_saturation() -> None:
     """Each write beyond the knee bends again what the one before had bent."""
     container = program(WHOLE.format(slots=256, slot="100us"), "accumulate", *SHAPE)
     ideal = {"analog_gain": 1.0, "leakage_tau_s": 1e9, "analog_bias_lsb": 0.0}
@@ -156,7 +158,7 @@ def test_a_flooded_scene_is_saturated_everywhere(
         assert (found.saturated_by & RESET_LEVEL > 0).all()
 
 
-def test_the_dark_and_what_never_opens_are_not_saturated() -> None:
+def test_dark_and_closed_pixels_are_not_saturated() -> None:
     text = "nsl 1\nframe 4 slots of 1ms\ncode stop : 0..4\nopen when n < stop\n"
     container = program(text + "pixels stop = 4 * (x % 2)\n", "edges", *SHAPE)
     flood = np.full((4, *SHAPE), 1e6, np.float32)

@@ -59,7 +59,7 @@ def test_every_class_shares_out_all_light(kind: str) -> None:
     np.testing.assert_array_equal(found.frame.detach().numpy(), np.rint(wanted / (30000 / 255)))
 
 
-def test_a_bucket_learns_what_the_other_loses() -> None:
+def test_buckets_have_opposite_gradients() -> None:
     """Light that a bit moves leaves one bucket for the other: gradients of both, signs turned."""
     encoder = encoder_of("e")
     light = torch.full((1, 6, 3, 2), 500.0)
@@ -108,7 +108,7 @@ def test_decoders_of_one_bucket_refuse_two() -> None:
         (("shutter.buckets=3",), "shutter.buckets"),
     ],
 )
-def test_what_two_buckets_cannot_have(changes: tuple[str, ...], said: str) -> None:
+def test_settings_that_exclude_two_buckets_are_refused(changes: tuple[str, ...], said: str) -> None:
     values = {"shutter": SMALL, "data": {"protocol": "two-bucket-v1"}}
     with pytest.raises(Rejected) as caught:
         make_setup(settings_of(values, changes))

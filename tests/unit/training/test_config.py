@@ -16,7 +16,7 @@ from nscc_training.decoders.declared import DECODERS
 from nscc_training.settings import RunSettings
 
 
-def test_what_is_printed_is_read_back() -> None:
+def test_printed_settings_are_read_back() -> None:
     for remarks in (False, True):
         text = config_toml(RunSettings(), remarks=remarks)
         assert settings_of(tomllib.loads(text)) == RunSettings()
@@ -55,7 +55,7 @@ def test_changes_by_set_replace_values_of_the_file(tmp_path: Path) -> None:
     assert (found.loss.name, found.data.val, found.shutter.free) == ("l1", "", True)
 
 
-def test_every_mistake_is_told_at_once_with_its_place(tmp_path: Path) -> None:
+def test_all_mistakes_are_reported_at_once_with_their_places(tmp_path: Path) -> None:
     path = tmp_path / "c.toml"
     path.write_text("[trian]\nx = 1\n[train]\nstep = 3\nbatch = 0\n[data]\nsaturated = [0.3]\n")
     with pytest.raises(Rejected) as caught:

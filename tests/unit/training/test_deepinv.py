@@ -52,7 +52,7 @@ def light(kind: str, batch: int = 2) -> torch.Tensor:
 
 
 @pytest.mark.parametrize("kind", TEXTS)
-def test_it_gives_what_the_emulator_gives(kind: str) -> None:
+def test_the_physics_equals_the_emulator(kind: str) -> None:
     x, p = light(kind), program(kind)
     y = physics(kind).A(x)
     assert y.shape == (2, len(p.buckets), ROWS, COLS)
@@ -125,7 +125,7 @@ def test_the_sensor_is_that_of_the_program() -> None:
 
 
 @pytest.mark.parametrize("wrong", [np.ones((8, 4, 4)), "flutter.nsl", torch.ones(4, 4), None])
-def test_what_are_no_shutters_is_said(wrong: Any) -> None:
+def test_invalid_shutters_are_refused(wrong: Any) -> None:
     with pytest.raises(TypeError, match="PixelShutters takes a program, an Encoder or a tensor"):
         PixelShutters(wrong)
 

@@ -372,7 +372,7 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
     assert "decoder.init" in refusal.value.diagnostics[0].message
 
 
-def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
+def test_the_dark_level_of_a_run_is_subtracted_once() -> None:
     """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
     folder = load_run(RUNS / "stills/class-b/2x2/unet2d/every-effect/seed0")
     size = (folder.setup.target.rows, folder.setup.target.cols)

@@ -51,7 +51,7 @@ def test_frames_are_those_of_run_like(run: nscc_training.Run, tmp_path: Path) ->
 
 
 @pytest.mark.filterwarnings(r"ignore:warning\[NS0842\]")
-def test_what_is_there_in_the_dark_is_taken_away(run: nscc_training.Run, tmp_path: Path) -> None:
+def test_the_dark_level_is_subtracted(run: nscc_training.Run, tmp_path: Path) -> None:
     taken = run.capture("builtin:hdr", effects="auto")
     dark = run.capture("builtin:dark", effects="auto", repeat=3)
     path, without = taken.save(tmp_path / "f.npz"), dark.save(tmp_path / "d.npz")
@@ -94,7 +94,9 @@ def test_a_frame_of_another_program_is_refused(run: nscc_training.Run) -> None:
         (None, "not None"),
     ],
 )
-def test_what_is_no_frame_is_told(run: nscc_training.Run, frame: Any, words: str) -> None:
+def test_files_that_are_not_frames_are_refused(
+    run: nscc_training.Run, frame: Any, words: str
+) -> None:
     with pytest.raises(TypeError, match=words):
         run.reconstruct(frame)
 
@@ -105,7 +107,7 @@ def test_only_one_exposure_is_reconstructed(run: nscc_training.Run) -> None:
         run.reconstruct(taken)
 
 
-def test_what_is_no_run_is_told(tmp_path: Path) -> None:
+def test_folders_that_are_not_runs_are_refused(tmp_path: Path) -> None:
     with pytest.raises(nscc.Rejected, match="NS0818"):
         nscc_training.load_run(tmp_path)
     with pytest.raises(TypeError, match="load_run takes a path, not 3"):
@@ -122,7 +124,7 @@ def test_curves_are_those_of_the_file(run: nscc_training.Run) -> None:
             assert np.isnan(value) if row[name] == "" else value == float(row[name])
 
 
-def test_it_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -> None:
+def test_a_run_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -> None:
     assert "\n" not in repr(run)
     assert f"{run.curves['psnr_db'][-1]:.2f} dB" in repr(run)
     words = {*checked(run).words}
@@ -132,7 +134,7 @@ def test_it_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -
 
 
 @pytest.mark.parametrize(("light", "warned"), [("3000000", True), ("3000", False)])
-def test_a_frame_that_is_mostly_saturated_is_told(
+def test_a_mostly_saturated_frame_gives_a_warning(
     run: nscc_training.Run, tmp_path: Path, light: str, warned: bool
 ) -> None:
     """By a run's decoder and by the one for any code; the reconstruction is made."""

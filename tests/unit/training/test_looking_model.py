@@ -134,7 +134,7 @@ def test_learning_makes_a_bad_start_better(run: Path) -> None:
     assert learned["stages"]["emulated"] == pytest.approx(learned["stages"]["hard"], abs=0.05)
 
 
-def test_what_was_learned_is_a_program(run: Path) -> None:
+def test_learned_looks_compile_to_a_program(run: Path) -> None:
     """It builds, exposes, and its run reconstructs its frame; so does nobody's."""
     text = (run / "r/shutter.nsl").read_text()
     assert text.splitlines()[2] == "nsl 2"

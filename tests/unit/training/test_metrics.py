@@ -189,7 +189,7 @@ def test_a_data_range_is_needed(bad: float) -> None:
         (lambda a: metrics.pu21_psnr(a, a, "255", 1000.0), "a number above 0, not the text '255'"),
     ],
 )
-def test_what_cannot_be_compared_is_told_in_a_sentence(call: Any, words: str) -> None:
+def test_arrays_that_cannot_be_compared_are_refused_in_a_sentence(call: Any, words: str) -> None:
     with pytest.raises(TypeError, match=words):
         call(np.ones((12, 12)))
 

@@ -47,7 +47,7 @@ def test_the_shipped_cell_tells_directions_with_every_effect() -> None:
     assert sum(right) >= 11, told
 
 
-def test_a_decoder_tells_what_is_separable() -> None:
+def test_a_linear_decoder_classifies_separable_patterns() -> None:
     angles = torch.arange(64) % 8 * (torch.pi / 4)
     shares = 0.5 + 0.3 * torch.stack([torch.cos(angles), torch.sin(angles)], 1)
     decoder = fit_decoder(shares, torch.arange(64) % 8)

@@ -167,7 +167,9 @@ def test_working_user_code_trains(folder: Path, section: str, name: str) -> None
         *(("data", name) for name in ("nothing", "pictures_alone", "ends_early")),
     ],
 )
-def test_what_fails_is_said_to_be_the_users(folder: Path, section: str, name: str) -> None:
+def test_errors_in_code_of_the_user_are_attributed_to_it(
+    folder: Path, section: str, name: str
+) -> None:
     assert outcome(folder, section, name) == ["NS0822"]
     assert not (folder / "run/result.json").exists()
 
@@ -201,7 +203,7 @@ def test_a_run_executes_nothing_until_it_is_trusted(folder: Path, section: str) 
 
 
 @pytest.mark.parametrize("name", ["complex_light", "too_bright"])
-def test_light_that_is_none_is_refused(folder: Path, name: str) -> None:
+def test_invalid_light_is_refused(folder: Path, name: str) -> None:
     assert outcome(folder, "data", name) == ["NS0811"]
 
 

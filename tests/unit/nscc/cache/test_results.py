@@ -92,7 +92,9 @@ def test_low_levels_store_no_solutions(level: int, folder: Path) -> None:
 
 
 @pytest.mark.slow
-def test_what_decides_is_in_the_key(folder: Path, searches: list[int]) -> None:
+def test_the_key_contains_everything_that_decides_the_result(
+    folder: Path, searches: list[int]
+) -> None:
     chip = builtin_target("scamp5")
     variants = [
         (TEXTS["d"], {}),
@@ -119,7 +121,7 @@ def test_what_decides_is_in_the_key(folder: Path, searches: list[int]) -> None:
     assert len(searches) == before
 
 
-def test_another_compiler_finds_nothing(
+def test_another_compiler_does_not_use_stored_results(
     folder: Path, searches: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     built(TEXTS["c"])

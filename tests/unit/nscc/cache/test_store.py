@@ -75,7 +75,7 @@ def test_entries_of_others_are_not_read(tmp_path: Path, monkeypatch: pytest.Monk
     assert store.read(KEYS[0]) is None
 
 
-def test_what_is_written_is_read(tmp_path: Path) -> None:
+def test_entries_are_read_as_written(tmp_path: Path) -> None:
     store = Store(tmp_path / "not" / "there")
     assert store.read(KEYS[0]) is None
     assert (store.entries(), store.bytes_used()) == (0, 0)
@@ -90,7 +90,7 @@ def test_what_is_written_is_read(tmp_path: Path) -> None:
     assert store.folder.stat().st_mode & 0o077 == 0
 
 
-def test_a_damaged_entry_is_none_and_is_written_anew(tmp_path: Path) -> None:
+def test_a_damaged_entry_is_ignored_and_written_again(tmp_path: Path) -> None:
     store = Store(tmp_path)
     store.write(KEYS[0], b"the very data")
     whole = (tmp_path / KEYS[0]).read_bytes()
@@ -104,7 +104,7 @@ def test_a_damaged_entry_is_none_and_is_written_anew(tmp_path: Path) -> None:
     assert store.read(KEYS[0]) == b"the very data"
 
 
-def test_what_is_no_file_is_no_entry(tmp_path: Path) -> None:
+def test_entries_that_are_not_files_are_ignored(tmp_path: Path) -> None:
     store = Store(tmp_path)
     (tmp_path / KEYS[0]).mkdir()
     os.mkfifo(tmp_path / KEYS[1])
@@ -135,7 +135,7 @@ def test_the_least_recently_used_go_first(tmp_path: Path) -> None:
     assert (tmp_path / "notes.txt").exists()
 
 
-def test_what_is_too_large_is_not_kept(tmp_path: Path) -> None:
+def test_results_that_are_too_large_are_not_stored(tmp_path: Path) -> None:
     store = Store(tmp_path, most_bytes=1000)
     store.write(KEYS[0], b"small")
     store.write(KEYS[1], b"x" * 1000)
@@ -143,7 +143,7 @@ def test_what_is_too_large_is_not_kept(tmp_path: Path) -> None:
     assert store.read(KEYS[0]) == b"small"
 
 
-def test_what_dead_processes_left_is_cleared_away(tmp_path: Path) -> None:
+def test_files_of_dead_processes_are_removed(tmp_path: Path) -> None:
     old, young = (tmp_path / f".{key}.7.part" for key in KEYS[:2])
     for path in (old, young):
         path.write_bytes(b"half")
@@ -154,7 +154,7 @@ def test_what_dead_processes_left_is_cleared_away(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("place", ["/proc/nscc", "/dev/null/nscc"])
-def test_where_nothing_can_be_written(place: str) -> None:
+def test_a_folder_that_cannot_be_written_stores_nothing(place: str) -> None:
     store = Store(Path(place))
     store.write(KEYS[0], b"data")
     assert store.read(KEYS[0]) is None

@@ -52,7 +52,7 @@ def test_the_schema_covers_every_attribute_once() -> None:
         assert len(set(own)) == len(own)
 
 
-def test_builtin_targets_are_what_is_public() -> None:
+def test_builtin_targets_have_the_published_values() -> None:
     assert builtin_names() == ("dual-tap", "scamp5", "scamp5-algorithm1", "scamp7")
     scamp5 = load_target("scamp5", Path())
     assert (scamp5.rows, scamp5.cols, scamp5.store_words) == (256, 256, 1024)
@@ -82,7 +82,7 @@ def test_a_printed_table_reads_back(name: str, tmp_path: Path) -> None:
         assert target_from_dict(target_dict(each)) == each
 
 
-def test_what_is_left_out_is_scamp5s(tmp_path: Path) -> None:
+def test_missing_keys_have_the_values_of_scamp5(tmp_path: Path) -> None:
     target, scamp5 = load(MINIMAL, tmp_path), builtin_target("scamp5")
     assert (target.mask_register, target.masked_register) == (None, None)
     assert target.analog_word_us == scamp5.analog_word_us

@@ -170,5 +170,5 @@ def test_json_has_the_promised_keys() -> None:
     assert second["filename"] is second["location"] is second["end_location"] is None
 
 
-def test_nothing_to_say_is_no_text() -> None:
+def test_no_diagnostics_render_as_empty_text() -> None:
     assert [render([], form) for form in ("human", "short", "json")] == ["", "", ""]

@@ -78,7 +78,7 @@ def told(text: str, piece: str) -> str:
         ("nsl 2\nopen when n |", {"and", "in"}, set()),
     ],
 )
-def test_completion_offers_what_may_stand_next(
+def test_completion_offers_valid_continuations(
     text: str, wanted: set[str], unwanted: set[str]
 ) -> None:
     found = offered(text)
@@ -116,7 +116,7 @@ def test_files_and_their_digests_are_offered(tmp_path: Path) -> None:
         ("nsl 1\nlet a = b\nlet b = a\n", "a = b", ["a constant", "# NS0203"]),
     ],
 )
-def test_what_stands_at_a_place(text: str, piece: str, said: list[str]) -> None:
+def test_hovering_describes_the_name_at_a_place(text: str, piece: str, said: list[str]) -> None:
     found = told(text, piece)
     assert [each for each in said if each not in found] == []
 
@@ -166,7 +166,7 @@ def test_the_outline_lists_names_even_of_broken_programs() -> None:
 
 
 @pytest.mark.parametrize("name", ["stop", "most"])
-def test_another_name_changes_nothing_else(name: str) -> None:
+def test_renaming_changes_one_name_only(name: str) -> None:
     """The tree of the renamed text is the old one with one name for another."""
     places = renamed(document(STOPS), STOPS.rindex(name), "other_1")
     text = STOPS
@@ -191,7 +191,9 @@ def test_another_name_changes_nothing_else(name: str) -> None:
         (".source\n| nsl |".replace("| nsl", "\x00 nsl"), set(), {"R1"}),
     ],
 )
-def test_what_may_stand_next_in_assembly(text: str, wanted: set[str], unwanted: set[str]) -> None:
+def test_completion_in_assembly_offers_valid_continuations(
+    text: str, wanted: set[str], unwanted: set[str]
+) -> None:
     at = text.index("|")
     found = Listing("a.asm", text.replace("|", "").replace("\x00", "|"), ROOT)
     span, offers = complete_listing(found, at)
@@ -260,7 +262,7 @@ def test_the_code_on_the_editors_page_runs(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 @pytest.mark.parametrize("text", ["\ud800", "nsl 1\n\0", "\ufeffnsl 1", "x" * (257 << 10), "\r\r"])
-def test_what_no_file_may_hold_is_said(text: str) -> None:
+def test_invalid_texts_are_reported_in_editors(text: str) -> None:
     found = document(text)
     assert found.checked.diagnostics
     complete(found, 1)

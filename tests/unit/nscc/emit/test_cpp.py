@@ -104,7 +104,7 @@ def test_examples_do_on_the_devkit_what_the_container_says(name: str, tmp_path: 
 @needs_compiler
 @pytest.mark.parametrize("standard", ["-std=c++11", "-std=c++14", "-std=c++17"])
 @pytest.mark.parametrize("name", [slow("class_c"), slow("class_e"), "hdr_2x2"])
-def test_no_compiler_has_anything_to_say(name: str, standard: str, tmp_path: Path) -> None:
+def test_the_cpp_compiles_without_warnings(name: str, standard: str, tmp_path: Path) -> None:
     file, _ = build(tmp_path, (ROOT / "examples" / f"{name}.nsl").read_text())
     check_syntax(file, standard)
     check_syntax(file, standard, CHIP)
@@ -317,7 +317,7 @@ def test_cpp_for_the_scamp7_uses_its_registers(tmp_path: Path) -> None:
 
 
 @needs_compiler
-def test_a_word_that_no_call_says_on_the_scamp7(tmp_path: Path) -> None:
+def test_kernels_without_library_calls_run_on_the_scamp7(tmp_path: Path) -> None:
     """Its word is not public, and neither are constant tables of it."""
     text = (ROOT / "examples" / "class_b.nsl").read_text()
     file, container = build(tmp_path, text, "--target", "scamp7")
@@ -333,7 +333,9 @@ def test_a_word_that_no_call_says_on_the_scamp7(tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("readout", ["full", "half"])
-def test_codes_of_a_converter_as_it_is(readout: str, tmp_path: Path) -> None:
+def test_full_and_half_readouts_need_no_words_before_the_converter(
+    readout: str, tmp_path: Path
+) -> None:
     """`check_readout` looks at black, half and full."""
     chip = chip_file(tmp_path, 256, 256, readout=f'"{readout}"')
     recording, _, written = checked(tmp_path, A, "--target", chip)

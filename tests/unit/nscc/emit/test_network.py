@@ -132,7 +132,7 @@ LOOKING = {
 
 
 @pytest.mark.parametrize("name", list(LOOKING))
-def test_the_file_alone_computes_what_pixels_do_that_look(name):
+def test_the_network_file_computes_the_answers_of_pixels_that_look(name):
     """Lanes are pixels with answers of their own, drawn; a direct interpreter of the text says what
     each of them does."""
     text = f"nsl 2\n{LOOKING[name]}\n"

@@ -52,7 +52,7 @@ def tiny():
     return surveyed(TINY, "1ms")
 
 
-def test_what_is_built_compiles_and_what_was_tried_is_told_truly(tiny):
+def test_built_sizes_compile_and_trials_are_reported(tiny):
     for (name, slot), limit in tiny.items():
         if name == "a":
             continue
@@ -62,7 +62,7 @@ def test_what_is_built_compiles_and_what_was_tried_is_told_truly(tiny):
         assert (limit.built.size if limit.built else None) == max(sizes, default=None)
 
 
-def test_what_is_impossible_does_not_compile_and_is_never_built(tiny):
+def test_impossible_sizes_do_not_compile_and_are_never_built(tiny):
     for (name, slot), limit in tiny.items():
         if limit.impossible is None:
             assert limit.family.shutters(limit.family.ceiling) <= 16, name

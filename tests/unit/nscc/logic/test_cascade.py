@@ -88,7 +88,7 @@ def test_shutters_that_no_demand_tells_apart_share_a_code():
     assert words_if_right(asked, SCAMP5, solution) <= 4
 
 
-def test_what_flag_still_holds_is_used():
+def test_values_that_flag_still_holds_are_used():
     """Pairs of predicates that differ in one shutter, more of them than planes."""
     table = np.repeat(book(40, 12, 6), 2, axis=1)
     table[np.arange(12), np.arange(1, 24, 2)] ^= True
@@ -117,7 +117,7 @@ def test_cascade_gives_up_with_more_than_4096_kinds_of_shutters():
     ("lowering", "fan_in"),
     [("accumulate", None), ("edges", 4), slow("accumulate", 4), slow("edges", None)],
 )
-def test_the_words_do_as_told(monkeypatch, lowering, fan_in):
+def test_words_meet_their_demands(monkeypatch, lowering, fan_in):
     """Through the whole compiler: proved, and executed by an emulator of its own."""
     monkeypatch.setitem(generate.SEARCH_STEPS, 2, 100_000)
     target = load_target("scamp5", Path())

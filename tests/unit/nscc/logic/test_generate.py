@@ -158,7 +158,7 @@ def test_every_family_answers_its_demands(table, lowering, machine):
 
 @pytest.mark.parametrize("flag_kept", [False, True])
 @pytest.mark.parametrize("table", LONG_TABLES)
-def test_families_where_flag_is_lost_or_lasts(table, flag_kept):
+def test_families_solve_problems_whether_flag_lasts_or_not(table, flag_kept):
     asked = problem(table, "accumulate")
     demands = tuple(replace(d, flag_kept=flag_kept and i > 0) for i, d in enumerate(asked.demands))
     asked = replace(asked, demands=demands, flag_lasts=flag_kept)
@@ -208,7 +208,7 @@ def test_solutions_are_the_same_every_time(level):
     assert first == list(solutions(asked, MACHINES["scamp5"], level))
 
 
-def test_nothing_is_asked_where_all_shutters_are_alike():
+def test_equal_shutters_have_no_demands():
     asked = replace(problem("two", "edges"), demands=())
     (solution,) = solutions(asked, MACHINES["tiny"], 1)
     assert solution.planes == ()

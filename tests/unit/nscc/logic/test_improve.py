@@ -80,7 +80,7 @@ REFRESH = 6  # three planes that nobody writes
         ([A, A], ["s0 = MOV p0; FLAG = WHERE s0", "FLAG = WHERE s0"], "", 2),
     ],
 )
-def test_what_is_not_needed_goes(predicates, answers, closing, least):
+def test_unneeded_operations_are_removed(predicates, answers, closing, least):
     problem, solution = solved(predicates, answers, closing=closing, states=1, scratch=2)
     found, words = improved(problem, solution)
     assert words == least + REFRESH
@@ -155,7 +155,7 @@ def test_improved_gates_keep_the_sources_of_a_narrow_chip():
     assert all(len(g.sources) <= 2 for s in found.segments() for g in s)
 
 
-def test_what_is_wrong_from_the_start_is_left_alone():
+def test_wrong_solutions_are_not_improved():
     problem, solution = solved([A], ["FLAG = WHERE p1"])
     assert improve(solution, problem, MACHINE, Budget(1000)) is solution
 

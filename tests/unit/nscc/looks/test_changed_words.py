@@ -149,7 +149,7 @@ def alike(container: Container, other: Container) -> bool:
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_what_proves_does_the_same(name: str) -> None:
+def test_changed_words_that_are_proved_open_the_same_shutters(name: str) -> None:
     container = built(PROGRAMS[name])
     choose = random.Random(name)
     noticed = 0

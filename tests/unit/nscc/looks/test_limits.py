@@ -46,7 +46,7 @@ def test_a_look_at_every_boundary_of_a_long_frame_is_counted(slots: int) -> None
 
 
 @pytest.mark.parametrize(("code", "fits"), [(4, True), (60, True), (127, True), (128, False)])
-def test_levels_of_a_field_are_below_a_full_well_as_others_are(code: int, fits: bool) -> None:
+def test_levels_of_a_field_must_be_below_a_full_well(code: int, fits: bool) -> None:
     """10,000 e are 127.5 codes: 8 bits reach over two wells."""
     looks = "nsl 2\nframe 4 slots of 1ms\n{}sense b when light > {} at n == 2\n"
     looks += "state c : bit = 0\nnext c = b\nopen when n < 3\nread c\n{}"

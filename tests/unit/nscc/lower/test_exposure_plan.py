@@ -126,7 +126,7 @@ def test_seven_buckets_need_seven_registers():
             assert (lowered.available, lowered.required) == (6, buckets + (lowering != "edges"))
 
 
-def test_latch_serves_only_what_opens_with_the_frame():
+def test_latch_needs_shutters_that_open_with_the_frame():
     lowered = lowered_as(program_from([[0, 1, 1], [1, 1, 0]]), "latch")
     assert isinstance(lowered, Misfit)
     assert "latch requires" in lowered.reason

@@ -220,7 +220,7 @@ def test_the_proof_notices_wrong_loops() -> None:
         ("param m : 0 .. 9999999999 = 2 plane p = exposure > 4% read p", "2147483648"),
     ],
 )
-def test_what_no_loader_can_do_is_refused(text: str, why: str) -> None:
+def test_programs_beyond_every_loader_are_refused(text: str, why: str) -> None:
     with pytest.raises(Rejected) as caught:
         upload_of(container_of(HEAD + text), bytes(32))
     assert [each.code for each in caught.value.diagnostics] == ["NS0765"]
@@ -274,7 +274,7 @@ def test_a_kept_image_may_approach_its_range() -> None:
     assert cost["d"].peak_gain == pytest.approx(1.75, abs=1e-3)
 
 
-def test_a_value_in_a_register_that_is_used_again_is_another_value() -> None:
+def test_a_reused_register_counts_as_another_value() -> None:
     """Three kernels of three absolute values, which are in one register one after the other."""
     sobel = "kernel a = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] / 8 kernel b = [[1, 2, 1], [0, 0, 0], "
     box = "[-1, -2, -1]] / 8 kernel c = [[1, 1, 1], [1, 1, 1], [1, 1, 1]] / 16 "
@@ -311,7 +311,7 @@ def flooded(pixels: int, light: Any) -> tuple[Any, bool]:
 
 
 @pytest.mark.parametrize("pixels", [0, 1, 7, 128])
-def test_propagations_flood_what_steps_flood(pixels: int) -> None:
+def test_propagation_and_steps_flood_the_same_pixels(pixels: int) -> None:
     rng = np.random.default_rng(5)
     light = (rng.integers(0, 4, (1, 30, 37)) * 1600 + 800).astype(np.float32).repeat(4, axis=0)
     exposure = light.sum(axis=0)

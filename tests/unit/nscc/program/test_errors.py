@@ -172,7 +172,7 @@ def test_parts_that_are_reached_have(rule: str) -> None:
     assert found.code == "NS0302"
 
 
-def test_faults_of_codes_that_no_pixel_holds_are_none_of_fixed_codes() -> None:
+def test_faults_of_unused_codes_do_not_matter_with_fixed_codes() -> None:
     text = STOP + "open when n / stop > 1 pixels stop = 1 + x % 8"
     assert len(program_of(text, codes="fixed").table.codes) == 8
     assert [d.code for d in errors(text, codes="open")] == ["NS0302"]
@@ -191,7 +191,7 @@ def test_faults_of_codes_that_no_pixel_holds_are_none_of_fixed_codes() -> None:
         ),
     ],
 )
-def test_what_cannot_be_proved_is_refused_with_the_numbers(
+def test_programs_beyond_the_proof_are_refused_with_the_numbers(
     text: str, codes: str, required: int
 ) -> None:
     (found,) = errors("nsl 1 " + text, codes=codes)
@@ -258,7 +258,9 @@ LENGTHS = ", ".join(f"{2**k}ms" for k in range(18))
         ),
     ],
 )
-def test_what_is_too_much_of_a_program_that_looks(text: str, place: str, helps: list[str]) -> None:
+def test_the_part_of_a_looking_program_that_is_too_large_is_named(
+    text: str, place: str, helps: list[str]
+) -> None:
     (found,) = errors(text)
     assert (found.code, placed(found)) == ("NS0450", place)
     assert len(found.helps) == len(helps)

@@ -39,7 +39,7 @@ def test_every_bit_of_every_pixel_is_a_slot(count: int, tmp_path: Path) -> None:
         assert np.array_equal(moved.transpose(1, 2, 0), turned[:, :, ::-1] == 1)
 
 
-def test_registers_hold_what_is_in_use(tmp_path: Path) -> None:
+def test_registers_hold_only_codes_in_use(tmp_path: Path) -> None:
     few = np.random.default_rng(0).integers(0, 2, (4, 100))
     np.savez(tmp_path / "bits.npz", bits=few[np.arange(ROWS * COLS).reshape(ROWS, COLS) % 4])
     program = nscc.compile(text(100), target=SCAMP, folder=tmp_path)
@@ -82,7 +82,9 @@ def test_numbers_of_a_file_are_the_lowest_bits_or_refused(
         (text(70, pixels='pixels from "bits.npz"'), "NS0314"),
     ],
 )
-def test_what_cannot_be_is_told(program: str, code: str, tmp_path: Path) -> None:
+def test_invalid_uses_of_wide_bit_fields_are_refused(
+    program: str, code: str, tmp_path: Path
+) -> None:
     np.savez(tmp_path / "bits.npz", bits=np.zeros((ROWS, COLS, 69), np.uint8))
     with pytest.raises(Rejected) as caught:
         nscc.compile(program, target=STREAM, folder=tmp_path)

@@ -153,7 +153,7 @@ def test_flag_that_hangs_on_light_is_noticed(source):
 
 
 @pytest.mark.parametrize("table", ["always", "stops", "bumps"])
-def test_what_nobody_wrote_is_not_relied_on(table):
+def test_words_that_read_unwritten_registers_are_not_proved(table):
     for lowering in ("accumulate", "edges"):
         container, kernels = built(table, "scamp5", lowering)
         unused = set(container.target.digital_registers) - set(container.code_registers)

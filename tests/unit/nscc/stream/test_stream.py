@@ -332,7 +332,7 @@ def test_targets_compare_shows_two_chips(tmp_path: Path) -> None:
         "disasm p.icw",
     ],
 )
-def test_what_needs_words_is_refused_by_name(line: str, tmp_path: Path) -> None:
+def test_options_that_need_words_are_refused_by_name(line: str, tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(f"nsl 1\ntarget dual-tap\n{STOPS}")
     assert invoke(["build", "p.nsl", "-o", "p.icw"], tmp_path).status == 0
     found = invoke(line.split(), tmp_path)

@@ -89,7 +89,7 @@ def test_another_lark_has_other_tables(
 
 
 @pytest.mark.parametrize("value", [None, {}, {"data": {}, "memo": {1: 2}}, [1], "text"])
-def test_what_are_no_tables_is_made_anew(folder: Path, made: list[str], value: object) -> None:
+def test_invalid_stored_tables_are_made_again(folder: Path, made: list[str], value: object) -> None:
     grammar.parser()
     replace_tables(folder, pickle.dumps(value))
     assert takes(another_process(), "open when true")
@@ -110,7 +110,7 @@ def test_kept_tables_run_no_code(folder: Path, made: list[str], tmp_path: Path) 
 
 
 @pytest.mark.parametrize("switched_off", [True, False])
-def test_where_nothing_can_be_kept_all_works(
+def test_parsing_works_without_stored_tables(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, switched_off: bool
 ) -> None:
     if switched_off:
@@ -165,5 +165,5 @@ def test_the_lexer_takes_any_text(text: str) -> None:
         "pixels a = tile [1]",
     ],
 )
-def test_what_lark_takes_is_what_is_taken(text: str) -> None:
+def test_the_parser_accepts_what_the_lark_grammar_accepts(text: str) -> None:
     assert (codes(f"nsl 1 {text}") == []) is takes(grammar.parser(), text)

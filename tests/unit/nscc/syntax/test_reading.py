@@ -63,7 +63,7 @@ def test_unreadable_paths_are_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("data", [b"nsl 1\xff", b"#" * (MOST_BYTES + 1)])
-def test_what_is_no_text_has_its_files_name(tmp_path: Path, data: bytes) -> None:
+def test_messages_about_unreadable_text_name_the_file(tmp_path: Path, data: bytes) -> None:
     path = tmp_path / "a.nsl"
     path.write_bytes(data)
     with pytest.raises(Rejected) as caught:

@@ -224,7 +224,7 @@ def test_a_wrong_line_is_explained(line: str, code: str, words: str) -> None:
     assert (code, True) in [(d.code, words in d.message) for d in found]
 
 
-def test_what_is_missing_is_named() -> None:
+def test_missing_parts_of_an_assembly_text_are_named() -> None:
     found = rejected("nop\n")
     assert [d.code for d in found] == ["NS0715", "NS0715"]
 

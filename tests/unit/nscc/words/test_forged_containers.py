@@ -168,7 +168,7 @@ def test_forged_pictures_are_refused(change: Callable[[dict[str, Any]], object],
 
 
 @pytest.mark.parametrize("time_us", [np.nan, np.inf, -2.0, 5e-324, 1e300])
-def test_times_that_are_none_are_refused(kept: Container, time_us: float) -> None:
+def test_invalid_times_are_refused(kept: Container, time_us: float) -> None:
     assert faults(kept) == []
     open_us = kept.machine.open_us.copy()
     open_us[-1, 0] = time_us

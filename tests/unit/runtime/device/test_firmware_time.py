@@ -137,7 +137,7 @@ def test_the_line_is_looked_at_every_ten_milliseconds(run: Run, slot_us: float, 
         "slots for less than two seconds",
     ],
 )
-def test_what_is_accepted_ends_in_time(
+def test_programs_that_the_firmware_accepts_end_in_time(
     run: Run,
     runs: list[tuple[int, float]],
     rows: list[tuple[int, int, int]],

@@ -91,7 +91,7 @@ def test_a_program_that_is_there_is_not_sent_again(large: Upload) -> None:
 
 @pytest.mark.parametrize("after", [5_000, 60_000, 125_000])
 @pytest.mark.parametrize("outage_s", [0.05, 2.0])
-def test_a_lost_link_is_taken_up_where_it_broke(large: Upload, after: int, outage_s: float) -> None:
+def test_a_lost_link_is_resumed_where_it_broke(large: Upload, after: int, outage_s: float) -> None:
     line = line_of(LineFaults(disconnect_after=after, outage_s=outage_s))
     upload(line, large)
     [(broke, _)] = line.events
@@ -104,7 +104,7 @@ def test_a_lost_link_is_taken_up_where_it_broke(large: Upload, after: int, outag
     )
 
 
-def test_a_dead_line_is_taken_up_without_being_told() -> None:
+def test_a_dead_line_is_resumed_without_a_signal() -> None:
     """A pulled cable that the port does not notice: bytes vanish, and then they do not."""
     example = examples()[1]
     host, loader = new_host(1), python_loader(example)
@@ -124,7 +124,7 @@ def test_a_dead_line_is_taken_up_without_being_told() -> None:
     assert dead[1] < line.now <= dead[1] + 2.0 + 1.5 * whole_s
 
 
-def test_after_a_reboot_everything_comes_again() -> None:
+def test_after_a_reboot_everything_is_sent_again() -> None:
     example = examples()[0]
     host = new_host(1)
     line = Simulation(host, python_loader(example), LineFaults(reboot_after=1900))
@@ -191,7 +191,7 @@ def test_a_loader_that_never_gets_on_is_given_up() -> None:
         line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=60)
 
 
-def test_a_loader_that_keeps_starting_anew_is_given_up() -> None:
+def test_a_loader_that_restarts_repeatedly_is_given_up() -> None:
     example = examples()[0]
     host, loader = new_host(1), python_loader(example)
     line = Simulation(host, loader)
@@ -337,7 +337,7 @@ def test_another_host_is_named_as_such() -> None:
         Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, example.upload, 1)))
 
 
-def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
+def test_loader_and_host_compute_the_same_frame_size() -> None:
     example = examples()[0]
     upload = example.upload
     pixels = TARGET.rows * TARGET.cols
@@ -357,7 +357,7 @@ def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
         Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, announced, 1)))
 
 
-def test_what_a_loader_calls_itself_cannot_steer_a_terminal() -> None:
+def test_the_name_of_a_loader_cannot_control_a_terminal() -> None:
     said = hello_of(python_loader(examples()[0]))
     info = replace(said, firmware="\x1b[2J\x07ok", target_name="a\nb")
     found = Info.unpack(packed_info(info))

@@ -135,7 +135,7 @@ def talk(silent: Talk) -> Talk:
     return silent
 
 
-def test_it_says_that_it_has_started_and_who_it_is(silent: Talk) -> None:
+def test_the_loader_announces_its_start_and_its_description(silent: Talk) -> None:
     [booted] = silent.raw(b"")
     assert (booted.kind, booted.session) == (PacketKind.BOOTED, 0)
     info = silent.hello()
@@ -182,7 +182,7 @@ def test_a_program_is_taken_and_a_frame_is_the_emulators(talk: Talk) -> None:
     assert piece.body == pack("<QI", 5, 7) + EXAMPLE.frame[7:27]
 
 
-def test_saying_everything_twice_changes_nothing(talk: Talk) -> None:
+def test_repeated_packets_change_nothing(talk: Talk) -> None:
     upload = EXAMPLE.upload
     stream, entries = upload.stream, tuple(each.entry for each in upload.objects)
     script = [
@@ -609,7 +609,7 @@ def test_a_chip_that_fails_is_said_to_have_failed(talk: Talk) -> None:
     assert CaptureReply.unpack(talk.one(PacketKind.CAPTURE, CaptureRequest(6, 1).pack())).ready
 
 
-def test_starting_anew_forgets_everything(talk: Talk) -> None:
+def test_a_restart_forgets_everything(talk: Talk) -> None:
     talk.send(EXAMPLE.upload.objects)
     before = talk.hello()
     assert (before.state, before.label) == (LoaderState.READY, ZEROS)

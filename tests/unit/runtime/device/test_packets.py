@@ -36,13 +36,13 @@ from nscc_runtime.device.packets import (
         ),
     ],
 )
-def test_stuffing_is_what_others_call_cobs(plain: str, wire: str) -> None:
+def test_stuffing_equals_the_published_cobs_examples(plain: str, wire: str) -> None:
     assert stuffed(bytes.fromhex(plain)).hex() == wire
     assert unstuffed(bytes.fromhex(wire)) == bytes.fromhex(plain)
 
 
 @pytest.mark.parametrize("wire", ["05112233", "0311220033", "ff01", "0300"])
-def test_what_stuffing_cannot_have_made_is_refused(wire: str) -> None:
+def test_invalid_stuffed_bytes_are_refused(wire: str) -> None:
     assert unstuffed(bytes.fromhex(wire)) is None
 
 
@@ -85,7 +85,7 @@ def test_an_endless_packet_takes_no_room() -> None:
     assert unpacker.damaged == 1
 
 
-def test_a_body_that_is_too_long_is_no_packet() -> None:
+def test_a_body_that_is_too_long_is_refused() -> None:
     assert unpacked(Packet(1, 1, 1, b"x" * MOST_BODY).wire()[1:-1]) is not None
     assert unpacked(Packet(1, 1, 1, b"x" * (MOST_BODY + 1)).wire()[1:-1]) is None
 

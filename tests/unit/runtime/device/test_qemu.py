@@ -139,7 +139,7 @@ def test_a_board_that_is_stuck_starts_anew(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 @pytest.mark.slow
-def test_its_words_take_what_its_target_says() -> None:
+def test_words_take_the_time_that_the_target_states() -> None:
     """Measured by `nscc device calibrate`; telling the emulator takes a part of a launch."""
     dark = ChipAtOnce(
         lambda slots: Light.of_clip(np.zeros((len(slots), *SHAPE), np.float32)), TARGET

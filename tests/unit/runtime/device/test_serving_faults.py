@@ -40,7 +40,7 @@ def test_fault_texts_are_parsed() -> None:
         "seed=after:1",
     ],
 )
-def test_what_is_no_fault_is_refused(text: str) -> None:
+def test_invalid_faults_are_refused(text: str) -> None:
     with pytest.raises(Rejected) as caught:
         parse_faults(text)
     assert [d.code for d in caught.value.diagnostics] == ["NS0769"]

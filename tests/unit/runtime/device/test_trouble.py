@@ -140,7 +140,7 @@ def test_errors_of_the_host_are_explained(error: Exception, code: str) -> None:
         ({"target": bytes(32), "target_name": "other"}, "NS0764"),
     ],
 )
-def test_what_does_not_fit_is_refused_before_it_is_sent(
+def test_programs_that_do_not_fit_are_refused_before_sending(
     change: dict[str, Any], code: str, info: Info
 ) -> None:
     check_fits("port", EXAMPLE.upload, TARGET, info, 3)
@@ -162,7 +162,7 @@ def test_gains_need_a_loader_that_has_them(info: Info) -> None:
     assert code_of(caught.value) == "NS0765"
 
 
-def test_codes_alone_stand_for_electrons(info: Info) -> None:
+def test_exposures_follow_from_codes_alone(info: Info) -> None:
     """A chip gives no exposures: they are what its codes mean."""
     assert channels_of(info) == 3
     channels = channels_of(replace(info, capabilities=0))

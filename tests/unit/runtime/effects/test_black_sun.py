@@ -95,7 +95,7 @@ def test_loops_do_to_a_sun_what_the_reference_does(name: str, effects: str) -> N
 
 
 @pytest.mark.parametrize("effects", [f"{COUNTLESS},-black_sun", COUNTLESS])
-def test_pixels_that_look_have_it(effects: str) -> None:
+def test_pixels_that_look_show_the_black_sun(effects: str) -> None:
     container = program(LOOKING, rows=ROWS, cols=COLS)
     said = ONE if effects == COUNTLESS else ""
     words = taken(container, 3e9, effects, said, fidelity="reference")

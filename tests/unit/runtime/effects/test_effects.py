@@ -111,7 +111,9 @@ INCOMPLETE = [
 
 
 @pytest.mark.parametrize(("changes", "text"), INCOMPLETE, ids=[text for _, text in INCOMPLETE])
-def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], text: str) -> None:
+def test_effects_with_missing_parts_are_refused_by_name(
+    changes: dict[str, object], text: str
+) -> None:
     whole = replace(
         named("lag"),
         name="tilt",
@@ -130,7 +132,7 @@ def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], tex
     assert registered() == before
 
 
-def test_what_marks_saturation_is_declared() -> None:
+def test_effects_declare_their_saturation_marks() -> None:
     """A frame file's bits are a contract."""
     found = {mark.name: mark.bit for mark in marks().values()}
     assert found == {
@@ -147,7 +149,7 @@ def test_what_marks_saturation_is_declared() -> None:
     assert least_e(SENSOR.changed(register_knee_fraction=1.0)) == 0
 
 
-def test_what_is_no_effect_is_refused() -> None:
+def test_objects_that_are_not_effects_are_refused() -> None:
     with pytest.raises(Rejected, match="it is not an Effect"):
         register("columns")
 

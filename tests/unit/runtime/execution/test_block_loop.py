@@ -142,7 +142,7 @@ def test_stills_with_equal_or_different_slots_equal_the_reference() -> None:
             np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-3)
 
 
-def test_slots_so_short_that_words_fill_them() -> None:
+def test_slots_filled_by_their_words_equal_the_reference() -> None:
     from reference_programs import program
 
     text = "nsl 1\nframe 4 slots of 3us\ncode stop : 0..4\nopen when n < stop\n"

@@ -164,7 +164,9 @@ def test_lamps_take_their_neighbours_along_whatever_the_codes_are(name: str) -> 
     assert set(np.flatnonzero(lost > 1.0).tolist()) <= set(scene.near.tolist())
 
 
-def test_what_only_the_reference_has_it_exposes(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_effects_that_only_the_reference_has_are_exposed_by_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     slow = replace(READ, words=CannotHave("it is tried"))
     monkeypatch.setitem(registry._registered, "read", slow)
     light = moving_light((8, ROWS, COLS), 300.0)
@@ -176,7 +178,7 @@ def test_what_only_the_reference_has_it_exposes(monkeypatch: pytest.MonkeyPatch)
 @pytest.mark.parametrize(
     ("effects", "electrons"), [("shot,read,full_well", 300.0), ("all", 300.0), ("all", 8000.0)]
 )
-def test_a_frames_light_is_let_go_of_with_it(effects: str, electrons: float) -> None:
+def test_the_light_of_a_frame_is_freed_with_it(effects: str, electrons: float) -> None:
     """Films would hold many scenes at a time if they waited for the collector of cycles."""
     light = moving_light((8, ROWS, COLS), electrons)
     scene = source("b edges", effects, light)

@@ -59,7 +59,7 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
     np.testing.assert_allclose(near.most_e, most.reshape(-1)[wanted], rtol=1e-6)
 
 
-def test_without_what_saturates_no_pixel_is_near() -> None:
+def test_no_pixel_is_near_saturation_without_saturating_effects() -> None:
     container = case("a", SLOTS, rows=6, cols=6)
     program = AnalysedProgram.of(container, sensor_of(container))
     light = Light.of_clip(np.full((SLOTS, 6, 6), 1e6, np.float32))

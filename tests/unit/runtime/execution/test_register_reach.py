@@ -49,12 +49,12 @@ def test_noise_leaves_less_room() -> None:
     assert (reach_of(noisy).least_e < reach_of(quiet).least_e)[finite].all()
 
 
-def test_noise_alone_may_be_enough() -> None:
+def test_noise_alone_can_saturate_a_register() -> None:
     program = program_of("codebook", reset_noise_e=1e5)
     assert (reach_of(program).least_e[0] == 0).all()
 
 
 @pytest.mark.parametrize("bias_lsb", [-1000.0, 1000.0])
-def test_a_fixed_error_of_either_sign_may_be_enough(bias_lsb: float) -> None:
+def test_a_fixed_error_of_either_sign_can_saturate_a_register(bias_lsb: float) -> None:
     program = program_of("codebook", analog_bias_lsb=bias_lsb)
     assert (reach_of(program).least_e[0] == 0).all()

@@ -140,7 +140,9 @@ def test_answers_are_as_likely_as_light_and_comparators_make_them(share: float) 
         assert abs(never.mean() - mean) < 0.05 * mean
 
 
-def test_what_it_lacks_the_reference_makes(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_effects_that_the_loop_lacks_are_simulated_by_the_reference(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     container = compiled((EXAMPLES / "first_light.nsl").read_text())
     slow = replace(READ, words=CannotHave("it is tried"))
     monkeypatch.setitem(registry._registered, "read", slow)
@@ -153,7 +155,7 @@ def test_what_it_lacks_the_reference_makes(monkeypatch: pytest.MonkeyPatch) -> N
     assert np.array_equal(way.exposure_e, word.exposure_e)
 
 
-def test_exposures_that_hang_on_what_was_before_have_no_ways() -> None:
+def test_exposures_that_depend_on_the_frame_before_have_no_paths() -> None:
     container = compiled((EXAMPLES / "float_pixel.nsl").read_text())
     without_the_first = replace(container, launches=container.launches[1:])
     with pytest.raises(Pathless, match="frame before"):

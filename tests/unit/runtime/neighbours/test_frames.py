@@ -224,7 +224,7 @@ def test_python_has_images_planes_and_reports(tmp_path: Path) -> None:
         captured.light_e_per_s()
 
 
-def test_what_knows_no_images_refuses_them() -> None:
+def test_plans_of_programs_with_images_are_refused() -> None:
     program = nscc.compile(HEAD + "image i = exposure / 2 read i", level=0)
     with pytest.raises(Rejected, match="NS0750"):
         nscc_runtime.plan(program, np.zeros((1, 256, 256), np.float32))

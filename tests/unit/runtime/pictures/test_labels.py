@@ -73,7 +73,7 @@ def test_names_keep_off_lines_and_from_each_other(across: float) -> None:
     assert not any(box.x0 - halo < line < box.x1 + halo for box in (one, other))
 
 
-def test_a_text_that_is_sought_stands_further_off() -> None:
+def test_labels_that_must_appear_move_away_with_a_line() -> None:
     """Where marks and lines leave no room beside its own, and the others' texts are left out."""
     with sheet.style():
         figure, [axes] = sheet.panels(1, (4, 3), 1)

@@ -34,7 +34,7 @@ def test_the_dark_without_a_white_is_black(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["log", "reinhard", "mu-law", "srgb", "linear"])
-def test_what_is_not_finite_has_no_part_in_the_curve(name: str) -> None:
+def test_values_that_are_not_finite_do_not_change_the_curve(name: str) -> None:
     light = np.linspace(0, 900, 12)
     tone, whole = fitted(name, np.append(light, [np.inf, np.nan, -np.inf])), fitted(name, light)
     assert tone.white == whole.white

@@ -32,7 +32,7 @@ def audited(setting: Setting, plan: Plan) -> Audit:
     return audit(planning_of(container, sensor, light, 5), plan)
 
 
-def test_it_measures_what_an_independent_comparison_measures(mid: Setting) -> None:
+def test_the_audit_equals_an_independent_comparison(mid: Setting) -> None:
     container, light, sensor = mid
     plan = plan_of("all,-shot,-lag", tolerance_e=5.0)
     found = audited(mid, plan)

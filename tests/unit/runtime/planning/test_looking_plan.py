@@ -103,7 +103,7 @@ def test_comparators_are_kept_where_they_turn_pixels(program: Container) -> None
     assert noise.other_states == pytest.approx(turned, rel=0.5)
 
 
-def test_what_is_forced_off_breaks_the_promise_and_is_said(program: Container) -> None:
+def test_effects_that_are_forced_off_break_the_tolerance_with_a_warning(program: Container) -> None:
     warned: list[Severity] = []
     listener = Listener(warn=lambda diagnostic: warned.append(diagnostic.severity))
     effects = "auto,-comparator_noise,-comparator_offset"
@@ -134,7 +134,7 @@ def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
     ("name", "rows", "cols", "e_per_s", "tolerance"),
     [("first_light", 2, 19, 1.4e6, "1%"), ("float_pixel", 4, 14, 2.9e5, "50e")],
 )
-def test_what_happens_to_few_pixels_of_small_arrays_is_foreseen(
+def test_errors_of_few_pixels_in_small_arrays_are_predicted(
     name: str, rows: int, cols: int, e_per_s: float, tolerance: str, root: Path
 ) -> None:
     """One frame of them shows none that ends in another state, nor one in a thousand."""

@@ -51,7 +51,7 @@ def test_few_pixels_with_most_of_the_error_are_measured(seed: int) -> None:
 
 
 @pytest.mark.parametrize("tolerance", ["0.01e", "1e6e"])
-def test_the_tolerance_decides_what_is_dropped(tolerance: str) -> None:
+def test_larger_tolerances_drop_more_effects(tolerance: str) -> None:
     plan = found("b edges", "mid", tolerance).plan
     dropped = {*plan.names("dropped")}
     saturating = everything().names(Saturates)
@@ -72,7 +72,7 @@ def test_absent_effects_stay_on_for_the_next_scene() -> None:
     assert found("b edges", "saturated", "50e").plan.slot_loop
 
 
-def test_what_is_forced_off_counts_and_the_others_keep_the_tolerance_by_themselves() -> None:
+def test_effects_that_are_forced_off_do_not_loosen_the_tolerance_of_others() -> None:
     free, forced = (
         found("b edges", "mid", "20e", effects).plan for effects in ("auto", "auto,-shot")
     )

@@ -54,7 +54,7 @@ def test_a_tolerance_in_electrons_keeps_its_value(value: float) -> None:
 
 
 @given(st.floats(LEAST_E, MOST_E / 100))
-def test_codes_are_so_many_electrons(value: float) -> None:
+def test_tolerances_in_codes_are_converted_to_electrons(value: float) -> None:
     assert tolerance(f"{value!r}lsb").electrons == value * 100.0
 
 
@@ -66,7 +66,7 @@ def test_percentages_are_parts_of_the_signal(value: float, signal_e: float) -> N
 
 
 @given(st.floats(LEAST_E, MOST_E) | st.floats(1e-3, 1e3).map(lambda x: f"{x!r}%"))
-def test_what_is_told_of_a_tolerance_is_a_way_to_ask_for_it(given: str | float) -> None:
+def test_the_printed_tolerance_can_be_entered_again(given: str | float) -> None:
     found = tolerance(given, 700.0)
     assert tolerance(found.text, 700.0) == found
     assert tolerance_of(found, SENSOR, SceneOf(math.nan)) is found
@@ -214,7 +214,7 @@ def plans(draw: st.DrawFn) -> Plan:
 
 
 @given(plans())
-def test_json_comes_back_as_it_went(plan: Plan) -> None:
+def test_json_is_read_as_it_was_written(plan: Plan) -> None:
     text = json.dumps(plan.as_json(), allow_nan=False)
     assert from_plain(Plan, json.loads(text)) == plan
     assert str(plan)

@@ -45,7 +45,7 @@ def test_measuring_finds_prices_of_every_way() -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_what_is_left_out_saves_time(name: str) -> None:
+def test_dropped_effects_save_predicted_time(name: str) -> None:
     container = case(name, rows=6, cols=9)
     light = Light.of_clip(np.full((8, 6, 9), 40000.0, np.float32))
     work = Work.of(planning_of(container, sensor_of(container), light))

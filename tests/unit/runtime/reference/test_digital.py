@@ -36,7 +36,7 @@ def test_the_mask_decides_where_the_masked_register_is_written() -> None:
     assert found.read(MASKED).tolist() == [0, 1, UNKNOWN, 1]
 
 
-def test_what_the_mask_keeps_a_word_from_is_not_written_again() -> None:
+def test_pixels_outside_the_mask_keep_their_age() -> None:
     assert MASK is not None
     assert MASKED is not None
     found = digital(2, 100.0, **{MASK: [0, 1], MASKED: [1, 1], "R1": [1, 1]})

@@ -52,7 +52,7 @@ def found(spec: Path | str, **options: Any) -> np.ndarray:
 
 
 @pytest.mark.parametrize("iso", [(100, 100, 100), (400, 100, 50)])
-def test_the_light_is_found_again(tmp_path: Path, iso: tuple[int, ...]) -> None:
+def test_a_merged_bracket_reproduces_the_light(tmp_path: Path, iso: tuple[int, ...]) -> None:
     photos(tmp_path, True, iso)
     expected = light() / light().max()
     for spec in (tmp_path, f"{tmp_path}/*.png"):

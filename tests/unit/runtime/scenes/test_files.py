@@ -264,7 +264,7 @@ def test_negatives_are_tolerated_as_fractions_of_white(tmp_path: Path, white: fl
 
 
 @pytest.mark.parametrize("outside", [np.inf, np.nan])
-def test_what_is_cut_off_says_nothing_of_negatives(tmp_path: Path, outside: float) -> None:
+def test_values_outside_the_crop_do_not_hide_negative_light(tmp_path: Path, outside: float) -> None:
     picture = np.ones((2 * ROWS, COLS, 3), np.float32)
     picture[0, 0], picture[ROWS, 3] = outside, -1e-5
     write_float(tmp_path / "p.exr", picture)

@@ -95,7 +95,7 @@ def test_small_and_thin_pictures_are_scaled_up(tmp_path: Path) -> None:
         laid(tmp_path / "small.png")
 
 
-def test_what_is_cut_off_is_said(photo: Path) -> None:
+def test_cropped_parts_are_reported(photo: Path) -> None:
     found, said = laid(photo)
     assert found.placement.fits_one_array
     assert (
@@ -184,7 +184,7 @@ def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNs
         assert "NS0739" in run_nscc([*line.split(), *wrong.split()], tmp_path).codes
 
 
-def test_what_has_no_colours_is_exposed_once(tmp_path: Path) -> None:
+def test_grey_scenes_are_exposed_once(tmp_path: Path) -> None:
     Image.fromarray(RNG.integers(0, 256, (24, 32), np.uint8)).save(tmp_path / "grey.png")
     target = replace(builtin_target("scamp5"), rows=24, cols=32)
     for name in (str(tmp_path / "grey.png"), "builtin:hdr"):

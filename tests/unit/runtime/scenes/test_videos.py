@@ -221,7 +221,7 @@ def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> 
 
 
 @pytest.mark.parametrize("data", [b"", b"nothing", b"#EXTM3U\n#EXTINF:1,\nhttp://localhost/a.ts\n"])
-def test_what_is_no_video_is_refused(tmp_path: Path, data: bytes) -> None:
+def test_files_that_are_not_videos_are_refused(tmp_path: Path, data: bytes) -> None:
     (tmp_path / "v.mp4").write_bytes(data)
     with pytest.raises(Rejected, match="NS0732"):
         open_pages(tmp_path / "v.mp4")

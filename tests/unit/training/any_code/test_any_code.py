@@ -154,7 +154,7 @@ def test_each_stage_mirrors_what_the_denoiser_sees_and_its_answer_back() -> None
     assert sorted(shifted) == [[0, -1, -2], [0, -1, 2], [0, 1, -2], [0, 1, 2]]
 
 
-def test_at_last_a_clip_gives_the_frames_where_they_are_exact() -> None:
+def test_corrected_clips_reproduce_exact_frames() -> None:
     clip, mask = scene(4, 6, 24)
     frame = (clip * mask).sum(axis=0)
     measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
@@ -212,7 +212,7 @@ def test_clips_of_any_length_and_size(frames: int, rows: int, cols: int) -> None
     assert found.min() >= 0
 
 
-def test_light_that_is_twice_as_bright_is_so_in_the_clip() -> None:
+def test_twice_the_light_gives_twice_the_clip() -> None:
     clip, mask = scene(3, 8, 32)
     frame = (clip * mask).sum(axis=0)
     np.testing.assert_allclose(
@@ -220,7 +220,7 @@ def test_light_that_is_twice_as_bright_is_so_in_the_clip() -> None:
     )
 
 
-def test_two_buckets_say_more_than_one() -> None:
+def test_two_buckets_give_a_better_clip_than_one() -> None:
     clip, mask = scene(4, 8, 48)
     both = np.stack([mask, 1 - mask])
     frames = (clip * both).sum(axis=1)
@@ -306,14 +306,14 @@ def test_total_variation_is_the_same_by_operators_and_by_the_loop(
         assert tv_denoised(torch.empty(shape), 0.2, 6, time).shape == shape
 
 
-def test_what_is_shipped_is_small() -> None:
+def test_shipped_weights_are_small() -> None:
     weights = files("nscc_training.any_code") / "weights.safetensors"
     # 4 MiB, so that packages stay small.
     assert len(weights.read_bytes()) <= 4 << 20
 
 
 @pytest.mark.parametrize("lessons", ["denoise", "codes", "stills"])
-def test_lessons_go_on_where_they_stopped(lessons: str, tmp_path: Path) -> None:
+def test_lessons_resume_where_they_stopped(lessons: str, tmp_path: Path) -> None:
     """With Muon and a moving average, from random weights: the same bytes."""
     import cv2
 

@@ -93,7 +93,7 @@ def test_total_variation_is_its_plain_version(shape: tuple[int, ...], time: floa
         np.testing.assert_allclose(found, wanted, atol=2e-6)
 
 
-def test_denoising_takes_bad_input_for_what_it_is() -> None:
+def test_denoising_handles_bad_input() -> None:
     with pytest.raises(ValueError, match="shape"):
         tv_denoise(np.zeros((4, 4), np.float32), 0.1, 3)
     with pytest.raises(ValueError, match="weight"):
@@ -118,7 +118,7 @@ def db(truth: NDArray[np.uint8], made: NDArray[np.float32]) -> float:
 
 
 @pytest.mark.parametrize("method", [gap_tv, admm_tv])
-def test_a_moving_square_comes_back(method: object) -> None:
+def test_a_moving_square_is_reconstructed(method: object) -> None:
     clip, mask, measurement = coded()
     start = db(clip, adjoint(measurement, mask))
     found = method(measurement, mask)  # type: ignore[operator]
@@ -306,7 +306,7 @@ def test_items_of_one_seed_are_compared_with_those_of_the_same(tmp_path: Path) -
     assert "2.500 dB, one scene" in invoke(["evaluate", "compare", *names], tmp_path).out
 
 
-def test_one_pair_is_what_it_was(tmp_path: Path) -> None:
+def test_comparing_one_pair_prints_and_writes_its_result(tmp_path: Path) -> None:
     first = scored(tmp_path, "A0", {"a": [10.0], "b": [20.0]})
     second = scored(tmp_path, "B0", {"a": [12.0], "b": [26.0]})
     outcome = invoke(["evaluate", "compare", first, second, "--json", "-o", "c.json"], tmp_path)
@@ -332,7 +332,7 @@ def test_one_pair_is_what_it_was(tmp_path: Path) -> None:
     assert "2 items of 2 scenes, protocol p" in human
 
 
-def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
+def test_results_without_pairs_are_refused(tmp_path: Path) -> None:
     base, better = {"a": [10.0]}, {"a": [11.0]}
     names = [
         scored(tmp_path, f"{k}{seed}", base if k == "A" else better)
@@ -399,9 +399,7 @@ def test_a_clip_that_is_not_there_is_said_to_be_missing(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     "change", [{"mean": "high"}, {"data": [3]}, {"items": [{"psnr_db": "nan"}]}]
 )
-def test_results_with_numbers_that_are_none_are_refused(
-    tmp_path: Path, change: dict[str, Any]
-) -> None:
+def test_results_with_invalid_numbers_are_refused(tmp_path: Path, change: dict[str, Any]) -> None:
     item = {"file": "a", "crop": None, "frame": 0, "psnr_db": 20.0}
     good = {"schema": "nscc-result-1", "protocol": "sci8", "mean": 20.0, "items": [item]}
     (tmp_path / "A.json").write_text(json.dumps(good))

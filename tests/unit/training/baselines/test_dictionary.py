@@ -11,7 +11,7 @@ from nscc_training.baselines.dictionary import SIDE, dictionary_clip, learned, p
 from nscc_training.least_squares import solve
 
 
-def test_pursuit_finds_what_was_planted() -> None:
+def test_pursuit_finds_the_planted_atoms() -> None:
     rng = np.random.default_rng(1)
     matrix = rng.standard_normal((40, 25)) * 10.0 ** rng.uniform(-1, 1, 25)
     for places in itertools.islice(itertools.combinations(range(25), 3), 0, None, 97):
@@ -52,7 +52,7 @@ def test_learning_explains_blocks_better() -> None:
         learned(blocks[:5], 16, 3, 1, seed=3)
 
 
-def test_a_clip_of_atoms_comes_back() -> None:
+def test_a_clip_of_atoms_is_reconstructed() -> None:
     """A single block that is two atoms, from its coded frame: eight times fewer numbers."""
     rng = np.random.default_rng(4)
     frames = 8

@@ -146,14 +146,14 @@ def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: boo
     assert bool(at_a_pole.any()) != poles
 
 
-def test_steps_differ_and_come_again() -> None:
+def test_steps_differ_and_are_reproducible() -> None:
     source = Cuts({"a": random_light(40, 50)}, together=2)
     one, two, again = source.train(5), source.train(6), source.train(5)
     assert torch.equal(one.light, again.light)
     assert one.names != two.names
 
 
-def test_what_is_dark_altogether_stays_finite() -> None:
+def test_completely_dark_scenes_stay_finite() -> None:
     for shape in ((30, 30), (6, 30, 30)):
         source = Cuts({"a": np.zeros(shape)}, together=2)
         cut = source.train(0)
@@ -412,7 +412,7 @@ def test_the_best_state_is_that_of_the_least_loss(
         assert torch.equal(tensor, kept[f"best.decoder.{key}"])
 
 
-def test_nothing_together_and_no_path_are_refused(tmp_path: Path) -> None:
+def test_zero_patches_together_and_missing_paths_are_refused(tmp_path: Path) -> None:
     (tmp_path / "c.toml").write_text("[data]\ntogether = 0\npaths = 0\n")
     found = invoke(["train", "c.toml", "--out", "r"], tmp_path)
     assert (found.status, found.codes) == (2, ["NS0815", "NS0815"])

@@ -47,7 +47,7 @@ def test_light_that_run_refuses_is_refused(tmp_path: Path, bad: float) -> None:
     assert "5.pfm" in caught.value.diagnostics[0].message
 
 
-def test_what_filters_left_below_zero_is_said(tmp_path: Path) -> None:
+def test_small_negative_light_is_reported(tmp_path: Path) -> None:
     light = np.ones((32, 32), np.float32)
     light[0, :3] = -1e-5
     pictures(tmp_path, light)

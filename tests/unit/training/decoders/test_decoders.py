@@ -68,7 +68,7 @@ def test_sizes_are_those_that_were_promised() -> None:
             assert parameter_count(make_decoder(name, "small", CLIP)) <= 600_000
 
 
-def test_what_is_given_is_what_a_run_begins_with() -> None:
+def test_the_decoder_for_any_code_begins_with_its_shipped_weights() -> None:
     """A decoder that comes with weights makes of a frame what these weights make of it."""
     frame, shutters = coded(8, 24, 32)
     frame[:, 0, 0], shutters[:, 0, 0] = 1, 1
@@ -173,7 +173,7 @@ def test_blocks_have_true_gradients(overlapping: tuple[bool, bool]) -> None:
     assert torch.autograd.gradcheck(made, (frame, weight), eps=1e-2, atol=1e-3, rtol=1e-3)
 
 
-def test_what_a_decoder_cannot_be() -> None:
+def test_invalid_decoders_are_refused() -> None:
     for name, task, words in (
         ("unet3d", STILL, "clips"),
         ("fcnet", STILL, "clips"),

@@ -49,9 +49,7 @@ def given_back(clip: Any, frame: Any, mask: Any) -> Any:
 @pytest.mark.parametrize("slots", [1, 3, 16])
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("name", NAMES)
-def test_they_begin_with_a_clip_that_gives_the_frame(
-    name: str, size: tuple[int, int], slots: int
-) -> None:
+def test_the_first_clip_reproduces_the_frame(name: str, size: tuple[int, int], slots: int) -> None:
     decoder = make_decoder(name, "small", DecoderTask("clip", slots, (4, 4)))
     frame, shutters = coded(slots, *size)
     mask = whole(shutters, *size)
@@ -106,7 +104,7 @@ def test_refined_begins_nearer_to_the_truth() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_pixels_that_never_open_say_nothing(name: str) -> None:
+def test_pixels_that_never_open_are_ignored(name: str) -> None:
     decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     closed = whole(shutters, 13, 10).sum(dim=0) == 0

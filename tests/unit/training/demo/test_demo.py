@@ -153,7 +153,7 @@ def test_a_photo_has_one_readout(folder: Path, run_nscc: RunNscc) -> None:
     assert "leave --readouts out" in outcome.err
 
 
-def test_what_is_black_or_not_there_is_told(folder: Path, run_nscc: RunNscc) -> None:
+def test_black_and_missing_scenes_are_refused(folder: Path, run_nscc: RunNscc) -> None:
     assert run_nscc(["demo", "black.png"], folder).codes == ["NS0738"]
     assert run_nscc(["demo", "nothing.jpg"], folder).codes == ["NS0730"]
     assert not list(folder.glob("*_demo"))
@@ -225,7 +225,7 @@ def test_light_in_a_tiff_is_viewed_as_that_of_other_formats(
     assert re.fullmatch(rb"srgb curve, white [0-9.]+", views.view_of(tmp_path / "photo.tiff"))
 
 
-def test_what_cannot_be_viewed_is_told_what_it_holds(tmp_path: Path) -> None:
+def test_files_that_cannot_be_viewed_are_refused_with_their_contents(tmp_path: Path) -> None:
     np.savez(tmp_path / "scene.npz", light=np.ones((3, 4)))
     with pytest.raises(Rejected, match="has no image or video, but light"):
         views.view_of(tmp_path / "scene.npz")

@@ -93,7 +93,7 @@ def test_a_clip_that_is_right_takes_the_noise_away() -> None:
     assert np.std(found - 0.5) < 0.4 * np.std(alone)
 
 
-def test_what_moves_is_the_clips() -> None:
+def test_moving_parts_come_from_the_given_clip() -> None:
     masks = masks_of("three_readouts", 64)
     clip = np.full((16, 64, 64), 0.5, np.float32)
     clip[8:, 20:44, 20:44] = 0.1
@@ -103,7 +103,7 @@ def test_what_moves_is_the_clips() -> None:
     np.testing.assert_allclose(found[:, :8, :8], 0.5, atol=0.01)
 
 
-def test_saturated_readouts_say_nothing_and_other_readouts_speak_for_them() -> None:
+def test_saturated_readouts_are_replaced_by_others() -> None:
     masks = masks_of("three_readouts", 16)
     clip = np.full((16, 16, 16), 1.5, np.float32)
     measured = measured_of(clip, masks, sd=0.01)

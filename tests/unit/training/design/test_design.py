@@ -101,7 +101,7 @@ def test_more_looks_are_no_worse() -> None:
     assert errors[-1] < errors[0] / 2
 
 
-def test_words_do_what_is_expected() -> None:
+def test_designed_words_reach_the_expected_error() -> None:
     """The designed words on the emulator with every effect: half a decibel."""
     target = replace(TARGET, rows=96, cols=96)
     light = np.geomspace(100, 30 * FULL_E, 96 * 96).reshape(96, 96)
@@ -266,7 +266,7 @@ def test_a_camera_meters_the_light() -> None:
     assert stops[-1] <= 16
 
 
-def test_what_cannot_be_designed_for_says_so(tmp_path: Path) -> None:
+def test_impossible_designs_are_refused(tmp_path: Path) -> None:
     with pytest.raises(Rejected) as found:
         design_looks([np.zeros((4, 4))], 3)
     assert found.value.diagnostics[0].code == "NS0824"

@@ -161,7 +161,7 @@ def test_bad_codes_are_refused(tmp_path: Path) -> None:
         load_codes(tmp_path / "none.mat")
 
 
-def test_what_cannot_be_compiled_is_the_compilers_error() -> None:
+def test_codes_that_do_not_compile_give_the_error_of_the_compiler() -> None:
     """Sixteen free bits do not fit thirteen registers when every code is wanted."""
     encoder = make_encoder(ShutterSpec("e", 16, (2, 2)), "random")
     compiled(program_of(encoder, Chip()), Chip())

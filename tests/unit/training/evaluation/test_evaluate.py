@@ -117,7 +117,7 @@ def test_a_run_is_evaluated_with_the_mask_of_the_file(name: str, tmp_path: Path)
         assert (refused.status, refused.codes) == (2, ["NS0811"])
 
 
-def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
+def test_files_of_the_training_are_not_scored(tmp_path: Path) -> None:
     import cv2
 
     (tmp_path / "d").mkdir()
@@ -178,7 +178,7 @@ def decoded_by(run: Path, frame: np.ndarray, stops: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize("subject", ["quad", "best-uniform", "run"])
-def test_other_parts_saturated_are_reported_too(subject: str, tmp_path: Path) -> None:
+def test_other_saturated_fractions_are_reported(subject: str, tmp_path: Path) -> None:
     """Against the crop, exposed and scored by hand at 10 and 50 %."""
     (tmp_path / "d").mkdir()
     light = one_crop(tmp_path / "d/p.hdr")
@@ -426,7 +426,7 @@ def test_a_small_clip_is_named_with_its_own_size(tmp_path: Path) -> None:
     assert left_out.reason == "64 x 300 is smaller than 256 x 256"
 
 
-def test_an_interrupted_evaluation_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupted_evaluation_resumes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The scores of scenes are kept beside the result until it is written."""
     for k in range(2):
         clip(tmp_path / f"{k}.mat", 16, 256)
@@ -487,7 +487,7 @@ def test_a_damaged_file_is_named_and_the_others_are_scored(tmp_path: Path) -> No
     assert (nothing.status, len(nothing.codes), nothing.out) == (2, 3, "")
 
 
-def test_data_of_which_nothing_can_be_used(tmp_path: Path) -> None:
+def test_data_without_a_usable_scene_are_refused(tmp_path: Path) -> None:
     """Says why, instead of a result without an item."""
     import cv2
 

@@ -35,7 +35,7 @@ def test_figures_are_drawn_of_given_scenes(tmp_path: Path) -> None:
     assert same == [name == "fig7_shutters" for name in NAMES]
 
 
-def test_a_folder_of_nothing_to_show(tmp_path: Path) -> None:
+def test_a_folder_without_scenes_to_show_is_refused(tmp_path: Path) -> None:
     (tmp_path / "d").mkdir()
     for folder in ("d", "nowhere"):
         made = invoke(["evaluate", "figures", "--data", folder, "-o", "f"], tmp_path)

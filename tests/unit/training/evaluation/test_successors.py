@@ -54,7 +54,7 @@ def test_scattered_starts_exist_for_classes_b_and_c_only() -> None:
             make_encoder(ShutterSpec(kind, 8, (4, 4)), "poisson-disc")
 
 
-def test_a_moment_is_what_is_scored(tmp_path: Path) -> None:
+def test_moments_are_reproducible_exposures_of_their_own_light(tmp_path: Path) -> None:
     light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-3, 3, (64, 128))), (1024, 512))
     cv2.imwrite(str(tmp_path / "a.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
     protocol = load_protocol("deblur-v1")

@@ -42,7 +42,7 @@ def test_resuming_changes_no_bit(values: dict[str, Any], tmp_path: Path) -> None
         assert all(torch.equal(first[key], second[key]) for key in first)
 
 
-def test_who_interrupts_is_told_how_to_go_on(tmp_path: Path) -> None:
+def test_an_interrupt_prints_how_to_resume(tmp_path: Path) -> None:
     settings = settings_of(changed(CLIP, "train", validate_every=2), ())
 
     def until(last: int):
@@ -83,7 +83,9 @@ def test_a_run_interrupted_before_its_products_ends_as_if_it_had_not(
 
 
 @pytest.mark.parametrize("begun", [None, 2], ids=["into a new folder", "over another run"])
-def test_a_run_that_goes_on_elsewhere_is_one_run_there(begun: int | None, tmp_path: Path) -> None:
+def test_a_run_resumed_in_another_folder_is_complete_there(
+    begun: int | None, tmp_path: Path
+) -> None:
     """Of a finished run and of one that goes further: both folders hold the same, and go on."""
     values = changed(STILL, "train", steps=4)
     run(values, tmp_path / "whole")
@@ -183,7 +185,7 @@ def test_files_of_two_runs_are_no_run(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["codes.npz", "shutter.nsl", "split.json", "decoder.safetensors"])
-def test_a_run_of_which_a_file_is_missing_or_another_is_none(name: str, tmp_path: Path) -> None:
+def test_a_run_with_a_missing_or_foreign_file_is_refused(name: str, tmp_path: Path) -> None:
     """Without its codes a run would decode with others."""
     from nscc_training.run_folder import load_run
 

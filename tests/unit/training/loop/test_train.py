@@ -38,7 +38,7 @@ from nscc_training.sensor_model import read_out  # noqa: E402
 
 
 @pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
-def test_a_run_leaves_what_was_promised(values: dict[str, Any], tmp_path: Path) -> None:
+def test_a_run_writes_all_promised_files(values: dict[str, Any], tmp_path: Path) -> None:
     run(values, tmp_path / "r")
     assert {path.name for path in (tmp_path / "r").iterdir()} == FILES
     head, *rows = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
@@ -161,7 +161,7 @@ def test_codes_do_learn(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["bad_loss", "steep_loss"])
-def test_what_is_not_finite_stops_before_the_step(
+def test_values_that_are_not_finite_stop_before_the_step(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "losses_of_tests.py").write_text(

@@ -222,7 +222,7 @@ def test_trials_leave_saturation_where_straight_through_does_not() -> None:
     assert learned("straight-through", 200) == SLOTS
 
 
-def test_what_is_required_is_tried_and_nothing_else() -> None:
+def test_trials_choose_only_codes_that_the_rule_allows() -> None:
     parts = parts_of(Share(), require="stop < 9 or stop > 40", init="quad", noise=8.0)
     parts.encoder.noise = 8.0
     parts.encoder.fill(np.array([[8.0, 41.0], [1.0, 64.0]]))
@@ -288,7 +288,7 @@ def run(out: Path, shutter: dict[str, Any], **more: Any) -> None:
 
 
 @pytest.mark.parametrize("kind", ["b", "d"])
-def test_a_run_gone_on_with_is_the_run_that_was_never_stopped(kind: str, tmp_path: Path) -> None:
+def test_a_resumed_run_equals_one_that_never_stopped(kind: str, tmp_path: Path) -> None:
     run(tmp_path / "whole", {"class": kind})
     run(tmp_path / "stopped", {"class": kind}, stop_after=2)
     run(tmp_path / "stopped", {"class": kind})
@@ -322,7 +322,7 @@ def test_free_codes_of_a_small_chip_learn_by_trial(
     assert 0 < moved <= 4 / 16
 
 
-def test_what_is_always_open_is_not_tried() -> None:
+def test_codes_that_are_always_open_are_not_tried() -> None:
     with pytest.raises(Rejected, match="NS0815") as caught:
         parts_of(Share(), **{"class": "a", "slots": 8})
     assert "no parameters to try" in caught.value.diagnostics[0].message

@@ -100,7 +100,7 @@ def test_the_closed_form_equals_least_squares_by_hand() -> None:
     assert told_db(shutters, fast) == pytest.approx(-10 * np.log10(left), abs=1e-4)
 
 
-def test_what_moves_fast_wants_more_moments() -> None:
+def test_faster_motion_prefers_more_moments() -> None:
     slow, fast = (Motion((speed,)) for speed in (6.0, 40.0))
     codes = {name: opened("c", name) for name in ("quad", "two-phase")}
     assert told_db(codes["quad"], slow) > told_db(codes["two-phase"], slow)
@@ -382,7 +382,7 @@ def test_a_limit_of_words_is_a_search_s_and_is_kept_to_the_end(tmp_path: Path) -
         make_setup(settings_of(values))
 
 
-def test_what_settles_is_what_validation_found_best(
+def test_settling_begins_with_the_best_validated_codes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A search that goes astray after its first validation; then the decoder learns, alone."""

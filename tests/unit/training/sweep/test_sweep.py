@@ -101,7 +101,7 @@ def test_rows_without_noise_are_those_of_the_engine_before(
     assert rows == list(csv.DictReader(io.StringIO((ROWS / "programs.csv").read_text())))
 
 
-def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
+def test_programs_that_do_not_fit_are_rows(tmp_path: Path) -> None:
     written(tmp_path, GRID + BITS)
     rows = swept(tmp_path)
     assert [row["code"] for row in rows] == ["", "", "", "", "NS0412"]
@@ -118,7 +118,7 @@ def test_a_grid_of_which_nothing_fits_has_no_diagram(tmp_path: Path) -> None:
     assert not (tmp_path / "out/diagram.png").exists()
 
 
-def test_what_is_drawn_is_there(tmp_path: Path) -> None:
+def test_unknown_columns_of_a_plot_are_refused(tmp_path: Path) -> None:
     written(tmp_path, GRID + '[plot]\ny = ["word_total"]\n')
     done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
     assert (done.status, done.codes) == (2, ["NS0832"])
@@ -233,7 +233,7 @@ def test_a_key_is_that_of_what_decides(tmp_path: Path, monkeypatch: pytest.Monke
         ("shutter.init", "p.nsl/codes.npz"),
     ],
 )
-def test_what_a_run_begins_with_is_part_of_its_key(
+def test_the_initial_program_is_part_of_the_key_of_a_run(
     init: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """A run's folder, one that comes with nscc, and the file that a program names."""
@@ -281,7 +281,7 @@ sensor.read_noise_e = [1, 2.5]
 
 
 @pytest.mark.slow
-def test_what_a_bench_takes_changes_it(tmp_path: Path) -> None:
+def test_options_of_a_bench_change_its_results(tmp_path: Path) -> None:
     """The table of `nscc tradeoff sensor` at its own values, other numbers at others."""
     pytest.importorskip("torch")
     written(

@@ -247,7 +247,7 @@ def study(program: AnalysedProgram) -> EmulatorStudy:
     return found
 
 
-def test_a_broken_promise_is_told(study: EmulatorStudy, folder: Path, monkeypatch) -> None:
+def test_an_exceeded_tolerance_is_reported(study: EmulatorStudy, folder: Path, monkeypatch) -> None:
     [asked] = study.measured_plans
     assert keeps_promise(asked)
     # The tolerance of 5 electrons has a tenth of slack.

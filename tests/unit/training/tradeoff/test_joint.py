@@ -72,7 +72,7 @@ def test_advice_is_the_fastest_within_the_target() -> None:
     assert advised(points, 1.0) == (points[2], True)
 
 
-def test_without_one_it_is_the_fastest_of_the_best() -> None:
+def test_without_a_target_the_fastest_of_the_best_is_advised() -> None:
     points = [point(5.0, 30), point(5.2, 8), point(5.3, 2)]
     assert advised(points, 1.0) == (points[1], False)
     assert advised([], 1.0) == (None, False)
@@ -109,7 +109,7 @@ def test_times_are_in_si_units(time_ms: float, text: str) -> None:
     assert si_seconds(time_ms) == text
 
 
-def test_what_is_advised_is_to_be_read_however_crowded_the_picture_is() -> None:
+def test_advice_stays_readable_in_crowded_diagrams() -> None:
     """It is the name of its stage's line, beside it or in the legend."""
     rng = np.random.default_rng(0)
     crowd = rng.uniform(1.0, 1.3, (400, 2))
@@ -294,7 +294,7 @@ def test_slots_of_different_lengths_are_told_by_their_mean(folder: Path) -> None
         (["--scene", ""], "NS0744"),
     ],
 )
-def test_what_is_no_question_is_refused_before_it_is_measured(
+def test_invalid_requests_are_refused_before_measuring(
     folder: Path, more: list[str], code: str
 ) -> None:
     done = invoke(
@@ -312,7 +312,7 @@ def test_a_program_that_reads_only_planes_has_no_signal(folder: Path) -> None:
     assert "'q.nsl' reads out no exposure" in done.err
 
 
-def test_what_is_compiled_already_has_no_levels(folder: Path) -> None:
+def test_compiled_programs_have_no_optimisation_levels(folder: Path) -> None:
     assert invoke(["build", "p.nsl", "-O", "0", "-o", "p.icw"], folder).status == 0
     command = ["tradeoff", "p.icw", "--scene", "builtin:flat:9000", "--repeats", "1"]
     done = invoke([*command, "--stages", "compile,effects"], folder)

@@ -90,7 +90,7 @@ def test_without_effects_only_the_shutters_count() -> None:
     assert all(p.error < clips[0].error for p in real)
 
 
-def test_what_does_not_fit_is_a_row() -> None:
+def test_programs_that_do_not_fit_are_rows() -> None:
     asked = settings(
         classes=("e",), slots=(16,), stop_slots=(8,), codes=("open",), lowerings=("latch", "edges")
     )

@@ -45,7 +45,7 @@ def test_long_runs_are_done_once_more_for_their_kind_and_not_for_each_setting() 
     assert len(method.ran) == 2 * 2 + 1
 
 
-def test_something_smaller_goes_before_a_long_run() -> None:
+def test_a_smaller_run_comes_before_a_long_one() -> None:
     method = Method()
     _, taken_ms = method.watch.ms("m", "s", method(4000.0), method(1.0))
     assert taken_ms == pytest.approx(4000.0)
@@ -60,7 +60,7 @@ def test_the_first_short_run_of_each_setting_does_not_count() -> None:
     assert method.ran == [1.0] * 2
 
 
-def test_what_has_been_run_is_timed_at_once() -> None:
+def test_a_method_that_has_run_is_timed_without_a_warm_up() -> None:
     method = Method(cold_ms=0.0)
     method.watch.ran("m", "s")
     times_ms = [method.watch.ms("m", "s", method(7.0))[1] for _ in range(3)]
