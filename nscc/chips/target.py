@@ -27,6 +27,7 @@ _ours = partial(key, source="not public")
 _stream = partial(key, section="stream")
 _neighbours_key = partial(key, source="not public", section="neighbours", later=True)
 _in = partial(key, source="not public", section="in", later=True)
+_memory = partial(key, section="memory", later=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -193,6 +194,25 @@ class Target:
         default=128,
     )
 
+    leakage_tau_s: float = _memory(
+        Number(0, 1e9, low_excluded=True),
+        "time constant with which an analog register loses its value, in seconds",
+        default=10.0,
+        source="not public",
+    )
+    analog_move_loss: float = _memory(
+        Number(0, 1),
+        "1 - gain of a copy between analog registers, as a part of 1 - gain of an addition",
+        default=0.065,
+        source="fit to frames of SCAMP-5",
+    )
+    analog_move_noise: float = _memory(
+        Number(0, 1),
+        "random error of such a copy, as a part of that of an addition",
+        default=0.0,
+        source="fit to frames of SCAMP-5",
+    )
+
     taps: tuple[str, ...] = _stream(
         Several(_TAP, text="a list of names of capital letters, digits and `_`"),
         "where a pixel can collect charge, in the order of a program's buckets",
@@ -346,6 +366,7 @@ SCHEMA = Schema(
         "range": "",
         "in": "the global value IN that every pixel can compare with; set between kernels",
         "neighbours": "how words reach the pixels to the north, east, south and west",
+        "memory": "how exactly analog registers keep and copy a value; defaults of the emulator",
     },
     _CODES,
     "`nscc targets scamp5 --toml` prints a complete file to start from",

@@ -209,6 +209,16 @@ class BitWords:
             raise self._no_free_register()
         return self.free.pop(0)
 
+    def vacate(self, register: str) -> None:
+        """Occupy the digital register `register`. A plane that it holds moves to a free register;
+        raise PictureRefused if there is none."""
+        for name, of_plane in self.planes.items():
+            if of_plane == register:
+                self.planes[name] = self.take()
+                self.lowering.word(op("MOV", [self.planes[name]], [register]))
+                return
+        self.free.remove(register)
+
     def _no_free_register(self) -> PictureRefused:
         """Return the exception that the item whose words are emitted now needs one more digital
         register."""
@@ -392,8 +402,9 @@ class BitWords:
     def _joined(self, node: p.Joined) -> str:
         """Emit `and`, `or` or `xor` of two conditions, and return the register of the result.
 
-        `or` takes one OR word. `and` is the NOR of both inverses; `xor` is the NOR of two bits:
-        `and`, and the NOR of both. Raises PictureRefused if registers run out."""
+        `or` takes one OR word, and `and` is the NOR of both inverses. From version 4 on, `xor` is
+        the OR of the two ways in which one bit is 1 and the other 0, before it the NOR of `and` and
+        the NOR of both. Raises PictureRefused if registers run out."""
         planes = self._operands(node.first, node.second) if node.op == "or" else []
         if planes:
             registers = [register for register, _ in planes]
@@ -404,6 +415,16 @@ class BitWords:
         if a == b:  # a plane `and` itself is the plane; `xor` itself is 0
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
             return self._emit_word(name, sources, [first, second])
+        is_of_version_4 = self.lowering.pictures.is_of_version_4
+        if node.op == "and" and is_of_version_4:
+            not_a = self._emit_word("NOT", [a], used=[first])
+            not_b = self._emit_word("NOT", [b], used=[second])
+            return self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
+        if is_of_version_4:
+            neither = self._emit_word("NOR", [a, b], used=[])
+            only_b = self._emit_word("NOR", [a, neither], used=[first])
+            only_a = self._emit_word("NOR", [b, neither], used=[second, (neither, None)])
+            return self._emit_word("OR", [only_a, only_b], [(only_a, None), (only_b, None)])
         not_a = self._emit_word("NOT", [a], used=[])
         not_b = self._emit_word("NOT", [b], used=[])
         both = self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])

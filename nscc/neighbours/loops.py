@@ -73,6 +73,7 @@ def _emit_flood(
         raise PictureRefused("planes", name, needed=2, available=0)
     lowering.now = name
     bits.begin(name)
+    bits.vacate(mask)
     seed = bits.bit(node.start)
     lowering.everywhere()
     lowering.word(op("SET", [mask]))
@@ -87,6 +88,7 @@ def _emit_flood(
     lowering.word(op("PROP.write", [register], [register]))
     values = (LoopValue(name, register),)
     lowering.loops.append(LoopWords(begin, len(lowering.words), node.times, values))
+    bits.give((mask, None))
     bits.uses[name] -= 1  # the read by its own step
     bits.planes[name] = bits.take()
     lowering.word(op("MOV", [bits.planes[name]], [register]))

@@ -5,6 +5,7 @@ finds the words of convolution kernels; this module emits sums, absolute values 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -13,6 +14,7 @@ from types import MappingProxyType
 
 from nscc.neighbours.count_words import split
 from nscc.neighbours.held import Held, Level, PictureRefused
+from nscc.neighbours.last_use import names_read
 from nscc.neighbours.loops import emit_loop, store_at_once
 from nscc.neighbours.programs import UNIT, Program, Taps, added, exact_taps, moved, noise_gain
 from nscc.neighbours.registers import RegisterEmitter
@@ -270,11 +272,24 @@ class Lowering(RegisterEmitter):
         taps, inner = merged(node, self.weights)
         if inner is not node:
             ways = (
-                lambda: self.filtered(self.value(inner), taps),
+                lambda: self._merged_sum(node, inner, taps),
                 lambda: self._term_by_term(node),
             )
             return self.do_shortest(ways, (1, 1))
         return self._term_by_term(node)
+
+    def _merged_sum(self, node: p.Sum, inner: p.Value, taps: Weights) -> Held:
+        """Emit a sum as one convolution of `inner` with `taps`, and return the register of the
+        result.
+
+        What the sum reads several times is then read once, so that its register becomes free.
+        Words of programs before version 4 stay as they are. Raises PictureRefused if the words do
+        not fit the chip."""
+        if self.pictures.is_of_version_4:
+            fewer = Counter(names_read(node)) - Counter(names_read(inner))
+            for name, count in fewer.items():
+                (self.uses if name in self.uses else self.bits.uses)[name] -= count
+        return self.filtered(self.value(inner), taps)
 
     def _term_by_term(self, node: p.Sum) -> Held:
         """Emit the words of a sum, term after term, and return the register of the result; it is 0
@@ -287,7 +302,13 @@ class Lowering(RegisterEmitter):
         # A factor that all terms have is applied once, to their sum.
         if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
             plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
-            return self.filtered(self.value(plain), {(0, 0): common})
+            state = self.state()
+            try:
+                return self.filtered(self.value(plain), {(0, 0): common})
+            except PictureRefused as refused:
+                if refused.kind != "range":
+                    raise
+                self.restore(state)  # the sum of whole terms may be beyond the range
         signed_terms = []
         for factor, value in node.terms:
             term = self.filtered(self.value(value), {(0, 0): abs(factor)})

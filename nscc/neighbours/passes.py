@@ -392,7 +392,8 @@ def _refusal(
 
     `refused` says what is lacking; it must not be of the kind "steps" (a search that ran out of
     steps). `level` is the level of optimisation, 0 to 3."""
-    name, needed, available = refused.name, refused.needed, refused.available
+    # A part of an image or plane is called by its name, a blank and more.
+    name, needed, available = refused.name.partition(" ")[0], refused.needed, refused.available
     label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)

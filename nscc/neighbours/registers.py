@@ -144,7 +144,12 @@ class RegisterEmitter(CountEmitter):
         digital = [name for name in target.digital_registers if name not in guarded]
         pair = {target.mask_register, target.masked_register}
         self.propagating = None if pair & {*container.code_registers} else target.masked_register
-        self.bits = BitWords(self, digital, {*digital} - written, target.or_sources)
+        lasting = {*digital} - written
+        # The mask guards nothing while no word writes the masked register. It is taken last, and
+        # keeps no plane from frame to frame, because a flood overwrites it.
+        if pictures.is_of_version_4 and self.propagating and target.mask_register:
+            digital.append(target.mask_register)
+        self.bits = BitWords(self, digital, lasting, target.or_sources)
         self.count_e = pictures.count_steps * target.electrons_per_step
         # How often each image and bucket is read; an output counts once more, so its register is
         # never freed.

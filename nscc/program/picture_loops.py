@@ -290,15 +290,19 @@ class LoopReader(PictureComparer):
         return flooded
 
     def _around(self, kernel: str) -> str:
-        """Return the name of a convolution kernel that equals `kernel`, but has the weight 0 at its
-        centre.
+        """Return the name of a convolution kernel that equals `kernel`, but has at its centre the
+        weight that needs fewer words: 1 if it then has the places of a rectangle, 0 otherwise.
 
-        If the centre has a weight, that is a new kernel, which is declared here."""
+        If the centre has another weight, that is a new kernel, which is declared here. A flood does
+        not depend on the centre, because the flooded pixels stay flooded."""
         weights, name = self.kernels[kernel], f"{kernel} around"
-        if (0, 0) not in weights.taps:
+        places = {(0, 0), *weights.taps}
+        sides = [len({*along}) for along in zip(*places, strict=True)]
+        fills = min(sides) > 1 and len(places) == sides[0] * sides[1]
+        if ((0, 0) in weights.taps) == fills:
             return kernel
         rows = [list(row) for row in weights.rows]
-        rows[len(rows) // 2][len(rows[0]) // 2] = 0
+        rows[len(rows) // 2][len(rows[0]) // 2] = int(fills)
         self.kernels[name] = p.Weights(name, tuple(map(tuple, rows)), weights.divisor)
         return name
 

@@ -15,6 +15,7 @@ from nscc.chips.target import Target
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
+from nscc.words.pictures import unpacked_bits
 
 _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 
@@ -44,6 +45,11 @@ class Reach(NamedTuple):
             max(0, self.down + down),
         )
 
+    def without(self, known: Reach) -> Reach:
+        """Return the reach of a bit that is known along each side in as many columns and rows as
+        `known` says; 0 where this covers all pixels that depend on values outside the array."""
+        return Reach(*(0 if far <= width else far for far, width in zip(self, known, strict=True)))
+
     def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
         """Return the pixels whose value depends on pixels outside the array, bool (rows, cols) of
         `shape`.
@@ -56,6 +62,45 @@ class Reach(NamedTuple):
         return margin
 
 
+_WHOLE_ARRAY = Reach(*[1 << 30] * 4)
+"""More columns and rows than an array has."""
+
+
+class Border(NamedTuple):
+    """The columns and rows along each side of the array in which a bit is known, whatever the light
+    is: how many of them are all 0 (`zeros`), and how many all 1 (`ones`)."""
+
+    zeros: Reach = Reach()
+    ones: Reach = Reach()
+
+    @classmethod
+    def of_bits(cls, bits: NDArray[np.bool_]) -> Border:
+        """Return the border of a plane whose bits (rows, cols) are all known."""
+        return cls(*(_width_without(differ) for differ in (bits, ~bits)))
+
+    def inverse(self) -> Border:
+        """Return the border of the inverted bit."""
+        return Border(self.ones, self.zeros)
+
+    def either(self, other: Border) -> Border:
+        """Return the border of a bit that is the OR of two bits."""
+        return Border(_narrower(self.zeros, other.zeros), self.ones.joined(other.ones))
+
+
+def _narrower(first: Reach, second: Reach) -> Reach:
+    """Return the smaller width on each side."""
+    return Reach(*map(min, first, second))
+
+
+def _width_without(bits: NDArray[np.bool_]) -> Reach:
+    """Return how many columns and rows along each side of an array have no bit of `bits`."""
+    if not bits.any():
+        return _WHOLE_ARRAY
+    rows, cols = (np.flatnonzero(bits.any(axis=axis)) for axis in (1, 0))
+    last_row, last_col = (size - 1 for size in bits.shape)
+    return Reach(*map(int, (cols[0], last_col - cols[-1], rows[0], last_row - rows[-1])))
+
+
 class RegisterReaches:
     """How far around a pixel the content of every register depends on other pixels, after some
     words.
@@ -63,7 +108,8 @@ class RegisterReaches:
     `reach` has this by register; a missing one depends on its own pixel only. `before` is this
     reach of registers before the first word. With `bits_known`, bits beyond the array are known
     constants and do not count. A bit read from a neighbour then extends the reach only in
-    directions in which the neighbour's bit itself depends on analog values beyond the array."""
+    directions in which the neighbour's bit itself depends on analog values beyond the array. An OR
+    with a plane that is 1 along the whole border does not depend on them either."""
 
     def __init__(
         self,
@@ -72,17 +118,16 @@ class RegisterReaches:
         *,
         bits_known: bool = False,
         before: Mapping[str, Reach] = MappingProxyType({}),
+        fixed: Mapping[str, NDArray[np.bool_]] = MappingProxyType({}),
     ) -> None:
         """Compute the reach of all registers of `target` after `words` have run, in order.
 
         `before` has the reach of registers before, by name; others have none. With `bits_known`,
-        bits beyond the array are known constants."""
+        bits beyond the array are known constants. `fixed` has the bits (rows, cols) of registers
+        that are the same in every frame."""
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
-        # Registers that a word without sources wrote: 1 in all pixels (SET) or 0 (CLR).
-        self._constant: dict[str, bool] = {}
-        # Whether FLAG is known to be 1 in all pixels.
-        self._everywhere = False
+        self._borders = {name: Border.of_bits(bits) for name, bits in fixed.items()}
         for word in words:
             self._run(word)
 
@@ -93,38 +138,57 @@ class RegisterReaches:
             return self.of("NEWS").moved(*STEPS[name])
         return self.reach.get(name, Reach())
 
+    def _border(self, name: str) -> Border:
+        """Return the known border of a digital register, of FLAG or of the bus; empty if nothing
+        is known."""
+        return self._borders.get(name, Border())
+
     def _run(self, op: Op) -> None:
-        """Update the reach of the registers that one word writes.
+        """Update the reach and the known border of the registers that one word writes.
 
         In pixels whose FLAG (the bit that lets a pixel act) is 0 an analog word leaves the old
         value, so the old reach counts, too. The same is true of the masked register where its mask
         is 0."""
         effect, phase = op.operation.effect, op.operation.phase
-        reach = Reach().joined(*map(self.of, op.sources))
+        reach, border = Reach().joined(*map(self.of, op.sources)), Border()
         if effect is WordEffect.DIGITAL_NEIGHBOURS:
             reach = self._of_neighbours(op.sources[0])
-        if effect is WordEffect.PROPAGATION:
+        elif effect is WordEffect.PROPAGATION:
             reach = self._of_propagation(reach)
-        elif effect in _FLAG:
-            self.reach["FLAG"], self._everywhere = reach, effect is WordEffect.FLAG_ALL
-        elif phase is Phase.READ:
-            self.reach["bus"] = reach
+        elif effect is WordEffect.FLAG_ALL:
+            border = Border(ones=_WHOLE_ARRAY)
         elif phase is Phase.WRITE:
-            reach = self.of("bus")
-        for name in op.destinations:
-            self._constant.pop(name, None)
-            if effect is WordEffect.DIGITAL and phase is Phase.WHOLE and not op.sources:
-                # SET is the inverse of an OR of nothing, CLR the OR itself.
-                self._constant[name] = op.operation.inverted
-            written = reach
+            reach, border = self.of("bus"), self._border("bus")
+        elif effect in (WordEffect.DIGITAL, WordEffect.FLAG_DIGITAL):
+            border = Border(zeros=_WHOLE_ARRAY)  # an OR of nothing is 0
+            for name in op.sources:
+                border = border.either(self._border(name))
+            border = border.inverse() if op.operation.inverted else border
+        if self.bits_known:
+            reach = reach.without(border.zeros.joined(border.ones))
+        written = ("FLAG",) if effect in _FLAG else ("bus",) if phase is Phase.READ else ()
+        for name in (*written, *op.destinations):
+            gate, new, known = None, reach, border
             if name in NEIGHBOURS:
                 right, down = STEPS[name]
-                name, written = "NEWS", reach.moved(-right, -down)
-            if effect is WordEffect.BUS and not self._everywhere:
-                written = written.joined(self.of(name), self.of("FLAG"))
+                name, new = "NEWS", reach.moved(-right, -down)
+            if effect is WordEffect.BUS:
+                gate = "FLAG"
             elif name == self.target.masked_register:
-                written = written.joined(self.of(name), self.of(self.target.mask_register or ""))
-            self.reach[name] = written
+                gate = self.target.mask_register or ""
+            if gate is not None:
+                new, known = self._gated(gate, name, new, known)
+            self.reach[name], self._borders[name] = new, known
+
+    def _gated(self, gate: str, name: str, new: Reach, known: Border) -> tuple[Reach, Border]:
+        """Return reach and border of the register `name` after a word that writes it where the
+        register `gate` is 1; `new` and `known` are those of the word's result."""
+        gated = self._border(gate)
+        new, old = new.without(gated.zeros), self.of(name).without(gated.ones)
+        # Where the gate is known, the register is the result or keeps its bit.
+        if gated.ones != _WHOLE_ARRAY:
+            known = Border(*map(_narrower, known, self._border(name)))
+        return new.joined(old, self.of(gate)), known
 
     def _of_propagation(self, own: Reach) -> Reach:
         """Return the reach of bits after a propagation, if the propagated register itself has the
@@ -144,7 +208,7 @@ class RegisterReaches:
         R4 is known to be 0 in all pixels."""
         own, reach = self.of(source), Reach().joined(*map(self.of, STEERING))
         for name, step in STEERING.items():
-            if self._constant.get(name, True):
+            if self._border(name).zeros != _WHOLE_ARRAY:
                 moved = own.moved(*step)
                 if self.bits_known:
                     moved = Reach(
@@ -168,10 +232,16 @@ def beyond_reaches(
     pictures = container.pictures
     words = (op for op, _ in picture_words(container, params))
     states = pictures.stepping
-    kept = {pictures.registers[name]: before.get(name, Reach()) for name in states}
-    reaches = RegisterReaches(container.target, words, bits_known=True, before=kept)
+    registers, shape = pictures.registers, (container.target.rows, container.target.cols)
+    kept = {registers[name]: before.get(name, Reach()) for name in states}
+    fixed = {
+        registers[plane.name]: unpacked_bits(plane.bits, shape)
+        for plane in pictures.inputs
+        if not plane.is_open
+    }
+    reaches = RegisterReaches(container.target, words, bits_known=True, before=kept, fixed=fixed)
     names = dict.fromkeys((*pictures.outputs, *states))
-    return {name: reaches.of(pictures.registers[name]) for name in names}
+    return {name: reaches.of(registers[name]) for name in names}
 
 
 def reaches_of_frames(

@@ -199,6 +199,8 @@ def overlapping(container: Container, placement: Placement) -> Placement:
     reason = ""
     if codes is not None and (codes != codes[0, 0]).any():
         reason = "its pixels have different codes, which must continue across the parts"
+    if pictures.inputs:
+        reason = "its planes of x and y, or input planes, are those of one array"
     if any(sum(pair) >= side for pair, side in zip(overlap, placement.array, strict=True)):
         reason = "its images depend on pixels as far away as the size of the array"
     if reason:

@@ -27,7 +27,7 @@ GAIN = parameter("analog_gain", "analog", 0.977, "1/word", 0.5, 1.5, "gain of an
 MOVE_LOSS = parameter(
     "analog_move_loss",
     "analog",
-    0.065,
+    None,
     "1",
     0,
     1,
@@ -47,7 +47,7 @@ NOISE = parameter(
 MOVE_NOISE = parameter(
     "analog_move_noise",
     "analog",
-    0.0,
+    None,
     "1",
     0,
     1,

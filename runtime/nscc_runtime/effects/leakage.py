@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.parameters import TARGET, parameter
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal
@@ -15,11 +15,12 @@ from nscc_runtime.noise import key, normals
 TAU = parameter(
     "leakage_tau_s",
     "memory",
-    10.0,
+    None,
     "s",
     0,
     1e9,
     "time constant with which an analog register loses its value",
+    f"{TARGET}: not public",
     low_excluded=True,
 )
 SPREAD = parameter(

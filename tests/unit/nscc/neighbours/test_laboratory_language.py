@@ -258,8 +258,8 @@ def test_images_add_levels_and_take_the_larger_of_two() -> None:
 
 def test_a_chain_of_choices_writes_in_place_when_no_register_is_free() -> None:
     text = (
-        "plane p = exposure > 50% plane q = p[1, 0] if y < 64 else p[-1, 0] if y < 128 "
-        "else p[0, 1] if y < 192 else p[0, -1] read q"
+        "input plane i plane p = exposure > 50% plane q = p[1, 0] if y < 64 else p[-1, 0] "
+        "if y < 128 else p[0, 1] if y < 192 else p[0, -1] read i, q"
     )
     words = [op.name for op, _ in picture_words(container_of(HEAD + text))]
     assert "NOR.write" in words
@@ -359,6 +359,23 @@ def test_a_kept_image_leaks_and_a_sum_is_exact() -> None:
     leaking = nscc_runtime.film(program, light, effects="leakage").images["s"].mean(axis=(1, 2))
     assert leaking[0] < 12000
     assert leaking[2] < leaking[1] < leaking[0]
+
+
+def test_leakage_and_errors_of_copies_are_keys_of_the_target() -> None:
+    kept = "state s : image kept = 40% next s = s read s"
+    moved = "image s = exposure[1, 0] read s"
+
+    def mean_e(text: str, effect: str, **values: float) -> float:
+        target = replaced(builtin_target("scamp5"), rows=32, cols=40, **values)
+        light = np.full((2, 4, 32, 40), 2000.0)
+        film = nscc_runtime.film(nscc.compile(HEAD + text, target=target), light, effects=effect)
+        return float(film.images["s"][1, 1:-1, 1:-1].mean())
+
+    assert mean_e(kept, "leakage", leakage_tau_s=1e6) == pytest.approx(12000, rel=1e-5)
+    assert mean_e(kept, "leakage", leakage_tau_s=0.1) < 0.9 * mean_e(kept, "leakage")
+    assert mean_e(moved, "analog", analog_move_loss=0.0) > 1.01 * mean_e(
+        moved, "analog", analog_move_loss=1.0
+    )
 
 
 def test_every_step_of_a_loop_takes_time() -> None:
