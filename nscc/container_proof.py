@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import KINDS
@@ -33,7 +32,7 @@ def require_known_shutters(container: Container, name: str = "this program") -> 
         )
 
 
-def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
+def replayed(container: Container, name: str = "this program") -> Bools:
     """Return the distinct shutters that the words open, bool (shutters, buckets, N), in the order
     of the decode table: sorted as rows of bits.
 
@@ -43,7 +42,7 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     return KINDS.of(container).replayed(container, name)
 
 
-def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
+def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, Array]:
     """Return the shutters and codes of all pixels as arrays, named as in a frame file.
 
     The names are `shutter`, uint8 (buckets, rows, cols, ceil(N / 8)) with the first slot in the

@@ -7,11 +7,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.compiler import compile_file
 from nscc.diagnostics.arguments import path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
@@ -53,7 +52,7 @@ def load_container(
 def with_pixels(
     container: Container,
     name: str | Path,
-    pixels: Path | Mapping[str, NDArray[Any]] | None = None,
+    pixels: Path | Mapping[str, Array] | None = None,
 ) -> Container:
     """Return the container (a compiled program) with pixel codes: those of `pixels` (a file, or
     arrays by field), or its own.

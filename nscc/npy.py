@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
-from numpy.typing import NDArray
+
+from nscc.arrays import Array
 
 MOST_BYTES = 1 << 30
 """Default limit on the memory of the arrays in one file."""
@@ -52,7 +53,7 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
 
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
-) -> NDArray[Any] | None:
+) -> Array | None:
     """Return the array of this `shape` and `dtype` that follows the header of an .npy stream.
 
     `fortran` tells whether its first axis changes fastest. Return None if the stream is too short
@@ -75,7 +76,7 @@ def npz_arrays(
     path: Path | IO[bytes],
     is_wanted: Callable[[str], bool] = lambda name: True,
     most_bytes: int = MOST_BYTES,
-) -> tuple[dict[str, NDArray[Any]], list[str]]:
+) -> tuple[dict[str, Array], list[str]]:
     """Return the arrays of an .npz file whose names satisfy `is_wanted`, by name, and the names of
     all arrays in stored order.
 
@@ -88,7 +89,7 @@ def npz_arrays(
         archive = ZipFile(path)
     except (BadZipFile, ValueError, NotImplementedError, EOFError) as error:
         raise InvalidArrays("it is not an .npz file") from error
-    arrays: dict[str, NDArray[Any]] = {}
+    arrays: dict[str, Array] = {}
     with archive:
         names = [
             entry.removesuffix(".npy") for entry in archive.namelist() if entry.endswith(".npy")
@@ -102,7 +103,7 @@ def npz_arrays(
     return arrays, names
 
 
-def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[Any]:
+def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> Array:
     """Return the array of an .npy file, given by its path or as an open file; it may take
     `most_bytes`. Raises InvalidArrays for a damaged or too large file and for Python objects, and
     OSError if it cannot be read."""
@@ -112,7 +113,7 @@ def npy_array(file: Path | IO[bytes], most_bytes: int = MOST_BYTES) -> NDArray[A
     return _array(file, "array", most_bytes)
 
 
-def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0) -> NDArray[Any]:
+def _array(stream: IO[bytes], name: str, most_bytes: int, before_bytes: int = 0) -> Array:
     """Return the array of an .npy stream; `name` is for messages.
 
     It may take `most_bytes` together with `before_bytes`, the arrays read before from the same

@@ -10,10 +10,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
 from nscc import checks
+from nscc.arrays import Bools
 from nscc.cache.results import Results, results_of_user
 from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
@@ -253,7 +251,7 @@ class ProgramKind:
         container is a compiled program."""
         return prove(container, kernels, self.replay, self.after_frame)
 
-    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+    def replayed(self, container: Container, name: str) -> Bools:
         """Return the distinct shutters that the words open, bool (shutters, buckets, N), in the
         order of the decode table.
 

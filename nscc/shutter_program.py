@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints, Ints32
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.container_proof import replayed
@@ -98,7 +99,7 @@ class ShutterProgram:
         return () if self.compiled is None else self.compiled.diagnostics
 
     @cached_property
-    def codes(self) -> dict[str, NDArray[np.int64]]:
+    def codes(self) -> dict[str, Ints]:
         """The value of each field of the code, int64 (codes,), by the field's name.
 
         Code k opens the shutter `shutters()[:, k]`. A program without fields has one code."""
@@ -106,7 +107,7 @@ class ShutterProgram:
         return {name: table.codes[:, i].copy() for i, name in enumerate(table.fields)}
 
     @property
-    def code_at_pixels(self) -> NDArray[np.int32]:
+    def code_at_pixels(self) -> Ints32:
         """The index of each pixel's code, int32 (rows, cols): `codes[field][code_at_pixels]` is a
         map.
 
@@ -119,7 +120,7 @@ class ShutterProgram:
         assert codes is not None  # programs without a schedule are rejected
         return codes
 
-    def shutters(self, *, pixels: bool = False) -> NDArray[np.bool_]:
+    def shutters(self, *, pixels: bool = False) -> Bools:
         """Replay the words and return when each shutter is open.
 
         Parameters
@@ -250,7 +251,7 @@ class ShutterProgram:
         return program_card(self.name, self.container, self.compiled)
 
     @cached_property
-    def _replayed(self) -> NDArray[np.bool_]:
+    def _replayed(self) -> Bools:
         """The shutters that the words open, bool (shutters, buckets, slots), in the order of the
         decode table."""
         return replayed(self.container, f"'{self.name}'")

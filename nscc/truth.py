@@ -10,10 +10,11 @@ from functools import reduce
 from operator import or_
 
 import numpy as np
-from numpy.typing import NDArray
+
+from nscc.arrays import Bools, Indices, Ints
 
 
-def columns(bits: NDArray[np.bool_]) -> list[int]:
+def columns(bits: Bools) -> list[int]:
     """Return the truth vectors of the columns of `bits`, bool (shutters, columns).
 
     The result has one integer for each column; its bit k belongs to shutter k (row k of `bits`)."""
@@ -21,7 +22,7 @@ def columns(bits: NDArray[np.bool_]) -> list[int]:
     return [int.from_bytes(row.tobytes(), "little") for row in packed]
 
 
-def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
+def rows(vectors: list[int], count: int) -> Bools:
     """Return the bits of truth vectors as an array, bool (count, vectors); the inverse of
     `columns`.
 
@@ -37,7 +38,7 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
     return np.ascontiguousarray(bits.T).view(np.bool_)
 
 
-def members(vector: int, count: int) -> NDArray[np.intp]:
+def members(vector: int, count: int) -> Indices:
     """Return the indices of the shutters, out of `count`, whose bit in a truth vector is 1,
     ascending. The vector has no bits beyond `count`."""
     if vector & (vector - 1) == 0:  # at most one bit, a common case that is faster this way
@@ -46,7 +47,7 @@ def members(vector: int, count: int) -> NDArray[np.intp]:
     return np.flatnonzero(np.unpackbits(packed, count=count, bitorder="little"))
 
 
-def vector(shutters: NDArray[np.intp]) -> int:
+def vector(shutters: Indices) -> int:
     """Return the truth vector of a set of shutters, given by their indices.
 
     >>> bin(vector(np.array([0, 2])))
@@ -79,7 +80,7 @@ def set_bits(mask: int) -> tuple[int, ...]:
     return tuple(places)
 
 
-def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
+def number_planes(numbers: Ints, width: int) -> list[int]:
     """Return the truth vectors of the `width` lowest bits of numbers, int64 (shutters,), lowest bit
     first. Bit k of a vector belongs to number k."""
     return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

@@ -19,9 +19,7 @@ from nscc_cli.support import common_command, progress, refuse_ignored, say, say_
 from nscc_training.command_settings import DesignSettings
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
+    from nscc.arrays import Floats
     from nscc.chips.target import Target
     from nscc_runtime.scenes.load import PlacedLight
     from nscc_training.design import Design
@@ -149,9 +147,7 @@ def _designed(
     return design_looks(scene_lights, wanted.looks, frame, curve)  # type: ignore[arg-type]  # no sve-risk
 
 
-def _scene_lights(
-    scenes: tuple[str, ...], target: Target, options: dict[str, Any]
-) -> list[NDArray[np.float64]]:
+def _scene_lights(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> list[Floats]:
     """Return the light of each of `scenes` (names or paths) over the frame in electrons (rows,
     cols), without the parts of the array that a smaller scene does not cover.
 
@@ -161,7 +157,7 @@ def _scene_lights(
 
 def _moving(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
-) -> list[NDArray[np.float64]]:
+) -> list[Floats]:
     """Return the light of each of `scenes` (names or paths) in electrons, (intervals, rows, cols):
     the slots of the frame, joined to at most `parts` intervals.
 

@@ -28,7 +28,7 @@ from nscc_training.baselines.tv_settings import TvSettings
 from nscc_training.command_settings import EvaluationSettings, FigureSettings
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from nscc.arrays import Array
 
 
 class _Evaluations(Subcommands):
@@ -218,7 +218,7 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 
 
 def _of_scenes(
-    evaluate: Callable[..., tuple[dict[str, Any], dict[str, NDArray[Any]]]],
+    evaluate: Callable[..., tuple[dict[str, Any], dict[str, Array]]],
     known: Mapping[str, Any],
     save: Path | None,
     **outputs: Any,

@@ -6,11 +6,10 @@ import os
 import warnings
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.render import render
 
@@ -45,7 +44,7 @@ def require_type(call: str, name: str, value: object, kind: type, made_by: str) 
         )
 
 
-def as_array(call: str, name: str, value: object, dtype: type | None = None) -> NDArray[Any]:
+def as_array(call: str, name: str, value: object, dtype: type | None = None) -> Array:
     """Return `value`, the argument `name` of the function `call`, as a numpy array.
 
     `dtype` None keeps its own; the shape is not checked. Raises WrongArgument if numpy cannot

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc import html
+from nscc.arrays import Bools, Floats
 from nscc.diagnostics.render import render
 from nscc.emit.summary import summary_rows
 from nscc.lower.resources import time_text
@@ -26,7 +26,7 @@ _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 
 
 def shutter_chart(
-    rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
+    rows: Bools, labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
     """Return a chart of shutters, bool (shutters, buckets, N), over time, with one row each.
 
@@ -63,9 +63,7 @@ def shutter_chart(
     return html.Html(f"{chart}{legend}{count_note}")
 
 
-def _bars(
-    places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
-) -> list[str]:
+def _bars(places: Floats, share: Floats, top: float, height: float, bucket: int) -> list[str]:
     """Return SVG paths of one shutter's bar, one for each shade, which shows for which part of each
     column it is open; columns that are closed have none.
 

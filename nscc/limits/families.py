@@ -9,9 +9,7 @@ from collections.abc import Callable, Sequence
 from decimal import Decimal
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Bools
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT, largest_with
 from nscc.record import Record
 
@@ -104,7 +102,7 @@ def book_rule(rows: list[str]) -> str:
     return f"shutters book [{', '.join(rows)}]\ncode id : row of book\nopen when book[id]"
 
 
-def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArray[np.bool_]) -> str:
+def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: Bools) -> str:
     """Return a program whose code `id` is an index into `shutters`, bool (rows, buckets, slots).
 
     It has a codebook for each bucket, named in `buckets`, and slots of `slot_us` microseconds. A

@@ -17,8 +17,8 @@ from time import process_time
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.limits.families import (
     bits_rule,
     book_text,
@@ -124,7 +124,7 @@ def _source_of_rule(program: Program, rule: str, slots: int) -> Source:
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
 
 
-def _book(program: Program, shutters: NDArray[np.bool_]) -> Source:
+def _book(program: Program, shutters: Bools) -> Source:
     """Return a program of the codebook `shutters`, bool (rows, buckets, slots), for the same frame
     and buckets."""
     buckets = [bucket.name for bucket in program.buckets]

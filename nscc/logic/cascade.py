@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints
 from nscc.logic.cascade_search import MOST_POINTS, Cascade, Search
 from nscc.logic.cubes import Budget
 from nscc.logic.encodings import describe_demand
@@ -48,10 +48,10 @@ class _Points:
     describe the predicates in words. `shutters` (shutters,) is the number of each shutter's point.
     FLAG is the bit that lets a pixel act."""
 
-    bits: NDArray[np.bool_]
+    bits: Bools
     demanded: int
     names: tuple[str, ...]
-    shutters: NDArray[np.int64]
+    shutters: Ints
 
 
 _Choice = tuple[tuple[int, bool], ...]
@@ -68,7 +68,7 @@ class _Plan:
     each of which reads the one before."""
 
     choice: _Choice
-    planes: NDArray[np.bool_]
+    planes: Bools
     scratch: int
     cascades: dict[_Task, Cascade]
     words: int
@@ -275,7 +275,7 @@ class _Finder:
         words = sum(count * cascades[task].words for task, count in times.items())
         return _Plan(choice, planes, scratch, cascades, words) if words <= most else None
 
-    def _search(self, planes: NDArray[np.bool_], scratch: int) -> Search:
+    def _search(self, planes: Bools, scratch: int) -> Search:
         """Return a search for gates that reads these stored predicates (sets of shutters) and
         `scratch` free registers.
 
@@ -364,7 +364,7 @@ def _points(problem: Problem) -> _Points:
     )
 
 
-def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
+def _separating(bits: Bools, choice: _Choice) -> Bools:
     """Return the planes of a choice, bool (planes, points), changed at as few points as needed so
     that no two points are equal in all planes.
 
@@ -372,7 +372,7 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     at most 2^planes points. A predicate is a set of shutters. A plane is the content of a code
     register."""
     stored, inverted = np.array(choice).T
-    planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
+    planes: Bools = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
     # `kinds` numbers the classes that the planes so far distinguish; a plane may split each in two.
     # If the remaining planes cannot distinguish the members of a half, its surplus moves to the

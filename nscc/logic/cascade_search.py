@@ -23,8 +23,9 @@ from math import log
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc.logic.cubes import Budget
-from nscc.logic.point_sets import Indices, Planes, Points, disjoint, gains, sizes
+from nscc.logic.point_sets import Planes, Points, disjoint, gains, sizes
 from nscc.logic.problem import Machine
 from nscc.truth import set_bits
 
@@ -92,16 +93,16 @@ class _Values:
 
     on: Points
     off: Points
-    task: Indices
-    via: Indices
-    negated: NDArray[np.bool_]
-    cubes: Indices
+    task: Ints
+    via: Ints
+    negated: Bools
+    cubes: Ints
 
     def __len__(self) -> int:
         """Return the number of values."""
         return len(self.on)
 
-    def take(self, indices: Indices | NDArray[np.bool_]) -> _Values:
+    def take(self, indices: Ints | Bools) -> _Values:
         """Return some of the values, as copies: by index, in the order of `indices`, or by a mask
         (n,) that is True for those to keep."""
         return _Values(*(array[indices] for array in vars(self).values()))
@@ -110,11 +111,11 @@ class _Values:
         """Return the complements of the values."""
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
-    def undecided_bits(self) -> NDArray[np.float64]:
+    def undecided_bits(self) -> Floats:
         """Return an estimate (n,) of the information, in bits, that is undecided in each value:
         which of its points are 1, and a little for each point. It only orders values."""
         ones, zeros = sizes(self.on), sizes(self.off)
-        bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
+        bits: Floats = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
 
     def best(self, width: int) -> _Values:

@@ -10,13 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Ints
 from nscc.logic.problem import Gate, Segment
 from nscc.truth import number_planes
 
-Numbers = TypeVar("Numbers", int, NDArray[np.int64])
+Numbers = TypeVar("Numbers", int, Ints)
 
 
 def gray(number: Numbers) -> Numbers:
@@ -52,7 +50,7 @@ def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
     return tuple(plane for plane, _ in planes), tuple(holder for _, holder in planes)
 
 
-def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
+def binary_planes(name: str, numbers: Ints, bits: int) -> Planes:
     """Return the `bits` lowest binary digits of numbers (shutters,), as planes (contents of code
     registers), lowest digit first. They are described as `name` and the number of the digit: `name
     0`, `name 1`, and so on."""

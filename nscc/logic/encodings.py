@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Indices, Ints
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
 from nscc.logic.digits import Planes, binary_planes, gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
@@ -103,7 +103,7 @@ def _equality(code: int, base: int, width: int) -> Cube:
     return tuple((base + bit, code >> bit & 1) for bit in range(width))
 
 
-Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
+Events = dict[tuple[str, int, int], list[tuple[int, Indices]]]
 
 
 def event_fields(problem: Problem, most: int) -> Events:
@@ -114,7 +114,7 @@ def event_fields(problem: Problem, most: int) -> Events:
     ascending. Demands that FLAG already meets are omitted. Raises GaveUp if there are more than
     `most` fields. A demand is a set of shutters that FLAG must select at a boundary. FLAG is the
     bit that lets a pixel act."""
-    event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
+    event_counts: dict[tuple[str, int], Ints] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
         if problem.answered(i):

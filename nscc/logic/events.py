@@ -14,8 +14,8 @@ from itertools import combinations, islice, product
 from math import comb
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Ints
 from nscc.logic.digits import Planes, binary_planes, cycle, turned_over
 from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
@@ -34,7 +34,7 @@ class _Field:
     shutters that FLAG must select at a boundary."""
 
     name: str
-    numbers: NDArray[np.int64]
+    numbers: Ints
     events: tuple[tuple[int, int], ...]
     count: int
 
@@ -65,7 +65,7 @@ class _Form:
         """The largest numbers of groups and of places as text."""
         return f"{1 << self.bits} x {self.size}"
 
-    def place_codes(self) -> NDArray[np.int64]:
+    def place_codes(self) -> Ints:
         """Return the codes of the places, (size,), each with `width` // 2 ones."""
         ones = combinations(range(self.width), self.width // 2)
         return np.array([sum(1 << bit for bit in bits) for bits in ones], dtype=np.int64)

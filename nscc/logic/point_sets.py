@@ -7,10 +7,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints, Ints32
 from nscc.logic.problem import Machine, words_of
 
 Points = NDArray[np.uint64]
-Indices = NDArray[np.int64]
 
 
 class Planes:
@@ -51,7 +51,7 @@ class Planes:
         ]
 
 
-def packed(bits: NDArray[np.bool_]) -> Points:
+def packed(bits: Bools) -> Points:
     """Return the rows of `bits` (n, points) as sets of points, uint64 (n, W), W words of 64 points.
     The bits of the last word behind the last point are 0."""
     width = -(-bits.shape[1] // 64) * 8
@@ -61,21 +61,21 @@ def packed(bits: NDArray[np.bool_]) -> Points:
     return padded.view("<u8").astype(np.uint64)
 
 
-def sizes(sets: Points) -> Indices:
+def sizes(sets: Points) -> Ints:
     """Return the number of points in each set of an array (.., W), as int64 (..)."""
-    counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
+    counts: Ints = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
     return counts
 
 
-def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
+def disjoint(first_sets: Points, second_sets: Points) -> Bools:
     """Return whether each set of `first_sets` (.., W) is disjoint from its partner in
     `second_sets`, as bool (..). The arrays are broadcast; the empty set is disjoint from every
     set."""
-    none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
+    none: Bools = ~np.any(first_sets & second_sets, axis=-1)
     return none
 
 
-def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
+def gains(cubes: Points, on: Points, off: Points) -> Ints32:
     """Return the number of points of each set of `on` in each cube, 0 if the cube contains a point
     of `off`, as int32 (n, M).
 

@@ -19,6 +19,7 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Indices, Ints
 from nscc.chips.target import Target
 from nscc.codec import HEX
 from nscc.record import Record
@@ -101,9 +102,9 @@ class AllCodes(Record):
     `values` gives, for each field, the value in every code (codes,). `shutters` is the number of
     each code's shutter (codes,). `rows` is the number of one code of each shutter (shutters,)."""
 
-    values: Mapping[str, NDArray[np.int64]]
+    values: Mapping[str, Ints]
     shutters: NDArray[np.integer[Any]]
-    rows: NDArray[np.intp]
+    rows: Indices
 
 
 class Problem(Record):
@@ -119,7 +120,7 @@ class Problem(Record):
     shutters: int
     opens: tuple[tuple[int, ...], ...]
     flag_lasts: bool
-    values: Mapping[str, NDArray[np.int64]]
+    values: Mapping[str, Ints]
     codes: AllCodes | None = None
 
     @property

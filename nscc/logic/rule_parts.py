@@ -12,15 +12,15 @@ from itertools import combinations
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Indices, Ints
 from nscc.logic.problem import Problem
 from nscc.truth import rows
 
-Open = NDArray[np.bool_]
+Open = Bools
 """Whether each shutter satisfies a part of the rule at each demand, (shutters, demands)."""
 Operator = Literal["and", "or", "xor"]
-Fields = dict[str, NDArray[np.int64]]
+Fields = dict[str, Ints]
 
 _MOST_FIELDS = 5
 """Largest number of fields of a rule that is taken apart."""
@@ -68,7 +68,7 @@ def composition(problem: Problem) -> Composition | None:
     return rule if isinstance(rule, Composition) else None
 
 
-def _restricted(rule: Rule, codes: NDArray[np.intp]) -> Rule:
+def _restricted(rule: Rule, codes: Indices) -> Rule:
     """Return a rule for some of the codes: row i of the result is row `codes[i]` of `rule`, in all
     parts."""
     if isinstance(rule, Composition):
@@ -101,7 +101,7 @@ def decomposed(is_open: Open, fields: Fields) -> Rule:
     return RulePart(is_open, fields)
 
 
-def _number(fields: Fields) -> NDArray[np.intp]:
+def _number(fields: Fields) -> Indices:
     """Return the number of each shutter's combination of values among all combinations that occur
     in these fields, (shutters,), from 0."""
     _, number = np.unique(np.stack([*fields.values()]), axis=1, return_inverse=True)
@@ -109,7 +109,7 @@ def _number(fields: Fields) -> NDArray[np.intp]:
 
 
 def _splits(
-    is_open: Open, first: NDArray[np.intp], second: NDArray[np.intp]
+    is_open: Open, first: Indices, second: Indices
 ) -> Iterator[tuple[Operator, Open, Open]]:
     """Yield (operator, a, b) such that the operator joins a, which depends on `first` only, and b,
     which depends on `second` only, to `is_open`; nothing if there are none.
@@ -146,7 +146,7 @@ def only_opens(bits: Open) -> bool:
     return not np.any(bits[:, :-1] & ~bits[:, 1:])
 
 
-def _any_of(bits: Open, number: NDArray[np.intp]) -> Open:
+def _any_of(bits: Open, number: Indices) -> Open:
     """Return for each shutter, at each demand, whether a bit is set in any shutter of the same
     number.
 

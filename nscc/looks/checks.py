@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.checks import require
 from nscc.logic.problem import Gate
 from nscc.looks.looking_plan import LookingPlan
@@ -45,7 +45,7 @@ def check_looking_plan(plan: LookingPlan) -> None:
             require(np.array_equal(computed, expected), f"bucket {bucket} is open in other pixels")
 
 
-def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
+def _lanes(vector: int, lanes: int) -> Bools:
     """Return a truth vector (an integer with one bit for each lane, the lowest for lane 0) as an
     array, bool (lanes,). A lane is a simulated pixel."""
     flags = np.zeros(lanes, np.bool_)

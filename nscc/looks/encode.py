@@ -10,12 +10,12 @@ from dataclasses import replace
 from itertools import chain, combinations, product
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.record import Record
 from nscc.words.machine import StateMachine
 
-Rows = NDArray[np.bool_]
+Rows = Bools
 """The bits of values: (values, registers)."""
 
 

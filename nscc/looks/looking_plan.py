@@ -17,8 +17,8 @@ from functools import cached_property
 from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Indices
 from nscc.lower.exposure_plan import LoweringOption, Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
@@ -26,8 +26,8 @@ from nscc.record import Record
 from nscc.truth import vector
 from nscc.words.machine import Comparison, StateMachine
 
-Nodes = NDArray[np.intp]
-Bits = NDArray[np.bool_]
+Nodes = Indices
+Bits = Bools
 
 
 class Moment(Record, eq=False):

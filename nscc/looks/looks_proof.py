@@ -18,18 +18,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Indices, Ints
 from nscc.operations import Op
-from nscc.prove.pixels import (
-    TOLERANCE,
-    WRONG_CODE,
-    WRONG_EXPOSURE,
-    Bits,
-    ReplayError,
-    ReplayPixels,
-    Values,
-)
+from nscc.prove.pixels import TOLERANCE, WRONG_CODE, WRONG_EXPOSURE, Bits, ReplayError, ReplayPixels
 from nscc.truth import rows
 from nscc.words.container import Container
 from nscc.words.machine import LIGHT, StateMachine
@@ -67,7 +59,7 @@ class LookingReplay(ReplayPixels):
         self._start(nodes)
         self.bits |= self._state_bits(kept_only=True)
 
-    def _start(self, nodes: NDArray[np.int64]) -> None:
+    def _start(self, nodes: Ints) -> None:
         """Begin a frame with one lane (simulated pixel) for each of `nodes`, indices of nodes of
         the state machine, which may be repeated; without exposure."""
         self.node, self.outcome = nodes, np.zeros_like(nodes)
@@ -75,7 +67,7 @@ class LookingReplay(ReplayPixels):
         self.since = np.zeros(len(nodes))
         self.exact = np.ones(len(nodes), np.bool_)
 
-    def choose(self, lanes: NDArray[np.intp]) -> None:
+    def choose(self, lanes: Indices) -> None:
         """Replace the lanes (simulated pixels) by those with the indices `lanes`, which may be
         repeated or left out."""
         super().choose(lanes)
@@ -102,7 +94,7 @@ class LookingReplay(ReplayPixels):
             known_registers |= zip(planes.registers, self.known(registers), strict=True)
         return known_registers
 
-    def prove_frame(self, light: Values) -> None:
+    def prove_frame(self, light: Floats) -> None:
         """Run one frame in `light`, float64 (N,), the light of each slot, and follow both answers
         of every comparison.
 
@@ -205,7 +197,7 @@ class LookingReplay(ReplayPixels):
             f"{self._boundary}"
         )
 
-    def _is_signal_minus_level(self, value: Values, signal: int, level_e: float) -> bool:
+    def _is_signal_minus_level(self, value: Floats, signal: int, level_e: float) -> bool:
         """Return whether a value, float64 (lanes, 1 + buckets), is exactly signal - level in every
         lane (simulated pixel), in any light.
 
@@ -217,9 +209,7 @@ class LookingReplay(ReplayPixels):
             )
         return bool(self._equals_in_any_light(value, signal, self.due[:, signal] - level_e).all())
 
-    def _equals_in_any_light(
-        self, value: Values, bucket: int | None, expected_e: Values
-    ) -> NDArray[np.bool_]:
+    def _equals_in_any_light(self, value: Floats, bucket: int | None, expected_e: Floats) -> Bools:
         """Return for each lane (simulated pixel) whether a value, float64 (lanes, 1 + buckets),
         equals `expected_e` in any light.
 

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Indices
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.boundary_gates import FLAG, RegisterContents, write_simultaneously
@@ -126,7 +127,7 @@ class Solver:
             items=dict(reversed(items.items())),
         )
 
-    def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
+    def vectors(self, nodes: Indices) -> dict[str, int]:
         """Return the content of every register by name, for lanes that are at these nodes of the
         state machine, one node for each lane.
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Indices, Ints
 from nscc.chips.target import Target
 from nscc.logic.problem import AllCodes, Demand, Problem, Solution
 from nscc.lower.exposure_plan import ExposurePlan, Opens, Timeline
@@ -65,7 +65,7 @@ def problem_of(
     flag_lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     # Free bits are separate fields.
     table = program.table
-    columns: dict[str, NDArray[np.int64]] = {}
+    columns: dict[str, Ints] = {}
     for field, column in zip(program.fields, table.codes.T[: len(program.fields)], strict=True):
         if field.bits is None:
             columns[field.name] = column
@@ -80,7 +80,7 @@ def problem_of(
     return Problem(tuple(demands), plan.shutters, opens, flag_lasts, values, codes), tuple(actions)
 
 
-def _code_of_shutter(table: DecodeTable) -> NDArray[np.intp]:
+def _code_of_shutter(table: DecodeTable) -> Indices:
     """Return the number of a row of `table.codes` for each shutter, (shutters,).
 
     Of several codes, one whose values other shutters also need is chosen, because fields with fewer

@@ -9,8 +9,8 @@ from math import prod
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.chips.target import Target
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
@@ -148,7 +148,7 @@ def _judge_resets(
             return
 
 
-def shutters_in_the_dark(machine: StateMachine) -> NDArray[np.bool_]:
+def shutters_in_the_dark(machine: StateMachine) -> Bools:
     """Return the shutters of pixels whose light never exceeds a level: bool (behaviours, buckets,
     N).
 

@@ -7,10 +7,8 @@ from __future__ import annotations
 
 from io import BytesIO
 from pathlib import Path
-from typing import Any
 
-from numpy.typing import NDArray
-
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
@@ -76,7 +74,7 @@ class ArraysFile:
             notes = (f"expected {stated_sha256.lower()}", f"found    {self.sha256}")
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
-    def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
+    def integers(self, key: str, *, most: int, bools: bool = False) -> Array:
         """Return the array `key`, of at most `most` values, with its stored integer dtype.
 
         With `bools`, it may also be of bool. Raises Rejected: NS0313 for a damaged file, NS0314 for

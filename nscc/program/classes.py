@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.program.evaluate import Value, evaluate
 from nscc.program.expressions import Checked
 from nscc.program.problems import counted
@@ -53,9 +53,7 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
     return Recognised("general", f"buckets of different classes: {class_texts}", cut)
 
 
-def _recognise_rule(
-    rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str
-) -> Recognised:
+def _recognise_rule(rules: Rules, rule: Checked, shutters: Bools, basis: str) -> Recognised:
     """Return the shutter class of one rule, with the reason.
 
     `shutters`, bool (shutters, slots), are those of the rule; `basis` says for the reason of which
@@ -107,7 +105,7 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
     )
 
 
-def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
+def _by_shape(shutters: Bools, basis: str) -> Recognised:
     """Return class a, b, c or d for the distinct `shutters`, at least one, bool (shutters, N); else
     "general".
 

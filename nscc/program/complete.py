@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Ints32
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import (
@@ -131,7 +129,7 @@ class Completion:
         numbers = {field.name: (field.low, field.high) for field in fields}
         return {"n": (0, len(self.frame.slot_us) - 1), **numbers}
 
-    def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
+    def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: Ints32) -> Program:
         """Return the program if its pixels look at their light: with a state machine instead of
         fixed shutters.
 
@@ -180,7 +178,7 @@ class Completion:
         self,
         table: DecodeTable,
         legal: int | None,
-        at_pixel: NDArray[np.int32],
+        at_pixel: Ints32,
         recognised: Recognised,
         machine: StateMachine = NO_LOOKS,
     ) -> Program:
@@ -212,7 +210,7 @@ class Completion:
             pictures=self.pictures,
         )
 
-    def _require(self, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> None:
+    def _require(self, in_use: CodeArray, at_pixel: Ints32) -> None:
         """Check that `require` allows the code of every pixel.
 
         `in_use` are the codes (codes, fields) and `at_pixel` each pixel's row, (rows, cols). Raises
@@ -259,9 +257,7 @@ class Completion:
         except (NoValue, TooMuch) as problem:
             raise self._refused(problem, self._limit_span(), mode) from problem
 
-    def _legal(
-        self, in_use: CodeArray, at_pixel: NDArray[np.int32]
-    ) -> tuple[CodeArray, NDArray[np.int32]]:
+    def _legal(self, in_use: CodeArray, at_pixel: Ints32) -> tuple[CodeArray, Ints32]:
         """Return all codes that `require` allows, int64 (codes, fields), and each pixel's row of
         them, (rows, cols).
 

@@ -15,8 +15,8 @@ from operator import eq, ge, gt, le, lt, ne
 from typing import Any, NamedTuple, assert_never
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools
 from nscc.program.expressions import LIMIT, Checked, operands
 from nscc.program.problems import Problems, clipped
 from nscc.program.program import CHUNK_BITS, chunk_name
@@ -48,7 +48,7 @@ class Fault(NamedTuple):
         problems.error(self.code, self.message, self.span, self.text, helps=self.helps, **members)
 
 
-Faults = Fault | NDArray[np.bool_] | None
+Faults = Fault | Bools | None
 """The faults of an expression: none, one for all places, or the places with a fault."""
 
 
@@ -194,7 +194,7 @@ ARITHMETIC: dict[str, Callable[[Binary, Value, Value], Value]] = {
 
 
 Bindings = Mapping[str, Value]
-Books = Mapping[str, NDArray[np.bool_]]
+Books = Mapping[str, Bools]
 
 
 def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
@@ -231,8 +231,8 @@ def values_of(
     bindings: Bindings,
     books: Books,
     shape: tuple[int, ...],
-    needed: NDArray[np.bool_] | bool = True,
-) -> tuple[NDArray[Any], Gap | None]:
+    needed: Bools | bool = True,
+) -> tuple[Array, Gap | None]:
     """Return the values of an expression as an array of `shape`, and where values are missing.
 
     `bindings` and `books` are those of `evaluate`. A value is missing if it has a fault and is
@@ -402,7 +402,7 @@ def bit_count(field: str) -> str:
     return f"{field}[]"
 
 
-def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
+def _digit(node: tree.Index, index: Value, book: Bools, slot: Value) -> Value:
     """Return the digit of row `index` of a codebook in a slot, as bool.
 
     `book` is bool (rows, N). A row outside the codebook is a fault (NS0303); the slot is within

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, assert_never
+from typing import assert_never
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Ints
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
@@ -24,7 +24,7 @@ from nscc.program.program import CHUNK_BITS, Field, chunks_of, chunks_of_bits
 from nscc.source import Span
 from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 
-Plane = NDArray[np.int64]
+Plane = Ints
 """The values of one field at all pixels: int64 (rows, cols)."""
 
 
@@ -93,7 +93,7 @@ class PlaneMaker:
             )
         return planes
 
-    def bits(self, condition: Expr) -> NDArray[np.bool_] | None:
+    def bits(self, condition: Expr) -> Bools | None:
         """Return a condition over x (column) and y (row) at every pixel, bool (rows, cols). Return
         None after reporting an error, or without a target."""
         return self._values(condition, "boolean", "a plane of x and y")
@@ -103,7 +103,7 @@ class PlaneMaker:
         an error."""
         return self._values(statement.value, "integer", "a pixel's value")
 
-    def _values(self, value: Expr, kind: Type, role: str) -> NDArray[Any] | None:
+    def _values(self, value: Expr, kind: Type, role: str) -> Array | None:
         """Return the value of an expression over x and y in every pixel, shape (rows, cols).
 
         `kind` is its type and `role` its name in messages. Return None without a target, or after
@@ -229,7 +229,7 @@ class PlaneMaker:
         field: Field,
         plane: Plane,
         statement: PixelsExpr | PixelsTile | PixelsFromFile,
-        beyond: NDArray[np.bool_] | None = None,
+        beyond: Bools | None = None,
     ) -> None:
         """Add the plane of a field to `planes` if all its values are in range; else report NS0311.
 
@@ -278,7 +278,7 @@ def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: 
     assert_never(statement)
 
 
-Stored = tuple[Plane, NDArray[np.bool_]]
+Stored = tuple[Plane, Bools]
 """The values of a field, and where the given values do not fit int64."""
 
 
@@ -304,7 +304,7 @@ def stored_planes(
 
 
 def planes_of(
-    stored: NDArray[Any],
+    stored: Array,
     name: str,
     shape: tuple[int, int],
     chunk_count: int,
@@ -333,13 +333,13 @@ def planes_of(
 
 
 def _single_bits(
-    stored: NDArray[Any],
+    stored: Array,
     name: str,
     shape: tuple[int, int],
     chunk_count: int,
     bits: int | None,
     origin: str,
-) -> NDArray[Any]:
+) -> Array:
     """Return `stored`, an array of single bits (rows, cols, bits), after checking it.
 
     Raises Rejected (NS0314) if its shape does not fit the pixel array and the field, or if values
@@ -365,7 +365,7 @@ def _single_bits(
     return stored
 
 
-def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
+def as_plane(stored: Array) -> tuple[Plane, Bools]:
     """Return `stored`, integers of any dtype, as int64, and a bool array of the same shape that
     marks those that int64 cannot hold; these are arbitrary."""
     beyond = np.zeros(stored.shape, dtype=bool)
@@ -376,7 +376,7 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
         return stored.astype(np.int64), beyond
 
 
-def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
+def first_place(places: Bools) -> tuple[int, int]:
     """Return (y, x), row and column, of the first true element of an array (rows, cols), row by
     row. At least one element must be true."""
     y, x = np.unravel_index(int(places.argmax()), places.shape)

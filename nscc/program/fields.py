@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import assert_never
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.arrays_file import ArraysFile
@@ -22,7 +22,7 @@ from nscc.program.program import CHUNK_BITS, Field
 from nscc.source import Span
 from nscc.syntax.tree import BookFromFile, BookInline, CodeBits, CodeRange, CodeRow
 
-Digits = NDArray[np.bool_]
+Digits = Bools
 
 
 def make_books(
@@ -128,7 +128,7 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
 def make_fields(
     declared: Declarations,
     scope: Scope,
-    books: Mapping[str, NDArray[np.bool_] | None],
+    books: Mapping[str, Bools | None],
     problems: Problems,
 ) -> dict[str, Field | None]:
     """Return every declared field by name; None after an error in it or its codebook.
@@ -148,7 +148,7 @@ class _Maker:
 
     declared: Declarations
     scope: Scope
-    books: Mapping[str, NDArray[np.bool_] | None]
+    books: Mapping[str, Bools | None]
     problems: Problems
 
     def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:

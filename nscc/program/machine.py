@@ -9,8 +9,8 @@ import math
 from collections.abc import Mapping
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints, Ints32
 from nscc.chips.target import Target
 from nscc.program.evaluate import Fault, Value, bit_count, values_of
 from nscc.program.expressions import Checked
@@ -29,7 +29,7 @@ MOST_CELLS = 1 << 29
 MOST_HISTORIES = 1 << 16
 """Most different open times of one node."""
 
-Nodes = NDArray[np.int64]
+Nodes = Ints
 """The nodes of a stage: (nodes, 1 + states + remembered senses).
 
 A row has the index of the code, the states' values, and the answers."""
@@ -43,9 +43,9 @@ class Stage(Record, eq=False):
     rows in the next stage for each outcome of the look that ends this one; -1 in the last stage."""
 
     nodes: Nodes
-    opens: NDArray[np.bool_]
-    resets: NDArray[np.bool_]
-    steps: NDArray[np.int64]
+    opens: Bools
+    resets: Bools
+    steps: Ints
 
 
 class MachineBuilder:
@@ -72,7 +72,7 @@ class MachineBuilder:
         self.transitions = 0
         self.cells = 0
 
-    def build(self) -> tuple[StateMachine, NDArray[np.int32]]:
+    def build(self) -> tuple[StateMachine, Ints32]:
         """Return the machine, and the number of the behaviour of every code, int32 (codes,).
 
         A behaviour is a set of codes whose pixels act alike for all answers. Raises NoValue if an
@@ -138,9 +138,7 @@ class MachineBuilder:
             bindings[sense.name] = Value(nodes[:, k : k + 1] != 0)
         return bindings
 
-    def _rules(
-        self, nodes: Nodes, begin: int, end: int, looks: int
-    ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    def _rules(self, nodes: Nodes, begin: int, end: int, looks: int) -> tuple[Bools, Bools]:
         """Return the open shutters, bool (nodes, buckets, N), and the resets of PIX (the
         photodiode), bool (nodes, N), of a stage.
 
@@ -175,8 +173,8 @@ class MachineBuilder:
         shape: tuple[int, int],
         nodes: Nodes,
         begin: int,
-        needed: NDArray[np.bool_] | bool = True,
-    ) -> NDArray[np.int64]:
+        needed: Bools | bool = True,
+    ) -> Ints:
         """Return the values of an expression, int64 or (for a condition) bool of `shape`: a row for
         each node, a column for each slot from `begin` on.
 
@@ -196,14 +194,14 @@ class MachineBuilder:
         texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
 
-    def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:
+    def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, Ints]]:
         """Return the comparisons of the look at `boundary`, and which of them each sense uses.
 
         The latter is an array (codes,) of indices by the sense's name: a level can depend on the
         code. Senses that compare the same signal with the same level share a comparison. Raises
         NoValue (NS0321) for a level that the chip cannot compare."""
         comparisons: list[Comparison] = []
-        of_sense: dict[str, NDArray[np.int64]] = {}
+        of_sense: dict[str, Ints] = {}
         for sense in self.looking.senses:
             if boundary not in sense.at:
                 continue
@@ -248,8 +246,8 @@ class MachineBuilder:
         boundary: int,
         looks: int,
         comparison_count: int,
-        of_sense: Mapping[str, NDArray[np.int64]],
-    ) -> tuple[NDArray[np.int64], Nodes]:
+        of_sense: Mapping[str, Ints],
+    ) -> tuple[Ints, Nodes]:
         """Return the next node (state of the machine) for each of `nodes` and each outcome of the
         look at `boundary`.
 
@@ -305,7 +303,7 @@ class MachineBuilder:
 
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
-    ) -> tuple[StateMachine, NDArray[np.int32]]:
+    ) -> tuple[StateMachine, Ints32]:
         """Return the machine of all stages, and the number of the behaviour (set of codes that act
         alike) of every code, int32 (codes,).
 
@@ -347,7 +345,7 @@ class MachineBuilder:
         )
         return machine, behaviour_of_code
 
-    def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
+    def _behaviours(self, stages: list[Stage]) -> tuple[Ints32, Ints]:
         """Return the number of the behaviour of every code, int32 (codes,), and the index of the
         first code of each behaviour.
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc.program.machine import MOST_HISTORIES
 from nscc.program.table import TooMuch
 from nscc.record import Record
@@ -51,7 +51,7 @@ def with_open_times(
     return replace(machine, open_slots=open_slots, open_us=open_us), None
 
 
-def _times(machine: StateMachine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
+def _times(machine: StateMachine, slot_us: Floats) -> dict[int, set[Times]]:
     """Return the possible open times of every node at the end of its stage, by the node's number.
     Raises TooMuch beyond `MOST_HISTORIES` times of one node.
 

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Ints, Ints32
 from nscc.diagnostics.arguments import as_array
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
@@ -30,9 +29,7 @@ _DENSE = 2**20
 """Largest value range that is counted in a table; wider ranges are sorted."""
 
 
-def codes_in_use(
-    planes: Sequence[Plane], shape: tuple[int, int]
-) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+def codes_in_use(planes: Sequence[Plane], shape: tuple[int, int]) -> tuple[Ints, Ints32]:
     """Return the distinct codes of the pixels, int64 (codes, fields), and each pixel's row of them,
     int32 of `shape`.
 
@@ -48,7 +45,7 @@ def codes_in_use(
     return codes, at_pixel.astype(np.int32)
 
 
-def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
+def _ranked(plane: Plane) -> tuple[Ints, Plane]:
     """Return the distinct values of an array, int64 (values,) ascending, and the index of each
     element's value, in the array's shape. The array is not empty."""
     lowest = int(plane.min())
@@ -68,7 +65,7 @@ Ranges = Mapping[str, tuple[int, int]]
 
 
 def codes_from(
-    pixels: Path | Mapping[str, NDArray[Any]],
+    pixels: Path | Mapping[str, Array],
     table: DecodeTable,
     rows: int,
     cols: int,
@@ -76,7 +73,7 @@ def codes_from(
     shown: str | None = None,
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
-) -> NDArray[np.int32]:
+) -> Ints32:
     """Return the row of `table.codes` at each pixel, int32 (rows, cols), from a file or from arrays
     by field name.
 
@@ -153,7 +150,7 @@ def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]
 
 
 def _unknown(
-    origin: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
+    origin: str, table: DecodeTable, planes: list[Plane], missing: Bools, mode: str
 ) -> Rejected:
     """Return the error for pixels whose code the program forbids (NS0312) or was not compiled for
     (NS0319).
@@ -184,9 +181,7 @@ def _unknown(
     )
 
 
-def rows_of(
-    codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
-) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
+def rows_of(codes: Ints, planes: Sequence[Ints]) -> tuple[Ints32, Bools]:
     """Return the row of `codes` that equals the values of `planes` at each place, and where there
     is none.
 

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Ints, Ints32
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.operations import STEERING
@@ -84,7 +85,7 @@ class Program(Record, eq=False):
     mode: Codes
     table: DecodeTable
     legal_codes: int | None
-    pixel_codes: NDArray[np.int32] | None
+    pixel_codes: Ints32 | None
     class_name: str
     class_reason: str
     messages: tuple[Diagnostic, ...]
@@ -111,7 +112,7 @@ A bit field that does not fit one integer is stored as several, called chunks: `
 bit[100]` has the chunks `bits` (bits 0 to 61) and `bits.62` (the others). Chunks are columns of the
 decode table, and have names in frame files. Names of the language contain no dots."""
 
-Plane = NDArray[np.int64]
+Plane = Ints
 
 
 def chunk_name(field: str, chunk: int) -> str:

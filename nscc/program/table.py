@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from math import prod
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Bytes, Ints, Ints32
 from nscc.program.evaluate import Books, Fault, Value, bit_count, values_of
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
@@ -22,7 +22,7 @@ from nscc.program.problems import counted, printable
 from nscc.program.program import Field, whole_name
 from nscc.words.container import DecodeTable
 
-CodeArray = NDArray[np.int64]
+CodeArray = Ints
 
 _BLOCK = 2**18
 """Number of codes x slots evaluated at once: 2 MB of integers, which fit the cache."""
@@ -90,7 +90,7 @@ class Rules:
         return prod(field.high - field.low + 1 for field in self.fields)
 
 
-def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
+def allowed(rules: Rules, codes: CodeArray) -> Bools:
     """Return which of `codes` (codes, fields) satisfy every `require` of `rules`, as bool (codes,).
 
     Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
@@ -174,9 +174,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
     )
 
 
-def _decoded(
-    rules: Rules, rule: Checked, codes: CodeArray
-) -> tuple[NDArray[np.bool_], MissingValue | None]:
+def _decoded(rules: Rules, rule: Checked, codes: CodeArray) -> tuple[Bools, MissingValue | None]:
     """Return whether the shutter of each code is open, bool (codes, slots), and the first missing
     value.
 
@@ -264,7 +262,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
         raise TooMuch(message, needed, WORK_LIMIT)
 
 
-def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
+def distinct_rows(packed: Bytes) -> tuple[Bytes, Ints32]:
     """Return the distinct rows of packed bits, sorted bit by bit, and the index of every row among
     them.
 

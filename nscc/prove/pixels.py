@@ -20,8 +20,8 @@ from math import inf
 from operator import attrgetter
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Indices
 from nscc.operations import Op, Phase, WordEffect
 from nscc.truth import columns, members, rows
 from nscc.words.container import Container
@@ -38,7 +38,7 @@ class Noise:
         Different seeds have different counters for the first 2^32 numbers."""
         self._next = seed << 32
 
-    def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
+    def levels(self, rows: int, columns: int) -> Floats:
         """Return the next `rows` x `columns` pseudo-random values, between 1/4 and 1, as float64
         (rows, columns). None is near 0, so that no light goes unnoticed."""
         end = self._next + rows * columns
@@ -65,8 +65,7 @@ Bits = tuple[int, int]
 UNKNOWN: Bits = (0, 0)
 """A bit that is known in no lane."""
 
-Values = NDArray[np.float64]
-Lanes = NDArray[np.intp] | slice
+Lanes = Indices | slice
 """A choice of lanes (simulated pixels), to index an array of values."""
 
 WRONG_EXPOSURE = "exposure differs from the sum of light over the open slots"
@@ -100,7 +99,7 @@ class ReplayPixels:
         self,
         container: Container,
         kernels: Sequence[Sequence[Op]],
-        encoding: NDArray[np.bool_],
+        encoding: Bools,
         *,
         lights: int = 1,
         terms: int = 0,
@@ -121,7 +120,7 @@ class ReplayPixels:
             **dict.fromkeys((*self.target.digital_registers, "FLAG", "SELECT", "bus"), UNKNOWN),
             **self.code_bits(encoding),
         }
-        self.analog: dict[str, Values] = {}
+        self.analog: dict[str, Floats] = {}
         by_boundary = groupby(container.launches, key=attrgetter("instant"))
         self.launches = {boundary: tuple(launches) for boundary, launches in by_boundary}
         self._boundary_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
@@ -138,7 +137,7 @@ class ReplayPixels:
         self.lanes, self.everything = lanes, (1 << lanes) - 1
         self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
-    def choose(self, lanes: NDArray[np.intp]) -> None:
+    def choose(self, lanes: Indices) -> None:
         """Replace the lanes (pixels that the proof distinguishes) by those with the indices
         `lanes`, in this order.
 
@@ -150,12 +149,12 @@ class ReplayPixels:
         self.analog = {name: values[lanes] for name, values in self.analog.items()}
         self._resize(len(lanes))
 
-    def known(self, bits: NDArray[np.bool_]) -> list[Bits]:
+    def known(self, bits: Bools) -> list[Bits]:
         """Return known bits, bool (lanes, registers), as a pair of truth vectors (integers with one
         bit for each lane) for each register."""
         return [(ones, self.everything & ~ones) for ones in columns(bits)]
 
-    def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
+    def code_bits(self, encoding: Bools) -> dict[str, Bits]:
         """Return the contents of the code registers by name, each as a pair of truth vectors (known
         1, known 0), from `encoding` bool (lanes, digital registers). A lane is a simulated pixel.
         """
@@ -165,7 +164,7 @@ class ReplayPixels:
 
     # Frames.
 
-    def prove_frame(self, light: Values) -> None:
+    def prove_frame(self, light: Floats) -> None:
         """Run one frame in `light`, float64 (N,), in electrons per slot.
 
         Raises ReplayError if the result differs from the program. Subclasses define what is
@@ -218,7 +217,7 @@ class ReplayPixels:
         self.analog["IN"][:] = 0.0
         self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
 
-    def _noise(self, rows: int) -> Values:
+    def _noise(self, rows: int) -> Floats:
         """Return values for registers that were never written, float64 (rows, parts), a row for
         each register, for all lanes (simulated pixels) alike.
 
@@ -261,7 +260,7 @@ class ReplayPixels:
             case WordEffect.DIGITAL:
                 self._digital(word)
 
-    def _store(self, name: str, value: Values, lanes: Lanes, unsure: Lanes | None) -> None:
+    def _store(self, name: str, value: Floats, lanes: Lanes, unsure: Lanes | None) -> None:
         """Store an analog value, float64 (lanes, parts) or (1, parts) for all, in the register
         `name` of the pixels `lanes`; in those of `unsure` (None: no pixel) it becomes unknown. A
         lane is a simulated pixel."""
@@ -269,7 +268,7 @@ class ReplayPixels:
         if unsure is not None:
             self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
 
-    def total(self, word: Op, lanes: Lanes = slice(None)) -> Values:
+    def total(self, word: Op, lanes: Lanes = slice(None)) -> Floats:
         """Return the sum of a word's analog sources in `lanes`, float64 (lanes, parts), without the
         change of sign that bus words make; zeros (1, parts) without sources. A lane is a simulated
         pixel."""

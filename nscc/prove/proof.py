@@ -17,8 +17,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.operations import Op
 from nscc.prove.pixels import (
@@ -28,7 +28,6 @@ from nscc.prove.pixels import (
     Noise,
     ReplayError,
     ReplayPixels,
-    Values,
 )
 from nscc.record import Record
 from nscc.source import Source, Span
@@ -58,7 +57,7 @@ class Replay(ReplayPixels):
         super().__init__(container, kernels, container.encoding, lights=lights, quiet=quiet)
         self.code = self.code_bits(container.encoding)
 
-    def exposures(self, light: Values) -> dict[str, Values]:
+    def exposures(self, light: Floats) -> dict[str, Floats]:
         """Run one frame and return the exposure of each bucket that is read out, by name, float64
         (lanes, lights), in electrons.
 
@@ -78,7 +77,7 @@ class Replay(ReplayPixels):
         self.end_frame()
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
-    def prove_frame(self, light: Values) -> None:
+    def prove_frame(self, light: Floats) -> None:
         """Run one frame in `light`, float64 (N,), in electrons per slot, with a replay of one
         light.
 
@@ -107,7 +106,7 @@ class Replay(ReplayPixels):
 _SLOTS_A_LIGHT = 24
 
 
-def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
+def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> Bools | None:
     """Return the shutters that the words open, bool (lanes, buckets, slots); a lane is a row of
     `container.encoding`.
 

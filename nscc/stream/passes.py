@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
@@ -31,7 +32,7 @@ class Route(Record, eq=False):
 
     ones: NDArray[np.int8]
     zeros: NDArray[np.int8]
-    bits: NDArray[np.bool_]
+    bits: Bools
 
 
 class NoRoute(Record):
@@ -46,7 +47,7 @@ class NoRoute(Record):
     bucket: int = 0
 
 
-def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
+def route(shutters: Bools, buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
     """Return how bits send the light of `shutters`, bool (shutters, buckets, N), to the taps.
 
     Bucket b, named `buckets[b]`, is collected by tap b. Light that no bucket collects goes to the

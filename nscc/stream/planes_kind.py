@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any, ClassVar
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Bools
 from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES
 from nscc.emit.summary import share_text
@@ -43,7 +41,7 @@ class BitPlanes(ProgramKind):
         are no words."""
         return prove_planes(container)
 
-    def replayed(self, container: Container, name: str) -> NDArray[np.bool_]:
+    def replayed(self, container: Container, name: str) -> Bools:
         """Return the shutters that the bit planes open, bool (shutters, buckets, slots).
 
         Raises Rejected (NS0442) if they differ from the decode table. `name` is the file's name,

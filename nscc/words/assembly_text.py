@@ -12,7 +12,8 @@ from collections.abc import Sequence
 from math import isfinite
 
 import numpy as np
-from numpy.typing import NDArray
+
+from nscc.arrays import Bools
 
 _PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_.+-]*")
 _INTEGER = re.compile(r"-?[0-9]{1,19}")
@@ -108,7 +109,7 @@ def read_ranges(text: str, most: int) -> list[range] | None:
     return ranges
 
 
-def slots_text(slots: NDArray[np.bool_]) -> str:
+def slots_text(slots: Bools) -> str:
     """Return the open slots of a shutter, bool (slots,), as text: ranges of slots, `never`, or `x`
     and hexadecimal digits.
 
@@ -131,7 +132,7 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
     return "x" + np.packbits(slots, bitorder="little").tobytes().hex()
 
 
-def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
+def read_slots(text: str, slots: int) -> Bools | None:
     """Return the open slots, bool (slots,), in a text of `slots_text`; `slots` is their number.
 
     Return None if the text is malformed, or names a slot beyond the last."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats, Ints, Ints32
 from nscc.chips.target import Target
 from nscc.operations import Op, Word, op
 from nscc.record import Record
@@ -61,9 +61,9 @@ class DecodeTable(Record, eq=False):
     program without fields has one code without fields."""
 
     fields: tuple[str, ...]
-    codes: Annotated[NDArray[np.int64], "codes fields"]
-    shutter_of_code: Annotated[NDArray[np.int32], "codes"]
-    shutters: Annotated[NDArray[np.bool_], "shutters buckets slots"]
+    codes: Annotated[Ints, "codes fields"]
+    shutter_of_code: Annotated[Ints32, "codes"]
+    shutters: Annotated[Bools, "shutters buckets slots"]
 
     def __repr__(self) -> str:
         """Return the numbers of codes, shutters, buckets and slots as one line."""
@@ -103,8 +103,8 @@ class Container:
     kernels: tuple[StoredKernel, ...]
     launches: tuple[Launch, ...]
     code_registers: tuple[str, ...]
-    encoding: NDArray[np.bool_]
-    pixel_codes: NDArray[np.int32] | None
+    encoding: Bools
+    pixel_codes: Ints32 | None
     readouts: tuple[Readout, ...]
     source_lines: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
@@ -119,7 +119,7 @@ class Container:
         return {field.name: getattr(self, field.name) for field in fields(self)}
 
     @property
-    def slot_s(self) -> NDArray[np.float64]:
+    def slot_s(self) -> Floats:
         """The lengths of the slots (N,) in seconds."""
         return np.array(self.slot_us, np.float64) * 1e-6
 
@@ -172,7 +172,7 @@ class Container:
         `table` with the value "none"."""
         return self.notes.get("table") != "none"
 
-    def planes(self) -> dict[str, NDArray[np.bool_]]:
+    def planes(self) -> dict[str, Bools]:
         """Return the bit planes that the host loads before a frame, bool (rows, cols), by register,
         in loading order.
 
@@ -281,9 +281,7 @@ def state_registers(container: Container) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*(r for r in planes if r in digital), *registers)))
 
 
-def packed_shutters(
-    container: Container, shutters: NDArray[np.bool_]
-) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
+def packed_shutters(container: Container, shutters: Bools) -> tuple[Bytes, Ints]:
     """Return `shutter` and `shutter_shape` of a frame file, for a container (a compiled program)
     with pixel codes.
 
@@ -300,7 +298,7 @@ def packed_shutters(
     return laid, np.array(shape, np.int64)
 
 
-def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
+def fields_at_pixels(container: Container) -> dict[str, Ints]:
     """Return the arrays `codes_FIELD` of a frame file by name: int64 (rows, cols), the value of
     each field of the code at every pixel.
 
@@ -311,7 +309,7 @@ def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
     return {f"codes_{name}": table.codes[:, i][pixels] for i, name in enumerate(table.fields)}
 
 
-def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
+def tile_of(codes: Array) -> tuple[int, int]:
     """Return the size (rows, cols) of the smallest tile that gives the array `codes` when it is
     repeated.
 
@@ -321,7 +319,7 @@ def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
     return rows, _period(codes[:rows].T)
 
 
-def _period(plane: NDArray[Any]) -> int:
+def _period(plane: Array) -> int:
     """Return the smallest number of rows after which `plane`, an array (rows, cols), repeats; all
     rows if it does not."""
     for period in range(1, len(plane)):

@@ -22,11 +22,12 @@ from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from struct import Struct
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Floats, Ints32
 from nscc.chips.load import target_dict, target_from_dict
 from nscc.chips.target import Target
 from nscc.codec import LATER, from_json, to_json
@@ -94,16 +95,16 @@ class _Header:
 class _Times(Record):
     """The first array of a file."""
 
-    slot_us: Annotated[NDArray[np.float64], "slots"]
+    slot_us: Annotated[Floats, "slots"]
 
 
 class _Words(Record):
     """The arrays of a file that follow the decode table."""
 
-    encoding: Annotated[NDArray[np.bool_], "shutters registers"]
+    encoding: Annotated[Bools, "shutters registers"]
     words: Annotated[NDArray[np.uint32], "words word"]
-    launches: Annotated[NDArray[np.int32], "launches launch"]
-    pixel_codes: Annotated[NDArray[np.int32], "rows cols"]
+    launches: Annotated[Ints32, "launches launch"]
+    pixel_codes: Annotated[Ints32, "rows cols"]
 
 
 class _Levels(Record):
@@ -112,7 +113,7 @@ class _Levels(Record):
 
     Only files of programs with senses have this array. A kernel is a list of words."""
 
-    levels: Annotated[NDArray[np.int32], "launches"]
+    levels: Annotated[Ints32, "launches"]
 
 
 def _layout(header: _Header, target: Target) -> list[StoredArray]:
@@ -186,7 +187,7 @@ def _header(container: Container) -> _Header:
     )
 
 
-def _arrays(container: Container) -> dict[str, NDArray[Any]]:
+def _arrays(container: Container) -> dict[str, Array]:
     """Return the arrays of a container (a compiled program) by their names in files, also those
     that its file does not need.
 

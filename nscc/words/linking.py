@@ -6,11 +6,10 @@ from base64 import b64decode
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Ints32
 from nscc.chips.load import DEFAULT_NAME, load_target, parse_target
 from nscc.chips.target import Target
 from nscc.codec import from_json
@@ -275,7 +274,7 @@ def _table_of_planes(
     load: tuple[str, ...],
     buckets: tuple[str, ...],
     faults: Faults,
-) -> tuple[DecodeTable, NDArray[np.bool_], NDArray[np.int32] | None, tuple[str, ...]]:
+) -> tuple[DecodeTable, Bools, Ints32 | None, tuple[str, ...]]:
     """Return a decode table for a program of which only the bit planes of registers are known.
 
     No shutter of it is open. The results are table, encoding, pixel codes and registers in loading
@@ -305,7 +304,7 @@ def _table_of_planes(
 
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
-) -> tuple[DecodeTable, NDArray[np.bool_]]:
+) -> tuple[DecodeTable, Bools]:
     """Return the decode table, and the register bits of each shutter, bool (shutters, registers).
 
     They come from the `.shutter` and `.code` lines of the draft. Errors (NS0714, NS0715, NS0719)
@@ -363,7 +362,7 @@ def _table(
     return DecodeTable(fields, codes, shutter_of_code, opened), encoding
 
 
-def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray[np.int32] | None:
+def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> Ints32 | None:
     """Return the code of every pixel, int32 (rows, cols), from the `.pixels` block of the draft: a
     tile or the whole array.
 
@@ -375,7 +374,7 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
     span = block.directive.span
     form, rows, cols = block.arguments[0].text, *(int(token.text) for token in block.arguments[1:])
     texts = [text for text, _ in block.lines]
-    values: NDArray[Any] | None = None
+    values: Array | None = None
     with suppress(ValueError):
         if form == "tile":
             integers = [read_integer(item) for text in texts for item in text.split()]

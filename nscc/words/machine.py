@@ -11,12 +11,10 @@ from collections.abc import Mapping
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints, Ints32
 from nscc.codec import Within
 from nscc.record import Record
-
-Values = NDArray[np.int64]
 
 StateValue = Annotated[int, Within(1 - (1 << 62), (1 << 62) - 1)]
 Length = Annotated[int, Within(0, (1 << 31) - 1)]
@@ -95,14 +93,14 @@ class StateMachine(Record, eq=False):
     states: tuple[State, ...]
     comparisons: tuple[Comparison, ...]
     looks: tuple[int, ...]
-    first: NDArray[np.int32]
-    behaviour: Annotated[NDArray[np.int32], "nodes"]
-    values: Annotated[NDArray[np.int64], "nodes states"]
-    opens: Annotated[NDArray[np.bool_], "nodes buckets slots"]
-    resets: Annotated[NDArray[np.bool_], "nodes slots"]
-    steps: Annotated[NDArray[np.int32], "nodes outcomes"]
-    open_slots: Annotated[NDArray[np.int32], "nodes buckets"]
-    open_us: Annotated[NDArray[np.float64], "nodes buckets"]
+    first: Ints32
+    behaviour: Annotated[Ints32, "nodes"]
+    values: Annotated[Ints, "nodes states"]
+    opens: Annotated[Bools, "nodes buckets slots"]
+    resets: Annotated[Bools, "nodes slots"]
+    steps: Annotated[Ints32, "nodes outcomes"]
+    open_slots: Annotated[Ints32, "nodes buckets"]
+    open_us: Annotated[Floats, "nodes buckets"]
 
     @property
     def slots(self) -> int:
@@ -150,7 +148,7 @@ class StateMachine(Record, eq=False):
         """Return the boundary of the look at the end of a stage; N for the last stage."""
         return self.looks[stage] if stage < len(self.looks) else self.slots
 
-    def start_nodes(self) -> NDArray[np.int64]:
+    def start_nodes(self) -> Ints:
         """Return for each behaviour (set of codes that act alike) the node of stage 0 in which all
         states have their start values.
 
@@ -186,9 +184,9 @@ class StatePlanes(Record, eq=False):
 
     registers: tuple[str, ...]
     values: tuple[int, ...]
-    bits: NDArray[np.bool_]
+    bits: Bools
 
-    def read(self, planes: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> Values:
+    def read(self, planes: Mapping[str, Bools], shape: tuple[int, ...]) -> Ints:
         """Return the value of the state at every pixel, int64 of `shape`.
 
         `planes` are the bits of registers by name, bool of `shape`; there may be others. Pixels

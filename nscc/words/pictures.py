@@ -13,8 +13,8 @@ from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.codec import HEX, LATER, KeyName, Within
 from nscc.operations import Word
 from nscc.record import Record
@@ -590,13 +590,13 @@ def subexpressions(node: Node) -> Iterator[Node]:
         yield from subexpressions(operand)
 
 
-def packed_bits(bits: NDArray[np.bool_]) -> int:
+def packed_bits(bits: Bools) -> int:
     """Return bits, bool (rows, cols), as one number, whose lowest bit is the first pixel of the
     first row; the next is the second pixel of that row."""
     return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
 
 
-def unpacked_bits(number: int, shape: tuple[int, int]) -> NDArray[np.bool_]:
+def unpacked_bits(number: int, shape: tuple[int, int]) -> Bools:
     """Return the bits of a number that `packed_bits` made, bool of `shape` (rows, cols).
 
     -1 is a 1 in every pixel; bits beyond the last pixel are ignored."""

@@ -8,8 +8,8 @@ from io import BytesIO
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints32
 from nscc.chips.target import Target
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
@@ -26,13 +26,13 @@ class _BadPlaneError(Exception):
 
 def read_planes(
     drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
-) -> dict[str, NDArray[np.bool_]]:
+) -> dict[str, Bools]:
     """Return the bit planes of `.plane` lines, bool (rows, cols), by register, in the target's
     order.
 
     Files are relative to `base`. Unknown registers (NS0712), registers with two planes (NS0719) and
     unusable files (NS0716) are reported in `faults`; the result must then not be used."""
-    planes: dict[str, NDArray[np.bool_]] = {}
+    planes: dict[str, Bools] = {}
     for draft in drafts:
         register = draft.register.text
         if register not in target.digital_registers:
@@ -51,9 +51,7 @@ def read_planes(
     return {name: planes[name] for name in target.digital_registers if name in planes}
 
 
-def codes_of_planes(
-    planes: Mapping[str, NDArray[np.bool_]], target: Target
-) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
+def codes_of_planes(planes: Mapping[str, Bools], target: Target) -> tuple[Bools, Ints32 | None]:
     """Return the distinct register contents of pixels, bool (codes, registers), and each pixel's
     row of them, int32 (rows, cols).
 
@@ -71,9 +69,7 @@ def codes_of_planes(
     return encoding, codes.reshape(pattern.shape).astype(np.int32)
 
 
-def _plane(
-    path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None
-) -> NDArray[np.bool_]:
+def _plane(path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None) -> Bools:
     """Return a bit plane from an .npy or .npz file, bool of this `shape` (rows, cols).
 
     An .npz file has one array of any name, or several, one of which has the name of `register`.

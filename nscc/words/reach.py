@@ -9,8 +9,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.chips.target import Target
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.words.container import Container
@@ -50,7 +50,7 @@ class Reach(NamedTuple):
         `known` says; 0 where this covers all pixels that depend on values outside the array."""
         return Reach(*(0 if far <= width else far for far, width in zip(self, known, strict=True)))
 
-    def margin(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
+    def margin(self, shape: tuple[int, int]) -> Bools:
         """Return the pixels whose value depends on pixels outside the array, bool (rows, cols) of
         `shape`.
 
@@ -74,7 +74,7 @@ class Border(NamedTuple):
     ones: Reach = Reach()
 
     @classmethod
-    def of_bits(cls, bits: NDArray[np.bool_]) -> Border:
+    def of_bits(cls, bits: Bools) -> Border:
         """Return the border of a plane whose bits (rows, cols) are all known."""
         return cls(*(_width_without(differ) for differ in (bits, ~bits)))
 
@@ -92,7 +92,7 @@ def _narrower(first: Reach, second: Reach) -> Reach:
     return Reach(*map(min, first, second))
 
 
-def _width_without(bits: NDArray[np.bool_]) -> Reach:
+def _width_without(bits: Bools) -> Reach:
     """Return how many columns and rows along each side of an array have no bit of `bits`."""
     if not bits.any():
         return _WHOLE_ARRAY
@@ -118,7 +118,7 @@ class RegisterReaches:
         *,
         bits_known: bool = False,
         before: Mapping[str, Reach] = MappingProxyType({}),
-        fixed: Mapping[str, NDArray[np.bool_]] = MappingProxyType({}),
+        fixed: Mapping[str, Bools] = MappingProxyType({}),
     ) -> None:
         """Compute the reach of all registers of `target` after `words` have run, in order.
 

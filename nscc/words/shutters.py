@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints
 from nscc.words.container import Container
 
 _LONGEST_LABEL = 30
@@ -20,9 +20,9 @@ class Shutters:
     `rows` bool (rows, buckets, N) are the shutters, each with an entry of `labels`. `rank` int64
     (shutters of the decode table,) is the row of each shutter, -1 if no pixel has it."""
 
-    rows: NDArray[np.bool_]
+    rows: Bools
     labels: tuple[str, ...]
-    rank: NDArray[np.int64]
+    rank: Ints
 
 
 def shutters_of(container: Container) -> Shutters:
@@ -37,7 +37,7 @@ def shutters_of(container: Container) -> Shutters:
     used = np.unique(table.shutter_of_code[used_codes])
     patterns = table.shutters[used]
     slots = patterns.shape[2]
-    union: NDArray[np.bool_] = np.any(patterns, axis=1)
+    union: Bools = np.any(patterns, axis=1)
     first = np.where(np.any(union, axis=1), np.argmax(union, axis=1), slots)
     # By first open slot of any bucket, then by the open time of the first bucket.
     order = np.lexsort((used, (patterns[:, 0] @ np.array(container.slot_us)), first))

@@ -11,7 +11,9 @@ from math import prod
 from typing import Annotated, Any, NamedTuple, get_args, get_origin, get_type_hints
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import DTypeLike
+
+from nscc.arrays import Array
 
 
 class StoredArray(NamedTuple):
@@ -69,16 +71,14 @@ def array_faults(record: object, sizes: Mapping[str, int]) -> Iterator[str]:
         yield from array_fault(name, getattr(record, name), dtype, shape)
 
 
-def array_fault(
-    name: str, array: NDArray[Any], dtype: DTypeLike, shape: tuple[int, ...]
-) -> Iterator[str]:
+def array_fault(name: str, array: Array, dtype: DTypeLike, shape: tuple[int, ...]) -> Iterator[str]:
     """Yield a text if the shape or type of the array `name` differs from `shape` and `dtype`; else
     nothing."""
     if array.shape != shape or array.dtype != dtype:
         yield f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape}"
 
 
-def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) -> list[bytes]:
+def packed(layout: Sequence[StoredArray], arrays: Mapping[str, Array]) -> list[bytes]:
     """Return the bytes of each array of `layout`, in order; `arrays` has them by name, and may have
     others.
 
@@ -91,20 +91,20 @@ def packed(layout: Sequence[StoredArray], arrays: Mapping[str, NDArray[Any]]) ->
     ]
 
 
-def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str, NDArray[Any]]:
+def unpacked(layout: Sequence[StoredArray], data: bytes, start: int) -> dict[str, Array]:
     """Return the arrays of `layout` by name, from byte `start` of `data` on; inverse of `packed`.
 
     Raises ValueError unless they fill the data exactly."""
     need = start + sum(array.nbytes for array in layout)
     if need != len(data):
         raise ValueError(f"its arrays need {need} bytes and it has {len(data)}")
-    arrays: dict[str, NDArray[Any]] = {}
+    arrays: dict[str, Array] = {}
     for array in layout:
         raw = np.frombuffer(data, np.uint8, array.nbytes, start)
         start += array.nbytes
         if array.dtype == np.bool_:
             bits = np.unpackbits(raw, count=prod(array.shape), bitorder="little")
-            values: NDArray[Any] = bits.view(np.bool_)
+            values: Array = bits.view(np.bool_)
         else:
             values = raw.view(array.dtype.newbyteorder("<")).astype(array.dtype)
         arrays[array.name] = values.reshape(array.shape)

@@ -6,11 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.codec import LATER, from_json, to_json
 from nscc.record import Record
 from nscc.words.container import Container, Launch
@@ -69,7 +69,7 @@ class StoredMachine:
         }
         return layout_of(StateMachine, sizes)
 
-    def machine(self, arrays: Mapping[str, NDArray[Any]]) -> StateMachine:
+    def machine(self, arrays: Mapping[str, Array]) -> StateMachine:
         """Return the state machine with the arrays `arrays`, which are given by name; others are
         ignored.
 

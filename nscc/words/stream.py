@@ -12,6 +12,7 @@ from typing import Annotated
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Bytes
 from nscc.chips.target import Target
 from nscc.record import Record
 from nscc.words.stored_arrays import array_faults
@@ -19,7 +20,7 @@ from nscc.words.stored_arrays import array_faults
 DRAIN = -1
 """The destination of light that no tap collects; other destinations are indices of taps."""
 
-Bits = NDArray[np.uint8]
+Bits = Bytes
 
 
 class Stream(Record, eq=False):
@@ -38,7 +39,7 @@ class Stream(Record, eq=False):
         """The number of slots."""
         return len(self.planes)
 
-    def bits(self, slot: int, cols: int) -> NDArray[np.bool_]:
+    def bits(self, slot: int, cols: int) -> Bools:
         """Return the bit plane of the slot with the index `slot`, bool (rows, cols); `cols` is the
         array's number of columns, which the padded rows do not tell."""
         unpacked = np.unpackbits(self.planes[slot], axis=1, count=cols, bitorder="little")

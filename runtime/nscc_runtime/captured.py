@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc import html
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.diagnostics.arguments import path_of
 from nscc.files import write_together
 from nscc.toml.arguments import argument
@@ -87,19 +88,19 @@ class Capture(Frame):
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property
-    def images(self) -> dict[str, NDArray[np.float64]]:
+    def images(self) -> dict[str, Floats]:
         """The images that the program reads, by name: electrons before the converter, (rows, cols),
         with `repeat` after an axis of frames. Empty for a program without images."""
         return self._told_arrays("image_", self._pictures_read)
 
     @property
-    def planes(self) -> dict[str, NDArray[np.bool_]]:
+    def planes(self) -> dict[str, Bools]:
         """The planes that the program reads, by name: bool (rows, cols), with `repeat` after an
         axis of frames. Empty for a program without planes."""
         return self._told_arrays("plane_", self._pictures_read)
 
     @property
-    def margin(self) -> NDArray[np.bool_] | None:
+    def margin(self) -> Bools | None:
         """Mask (rows, cols) of pixels that depend on light beyond the array; None for a program
         without images and planes."""
         return self.told.get("margin")
@@ -132,7 +133,7 @@ class Capture(Frame):
         """The images and planes that are read out."""
         return self.container.pictures.reads
 
-    def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, NDArray[Any]]:
+    def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, Array]:
         """Return the arrays `told` with the keys `prefix` + name for each of `names`, by name;
         missing ones are left out."""
         keys = {name: f"{prefix}{name}" for name in names}
@@ -144,7 +145,7 @@ class Capture(Frame):
         each exposure."""
         return self.exposed.response(self.exposed.simulated.origin.sensor)
 
-    def light_e_per_s(self) -> NDArray[np.float64]:
+    def light_e_per_s(self) -> Floats:
         """Estimate the light from the unsaturated pixels of each neighbourhood.
 
         The offset that the words add is subtracted, and the result is divided by the open time, as
@@ -264,7 +265,7 @@ def capture_of(exposed: Taken) -> Capture:
     return Capture(**vars(exposed.simulated.frame), exposed=exposed)
 
 
-def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
+def _report(kind: str, values: Array, count: Any) -> Any:
     """Return the value of one frame's report of this `kind` from its array `values`: a bool or
     number for "any", "flood", "count" and "sum"; for "events" the first `count` rows, (events, 2);
     for "box" a tuple of four numbers, or None if no bit is 1 (-1 in the array). `count` is ignored
@@ -276,7 +277,7 @@ def _report(kind: str, values: NDArray[Any], count: Any) -> Any:
     return None if values[0] < 0 else tuple(values.tolist())
 
 
-def _png(image: NDArray[np.uint8]) -> bytes:
+def _png(image: Bytes) -> bytes:
     """Return the uint8 `image`, (rows, cols) of grey or (rows, cols, 3) of red, green and blue, as
     the bytes of a PNG file."""
     import cv2

@@ -8,15 +8,15 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats32
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 
-Arrays = dict[str, NDArray[Any]]
+Arrays = dict[str, Array]
 
 _KINDS = {
     "frame": ("u", "codes of the ADC, uint8"),
@@ -48,7 +48,7 @@ def read_frame_arrays(
     return arrays, checked_meta(arrays)
 
 
-def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
+def checked_meta(arrays: Mapping[str, Array]) -> dict[str, Any]:
     """Check the arrays of a frame file, by name, and return its meta (see
     `nscc_runtime.frame_file.meta`).
 
@@ -88,7 +88,7 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     return meta
 
 
-def _check_pictures(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> None:
+def _check_pictures(arrays: Mapping[str, Array], shape: tuple[int, ...]) -> None:
     """Raise InvalidArrays if images, planes, the margin or events do not fit a frame of `shape`:
     (buckets, rows, cols), possibly after axes of repeats. Pictures have the same shape without
     buckets; events are columns and rows within the frame, or -1."""
@@ -103,7 +103,7 @@ def _check_pictures(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) 
                 raise InvalidArrays(f"`{name}` does not hold columns and rows of its frame")
 
 
-def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
+def frame_meta(arrays: Mapping[str, Array]) -> dict[str, Any] | None:
     """Return the `meta` of a frame file, whose array is one text in JSON; None if `meta` is missing
     or damaged, or has another `schema`, as in arrays of another file."""
     text = arrays.get("meta")
@@ -128,7 +128,7 @@ def is_plan(plan: object) -> bool:
     )
 
 
-def image_of(frame: Path) -> NDArray[np.float32]:
+def image_of(frame: Path) -> Floats32:
     """Return the image that `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols).
 
     It is computed from the light in the frame file; repeats are averaged. Raises Rejected (NS0819,

@@ -39,8 +39,8 @@ from types import MappingProxyType
 from typing import IO, Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
@@ -72,14 +72,14 @@ class Frame:
     level was a reset level. `told`: further arrays of a program that looks (`states_NAME`,
     `open_slots`, its light) or that has images, by key."""
 
-    frame: NDArray[np.uint8]
-    exposure_e: NDArray[np.float64]
-    valid: NDArray[np.bool_]
-    saturated_by: NDArray[np.uint8]
-    told: Mapping[str, NDArray[Any]] = field(default_factory=dict, kw_only=True)
+    frame: Bytes
+    exposure_e: Floats
+    valid: Bools
+    saturated_by: Bytes
+    told: Mapping[str, Array] = field(default_factory=dict, kw_only=True)
 
     @property
-    def saturated(self) -> NDArray[np.bool_]:
+    def saturated(self) -> Bools:
         """Mask (buckets, rows, cols) of pixels that received more light than `exposure_e` tells."""
         return np.asarray(self.saturated_by != 0)
 
@@ -94,7 +94,7 @@ def read_out(
     exposure: Exposure,
     target: Target,
     sensor: Sensor | None = None,
-    noise_lsb: NDArray[np.float64] | float = 0.0,
+    noise_lsb: Floats | float = 0.0,
 ) -> Frame:
     """Convert an exposure to codes, with noise of `noise_lsb` codes before rounding.
 
@@ -115,7 +115,7 @@ def read_out(
     return Frame(frame, exposure.exposure_e, exposure.valid & ~unknown, saturated_by)
 
 
-def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
+def last_codes(frame: Bytes, target: Target) -> Bytes:
     """Return an array like `frame`: the bit of `saturated_by` that marks the converter where a code
     is the last code of `target`, else 0."""
     bit = marks()["codes"].bit
@@ -150,7 +150,7 @@ def check_adc(target: Target) -> None:
         )
 
 
-def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
+def joined(frames: Sequence[Frame], join: Callable[[list[Array]], Array]) -> Frame:
     """Return the frame each of whose arrays is `join(arrays)`, such as `numpy.stack`, where
     `arrays` lists the same array of all `frames`. There is at least one frame, and all have the
     arrays `told` of the first."""
@@ -314,7 +314,7 @@ class FrameFile:
 
     frame: Frame
     meta: Mapping[str, Any]
-    kept_arrays: Mapping[str, NDArray[Any]]
+    kept_arrays: Mapping[str, Array]
     slots: Mapping[str, Light]
     progress: Progress = unseen
 
@@ -326,7 +326,7 @@ class FrameFile:
         frame: Frame,
         meta: Mapping[str, Any],
         keep: Sequence[str] = (),
-        shutters: NDArray[np.bool_] | None = None,
+        shutters: Bools | None = None,
         progress: Progress = unseen,
     ) -> FrameFile:
         """Return the file of `frame`, with the further contents named in `keep`: "light", "truth",
@@ -335,7 +335,7 @@ class FrameFile:
         If `light` is None, "light" and "truth" are left out, and without `shutters` (bool (distinct
         shutters, buckets, N), in the order of the decode table) so is "shutter". `progress` shows
         how far writing is."""
-        kept_arrays: dict[str, NDArray[Any]] = {}
+        kept_arrays: dict[str, Array] = {}
         slots: dict[str, Light] = {}
         if light is not None and "light" in keep:
             slots["light"] = light
@@ -372,7 +372,7 @@ class FrameFile:
                 _write_array(archive, key, values)
 
 
-def _write_array(archive: zipfile.ZipFile, key: str, values: NDArray[Any]) -> None:
+def _write_array(archive: zipfile.ZipFile, key: str, values: Array) -> None:
     """Write the array `values` to the archive as the entry KEY.npy; one above `_BLOCK_BYTES` in
     blocks along its first axis, because a block is copied."""
     one_block = values.ndim == 0 or values.nbytes <= _BLOCK_BYTES
@@ -384,7 +384,7 @@ def _write_entry(
     key: str,
     shape: tuple[int, ...],
     dtype: np.dtype[Any],
-    blocks: Iterator[NDArray[Any]],
+    blocks: Iterator[Array],
 ) -> None:
     """Write an array with `shape` and `dtype` as the entry KEY.npy of `archive`: row-major,
     little-endian, dated 1980. `blocks` yields its values in order."""

@@ -9,8 +9,8 @@ from tempfile import TemporaryFile, gettempdir
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.frame_file import Frame
 
@@ -25,7 +25,7 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
     If the arrays need more than `MOST_BYTES`, they are mapped to an unnamed file in the system's
     temporary folder, which is removed with the arrays. Raises Rejected (NS0784) if that folder has
     no room."""
-    rooms: dict[str, NDArray[Any]] = {}
+    rooms: dict[str, Array] = {}
     for number, frame in enumerate(frames):
         arrays = {name: getattr(frame, name) for name in _ARRAYS} | {**frame.told}
         if not rooms:
@@ -43,7 +43,7 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
 _ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
 
 
-def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> NDArray[Any]:
+def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> Array:
     """Return an array of `shape` and type `kind` with arbitrary contents, in memory or, if
     `mapped`, in a temporary file, which is removed with the array.
 

@@ -20,6 +20,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bytes, Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
@@ -32,8 +33,6 @@ from nscc_runtime.reference.words import Marked, WordPixels
 from nscc_runtime.response import converter_e2, shutter_response
 from nscc_runtime.run_kinds import Sent
 
-Values = NDArray[np.float64]
-
 _LEVELS = np.geomspace(0.5, 16.0, 241)
 """Levels of steady light, in full wells over the time in which PIX collects light."""
 _ALIKE = 7
@@ -44,9 +43,7 @@ _MOST_LANES = 256
 """Number of shutters that are simulated together."""
 
 
-def marked_by_codes(
-    frame: NDArray[np.uint8], container: Container, sensor: Sensor
-) -> NDArray[np.uint8]:
+def marked_by_codes(frame: Bytes, container: Container, sensor: Sensor) -> Bytes:
     """Return the bits of `saturated_by` that the codes of a chip's frame indicate, except the last
     code.
 
@@ -59,7 +56,7 @@ def marked_by_codes(
 
 
 @lru_cache(maxsize=2)
-def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
+def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Floats]:
     """Return the smallest codes (buckets, rows, cols) that may mean saturation, by bit of
     `saturated_by`.
 
@@ -78,7 +75,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     }
 
 
-def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Values]:
+def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Floats]:
     """Return the smallest codes (buckets, lanes) that may mean saturation, by bit of
     `saturated_by`; infinite where no code does. `lanes`: numbers of lanes (groups of pixels with
     one code each) of `program`."""
@@ -104,9 +101,7 @@ def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int,
     return codes_by_bit
 
 
-def _steady(
-    program: AnalysedProgram, lanes: NDArray[np.integer]
-) -> tuple[Values, NDArray[np.uint8]]:
+def _steady(program: AnalysedProgram, lanes: NDArray[np.integer]) -> tuple[Floats, Bytes]:
     """Return the mean exposures in electrons of steady light of each of `_LEVELS`, (buckets,
     levels, lanes), and their saturation marks, of the same shape.
 
@@ -135,18 +130,18 @@ class _SteadyPixels(WordPixels):
     """Pixels of a chip without noise and without differences: errors are 0 and fixed patterns their
     means, arrays without axes, which fit all pixels."""
 
-    def draw(self, name: str, number: int) -> Values:
+    def draw(self, name: str, number: int) -> Floats:
         """Return 0 without axes instead of the noise of an effect: all pixels are alike."""
         return np.zeros(())
 
-    def fixed(self, make: OnDevice) -> Values:
+    def fixed(self, make: OnDevice) -> Floats:
         """Return the mean over all chips, without axes, of the fixed pattern that `make` computes.
         Raises KeyError for patterns other than errors of words and leakage, which no word needs."""
         gain, leak = self.effects.require_part(WordGain), self.effects.require_part(Leak)
         means = {gain.error_e: gain.mean_e(self.sensor), leak.per_s: 1.0 / leak.tau_s(self.sensor)}
         return np.asarray(means[make])
 
-    def run(self, program: AnalysedProgram, rate: Values, lanes: NDArray[np.integer]) -> Marked:
+    def run(self, program: AnalysedProgram, rate: Floats, lanes: NDArray[np.integer]) -> Marked:
         """Return exposures in electrons and saturation marks, each (buckets, pixels), of one frame
         in steady light. `rate` (pixels,): electrons per second. `lanes` (pixels,): number of each
         pixel's lane (the pixels of one code)."""

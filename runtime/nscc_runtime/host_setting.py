@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import shown
 from nscc.diagnostics.diagnostic import Rejected
@@ -28,7 +28,7 @@ class HostSetting(Record, eq=False):
     sent to all pixels."""
 
     params: Mapping[str, int]
-    inputs: Mapping[str, NDArray[np.bool_]]
+    inputs: Mapping[str, Bools]
 
     @classmethod
     def at_start(cls, container: Container) -> HostSetting:
@@ -149,7 +149,7 @@ def _electrons(value: Any, target: Target) -> float | None:
     return target.level_e(number, unit) if np.isfinite(number) else None
 
 
-def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArray[np.bool_]]:
+def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, Bools]:
     """Return the bits of input planes, bool (rows, cols), by name. `values`: for each an array of 0
     and 1, the path of a file, or None for its initial bits. Raises Rejected (NS0546) for names of
     no plane that the host may load, and for invalid values."""
@@ -161,7 +161,7 @@ def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, NDArra
     return {name: _bits(planes[name], value, target) for name, value in values.items()}
 
 
-def _bits(plane: InputPlane, value: Any, target: Target) -> NDArray[np.bool_]:
+def _bits(plane: InputPlane, value: Any, target: Target) -> Bools:
     """Return the bits of an input plane, bool (rows, cols), from an array of 0 and 1, the path of a
     file with one (.npy, .npz or a picture), or None, which stands for the plane's initial bits.
 
@@ -186,7 +186,7 @@ def _bits(plane: InputPlane, value: Any, target: Target) -> NDArray[np.bool_]:
     return array.astype(np.bool_)
 
 
-def _stored(name: str, path: Path) -> NDArray[Any]:
+def _stored(name: str, path: Path) -> Array:
     """Return the array in an .npy file or, with the key `name`, in an .npz file, of any shape and
     type. Other files are read as pictures: bool (rows, cols), True where the mean of the colours is
     above half of the range.

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
+from nscc.arrays import Bools, Bytes, Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -18,9 +17,9 @@ class Exposure:
     or meaningless. `saturated_by` uint8, the same shape: saturation marks
     (`nscc_runtime.effects.effect`); None if saturation is impossible."""
 
-    exposure_e: NDArray[np.float64]
-    valid: NDArray[np.bool_]
-    saturated_by: NDArray[np.uint8] | None = None
+    exposure_e: Floats
+    valid: Bools
+    saturated_by: Bytes | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,4 +28,4 @@ class Executed:
     kept or contain code, as planes (rows, cols)."""
 
     exposure: Exposure
-    planes: Mapping[str, NDArray[np.bool_]]
+    planes: Mapping[str, Bools]

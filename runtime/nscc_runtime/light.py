@@ -9,11 +9,10 @@ from itertools import pairwise
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32, Ints, Ints32
 from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_runtime.caches import remembered
-from nscc_runtime.loop import Floats, Floats32, Ints, Ints32
 
 _MOST_E = 1e36
 """Sums of float32 are limited to this value, because they may be infinite."""
@@ -55,10 +54,10 @@ class Light:
         The same light with the motion within slots, if the scene is sampled. It shares `frames`.
     """
 
-    frames: NDArray[np.float32]
-    row_start: NDArray[np.int64]
-    frame_index: NDArray[np.int32]
-    weight: NDArray[np.float64]
+    frames: Floats32
+    row_start: Ints
+    frame_index: Ints32
+    weight: Floats
     kind: Literal["still", "clip"]
     exposure_scale_e: float = 1.0
     motion: Light | None = None
@@ -83,9 +82,7 @@ class Light:
             )
 
     @classmethod
-    def of_still(
-        cls, frame: NDArray[np.float32], weight: NDArray[np.float64], exposure_scale_e: float = 1.0
-    ) -> Light:
+    def of_still(cls, frame: Floats32, weight: Floats, exposure_scale_e: float = 1.0) -> Light:
         """Return the light of one picture: slot n is weight[n] times the picture.
 
         Parameters
@@ -109,7 +106,7 @@ class Light:
         return cls(frame[None], starts, index, weight, "still", exposure_scale_e)
 
     @classmethod
-    def of_clip(cls, frames: NDArray[np.float32], exposure_scale_e: float = 1.0) -> Light:
+    def of_clip(cls, frames: Floats32, exposure_scale_e: float = 1.0) -> Light:
         """Return the light of a clip with one frame for each slot.
 
         Parameters
@@ -151,7 +148,7 @@ class Light:
         key = len(self.frames), *(array.tobytes() for array in arrays)
         return key if self.motion is None else (key, self.motion.timing)
 
-    def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
+    def slot(self, n: int, rows: slice = slice(None)) -> Floats32:
         """Return the electrons of one slot.
 
         Parameters
@@ -171,14 +168,14 @@ class Light:
             return np.zeros(self.shape, np.float32)[rows]
         if stop == start + 1 and self.weight[start] == 1.0:
             return self._frame(start, rows)
-        total: NDArray[np.float64] = self._frame(start, rows) * self.weight[start]
+        total: Floats = self._frame(start, rows) * self.weight[start]
         for k in range(start + 1, stop):
             total += self._frame(k, rows) * self.weight[k]
         return total.astype(np.float32)
 
-    def _frame(self, k: int, rows: slice) -> NDArray[np.float32]:
+    def _frame(self, k: int, rows: slice) -> Floats32:
         """Return the `rows` of the frame of entry k, a view (rows, cols) of `frames`."""
-        frame: NDArray[np.float32] = self.frames[self.frame_index[k], rows]
+        frame: Floats32 = self.frames[self.frame_index[k], rows]
         return frame
 
     def part(self, rows: slice, cols: slice) -> Light:
@@ -240,7 +237,7 @@ class Light:
             motion=None if self.motion is None else self.motion.joined(starts),
         )
 
-    def dense(self) -> NDArray[np.float32]:
+    def dense(self) -> Floats32:
         """Return the electrons of all slots.
 
         Returns
@@ -254,7 +251,7 @@ class Light:
         return out
 
     @remembered
-    def total_e(self) -> NDArray[np.float64]:
+    def total_e(self) -> Floats:
         """Return the sum of all slots, to 1e-12 of its value.
 
         Slots with equal light are added as a multiple: equal slots of a still are one product.
@@ -277,14 +274,14 @@ class Light:
         return total
 
     @cached_property
-    def frame_weight(self) -> NDArray[np.float64]:
+    def frame_weight(self) -> Floats:
         """The sum of the weights of each frame over all slots, (T,); 0 for frames that fall into
         none."""
         count = np.bincount(self.frame_index, self.weight, len(self.frames))
         return np.asarray(count, np.float64)
 
     @property
-    def sum_e(self) -> NDArray[np.float64]:
+    def sum_e(self) -> Floats:
         """The sum of all slots (rows, cols), to float32 and at most 1e36, read-only. It adds up
         frames instead of slots; `total_e` is more exact and slower."""
         return self._summed[0]
@@ -301,7 +298,7 @@ class Light:
         )
 
     @cached_property
-    def _summed(self) -> tuple[NDArray[np.float64], bool]:
+    def _summed(self) -> tuple[Floats, bool]:
         """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and
         whether a pixel exceeded that."""
         weight = self.frame_weight
@@ -312,7 +309,7 @@ class Light:
                 total = np.einsum("t,trc->rc", weight, self.frames)
         return np.minimum(total, _MOST_E), bool((total > _MOST_E).any())
 
-    def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
+    def on_frames(self, slots: Floats) -> Floats:
         """Convert weights of slots to weights of frames.
 
         Parameters
@@ -333,7 +330,7 @@ class Light:
         return np.asarray(self._transposed @ slots)
 
     @cached_property
-    def ended(self) -> NDArray[np.float32]:
+    def ended(self) -> Floats32:
         """The frames (T, rows, cols), with 1e30 for infinite light, so that closed slots contribute
         0 and not NaN; the frames themselves if no such light can meet a weight of 0."""
         if self.frame_weight.min() > 0 and not self._summed[1]:

@@ -9,8 +9,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -26,12 +26,10 @@ from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.trace import retention_us
 
-Planes = Mapping[str, NDArray[np.bool_]]
+Planes = Mapping[str, Bools]
 
 
-def next_planes(
-    container: Container, loaded: Planes, final_planes: Planes
-) -> dict[str, NDArray[np.bool_]]:
+def next_planes(container: Container, loaded: Planes, final_planes: Planes) -> dict[str, Bools]:
     """Return the digital registers at the start of the next frame, bits (rows, cols) by name. Kept
     states are taken from `final_planes`, the registers at the end of this frame; everything else
     from `loaded`, those at its start."""

@@ -9,11 +9,11 @@ because the light is then only a lower bound."""
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Floats, Indices, Ints, Ints32
 from nscc.words.container import Container
 from nscc.words.machine import StateMachine
 from nscc_runtime.caches import OfContainer
@@ -30,7 +30,7 @@ from nscc_runtime.response import ShutterResponse, converter_e2, gain_spread
 @OfContainer
 def looked_response(
     container: Container, sensor: Sensor, effects: Selection
-) -> tuple[NDArray[np.int64], ShutterResponse] | None:
+) -> tuple[Ints, ShutterResponse] | None:
     """Return the ways in which a frame of pixels that look can end, and the response (ends,
     buckets) of each end; None if the paths of the pixels cannot be followed.
 
@@ -107,9 +107,7 @@ def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
     )
 
 
-def row_of(
-    rows: NDArray[np.int64], columns: Sequence[NDArray[np.integer]]
-) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+def row_of(rows: Ints, columns: Sequence[NDArray[np.integer]]) -> tuple[Indices, Bools]:
     """Return for each pixel the index of the row of `rows` (R, K) that equals its values in the K
     arrays `columns` of equal shape, and where such a row exists.
 
@@ -131,8 +129,6 @@ def row_of(
     return first[row_number], is_present
 
 
-Values = NDArray[np.float64]
-
 LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
 """Keys of light (buckets, rows, cols) in electrons per second, and of its standard deviation."""
 OPEN = "open_slots"
@@ -141,11 +137,11 @@ OPEN = "open_slots"
 
 def told_by(
     container: Container,
-    planes: Mapping[str, NDArray[np.bool_]],
+    planes: Mapping[str, Bools],
     frame: Frame,
     sensor: Sensor,
     effects: Selection,
-) -> dict[str, NDArray[Any]]:
+) -> dict[str, Array]:
     """Return the arrays of a frame file that follow from the digital `planes` of one frame.
 
     These are `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows,
@@ -167,7 +163,7 @@ def told_by(
     return {**states, OPEN: slots, **light}
 
 
-def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) -> Values:
+def open_us_of(container: Container, told_arrays: Mapping[str, Array]) -> Floats:
     """Return the open time of each bucket of a pixel in microseconds, (buckets, rows, cols).
 
     It follows from `told_arrays`, of which the arrays `states_NAME` (rows, cols) of all states that
@@ -181,8 +177,8 @@ def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) ->
 
 
 def open_times(
-    machine: StateMachine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
-) -> tuple[NDArray[np.int64], Values]:
+    machine: StateMachine, behaviour: Ints32, states: Mapping[str, Ints]
+) -> tuple[Ints, Floats]:
     """Return the number of open slots and the open time in microseconds, both (buckets, rows,
     cols).
 
@@ -202,11 +198,11 @@ def open_times(
 def light_of(
     frame: Frame,
     outcomes: Sequence[NDArray[np.integer]],
-    open_us: Values,
+    open_us: Floats,
     container: Container,
     sensor: Sensor,
     effects: Selection,
-) -> dict[str, Values]:
+) -> dict[str, Floats]:
     """Return the light and its standard deviation, by key, each (buckets, rows, cols).
 
     `frame`: one frame. `outcomes` (rows, cols): the behaviour of each pixel and the states that are
@@ -241,7 +237,7 @@ def light_of(
     return {LIGHT: light, DEVIATION: deviation}
 
 
-def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
+def _unbent(read_e: Floats, sensor: Sensor, effects: Selection) -> Floats:
     """Return the charge before soft saturation of two registers in a row: `read_e`, in electrons of
     any shape, passed through both. Charge in the linear range stays as it is, and the result is at
     most twice the linear range. If registers do not saturate, all charge stays."""
@@ -256,7 +252,7 @@ def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
     return np.where(read_e > soft.linear_e(sensor), unbent, read_e)
 
 
-def merged_image(light: Values, deviation: Values) -> Values:
+def merged_image(light: Floats, deviation: Floats) -> Floats:
     """Return one light (rows, cols) from all buckets, weighted by inverse variance. Where every
     bucket was full or unknown, it is the largest of their values, or 0 if all are NaN.
 

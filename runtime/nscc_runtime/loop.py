@@ -53,12 +53,7 @@ _P = ParamSpec("_P")
 _T = TypeVar("_T")
 _F = TypeVar("_F", bound=Callable[..., object])
 
-Ints = NDArray[np.int64]
-Ints32 = NDArray[np.int32]
 Words = NDArray[np.uint64]
-Floats = NDArray[np.float64]
-Floats32 = NDArray[np.float32]
-Bytes = NDArray[np.uint8]
 
 Written = Annotated[_T, WRITTEN]
 """An array that the loop modifies."""

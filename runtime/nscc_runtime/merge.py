@@ -8,19 +8,16 @@ times.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.words.container import Container, tile_of
 from nscc.words.legality import refuse_pictures
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import LIGHT, open_us_of
 from nscc_runtime.response import Response
-
-Field = NDArray[np.float64]
 
 _LARGEST_TILE = 16
 """A tile of codes larger than this number of pixels per side counts as not repeating."""
@@ -37,11 +34,11 @@ class BucketReadout:
     most those of the array."""
 
     name: str
-    frame: NDArray[np.uint8]
-    saturated: NDArray[np.bool_]
-    light_e: Field
-    most_e: Field
-    open_s: Field
+    frame: Bytes
+    saturated: Bools
+    light_e: Floats
+    most_e: Floats
+    open_s: Floats
     window: tuple[int, int]
 
 
@@ -83,7 +80,7 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
     ]
 
 
-def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
+def light_estimate(readout: BucketReadout) -> tuple[Floats, Bools]:
     """Return light (rows, cols) in electrons per second from the unsaturated pixels around each
     pixel, and a mask of pixels with a value.
 
@@ -124,7 +121,7 @@ def light_estimate(readout: BucketReadout) -> tuple[Field, NDArray[np.bool_]]:
     return light, known
 
 
-def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
+def _box(values: Array, readout: BucketReadout) -> Floats:
     """Return for each pixel the sum of `values` (rows, cols) over the window around it; near the
     border, over the nearest complete window."""
     total = np.asarray(values, np.float64)
@@ -138,7 +135,7 @@ def _box(values: NDArray[Any], readout: BucketReadout) -> Field:
     return _spread(total, readout)
 
 
-def _spread(inside: Field, readout: BucketReadout) -> Field:
+def _spread(inside: Floats, readout: BucketReadout) -> Floats:
     """Return for each pixel, (rows, cols), the value of the window around it, from the values
     `inside` of all complete windows by their first row and column; pixels at the border use the
     nearest window."""

@@ -8,11 +8,11 @@ import os
 from collections.abc import Callable, Mapping, Sequence
 from functools import wraps
 from pathlib import Path
-from typing import Any, ParamSpec, Protocol, TypeVar
+from typing import ParamSpec, Protocol, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import (
     as_array,
@@ -49,7 +49,7 @@ class HasWords(Protocol):
 
 
 ProgramLike = HasWords | Container
-LightLike = Light | Scene | NDArray[Any] | str | os.PathLike[str]
+LightLike = Light | Scene | Array | str | os.PathLike[str]
 SensorLike = Sensor | Mapping[str, float] | str | os.PathLike[str] | None
 
 
@@ -149,7 +149,7 @@ def _container(value: object) -> Container | None:
     return container if isinstance(container, Container) else None
 
 
-def _array(call: str, light: object) -> NDArray[Any]:
+def _array(call: str, light: object) -> Array:
     """Return `light` as an array, from an array, list or CPU tensor; masked values become NaN.
     Raises WrongArgument for other objects; `call` names the caller in it."""
     if isinstance(light, np.ndarray) or hasattr(light, "__array__") or isinstance(light, Sequence):

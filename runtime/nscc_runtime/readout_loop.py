@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.loop import Floats, Written, loop, record
+from nscc.arrays import Floats
+from nscc_runtime.loop import Written, loop, record
 
 
 @record

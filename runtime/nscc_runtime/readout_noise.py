@@ -7,13 +7,11 @@ from functools import lru_cache
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals
-
-Values = NDArray[np.float64]
 
 WEIGHTS = 6
 """Number of weights of the noise of a pixel and of those below it, which the loop adds up."""
@@ -30,8 +28,8 @@ class ReadoutNoise:
     noise and of the common error."""
 
     sigma_lsb: float
-    weights: Values
-    pattern_lsb: Values
+    weights: Floats
+    pattern_lsb: Floats
     common_lsb: float
     streams: tuple[int, int]
 
@@ -43,7 +41,7 @@ class ReadoutNoise:
         on the chip with the seed `device_seed`; the last eight results are cached."""
         return _readout_noise(sensor, effects, device_seed, shape)
 
-    def codes(self, seed: int, frame: int, buckets: int) -> Values:
+    def codes(self, seed: int, frame: int, buckets: int) -> Floats:
         """Return the errors of all codes of frame number `frame`, in codes before rounding, shape
         (buckets, rows, cols). `seed`: of the noise. Buckets are independent but for the
         pattern."""
@@ -95,6 +93,6 @@ def _readout_noise(
 
 
 @lru_cache(4)
-def _places(count: int) -> NDArray[np.int64]:
+def _places(count: int) -> Ints:
     """Return the numbers 0 .. count - 1; cached."""
     return np.arange(count)

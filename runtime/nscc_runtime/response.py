@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
@@ -43,8 +44,6 @@ from nscc_runtime.reference.weights import Backward, WeightModel, backward
 from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor, default_sensor
 
-Values = NDArray[np.float64]
-
 _PIXELS = np.arange(4096, dtype=np.int64)
 """Places of a chip from which means and spreads over pixels are computed."""
 
@@ -58,13 +57,13 @@ class ShutterResponse:
     The mean exposure in electrons is `bias_e` + `seen_s` x the light per second. Its variance is
     `variance_e2` plus the variance of the photons."""
 
-    seen_s: Values
-    bias_e: Values
-    variance_e2: Values
+    seen_s: Floats
+    bias_e: Floats
+    variance_e2: Floats
 
     @classmethod
     def of_weights(
-        cls, weights: Backward, slot_s: Values, sensor: Sensor, effects: Selection
+        cls, weights: Backward, slot_s: Floats, sensor: Sensor, effects: Selection
     ) -> ShutterResponse:
         """Return the response that `weights` of slots and words cause; its rows are their lanes
         (groups of pixels with one code each). `slot_s` (N,): slot lengths in seconds. Errors of
@@ -81,7 +80,7 @@ class ShutterResponse:
             variance_e2 = variance_e2 + errors.sigma_e(sensor) ** 2 * weights.variance(errors.at)
         return cls(seen_s, bias_e, variance_e2)
 
-    def gain(self, open_s: Values) -> Values:
+    def gain(self, open_s: Floats) -> Floats:
         """Return the fraction of the light, collected while shutters are open, that reaches the
         exposure.
 
@@ -125,12 +124,12 @@ class Response:
     `open_s`: open time in seconds. Without saturation, a mean exposure in electrons is `zero_e` +
     `gain` x the light collected during this time."""
 
-    open_s: Values
-    gain: Values
-    zero_e: Values
+    open_s: Floats
+    gain: Floats
+    zero_e: Floats
     sensor: Sensor
 
-    def electrons(self, frame: NDArray[np.integer]) -> Values:
+    def electrons(self, frame: NDArray[np.integer]) -> Floats:
         """Return the electrons collected while pixels were open, from converter codes `frame`, both
         (.., buckets, rows, cols). For saturated pixels this is a lower bound; noise may make it
         negative."""
@@ -186,7 +185,7 @@ def with_table(file: FrameFile, container: Container) -> FrameFile:
 
 def decode_arrays(
     container: Container, sensor: Sensor, plan: Mapping[str, Any] | None
-) -> dict[str, NDArray[Any]]:
+) -> dict[str, Array]:
     """Return the arrays that decoders need, by their keys in a frame file. Without saturation, an
     exposure is bias + sum over slots of gain * shutter * light, and noise. All three depend only on
     the pixel's shutter and follow from the words.

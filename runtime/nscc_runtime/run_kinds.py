@@ -6,9 +6,7 @@ from collections.abc import Callable, Mapping
 from types import MappingProxyType
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Bools
 from nscc.kinds import KindTable
 from nscc.lazy import LazyFunctions
 from nscc.record import Record
@@ -27,7 +25,7 @@ class Sent(Record):
 
     sensor: Sensor
     exact: bool
-    planes: Mapping[str, NDArray[np.bool_]]
+    planes: Mapping[str, Bools]
     reaches: Mapping[str, Reach] | None = None
     summaries: Mapping[str, Any] = MappingProxyType({})
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
@@ -152,7 +152,7 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
     return lines
 
 
-def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
+def saturation_text(saturated_by: Bytes) -> str:
     """Return how many pixels of `saturated_by` (any shape) are saturated, and by what, as text such
     as "3 of 64 pixels saturated (well 2, converter 3)". A pixel may have several causes."""
     text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"

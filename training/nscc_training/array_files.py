@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
@@ -28,7 +27,7 @@ memory."""
 ARRAYS = (".mat", ".npy", ".npz")
 
 
-def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
+def read_picture_or_clip(path: Path, key: str | None = None) -> Array:
     """Read one picture (rows, cols) or clip (T, rows, cols) of finite real numbers from the file
     `path`.
 
@@ -65,7 +64,7 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
     return array
 
 
-def _read(path: Path, key: str | None) -> NDArray[Any]:
+def _read(path: Path, key: str | None) -> Array:
     """Return the array in a file, or the pictures of an image file as a stack.
 
     `key` names one of several arrays; None takes the first of `KEYS`, or the only array. A clip in
@@ -92,7 +91,7 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
 
 def _stored(
     path: Path, choose: Callable[[list[str]], str | None], most_bytes: int = MOST_BYTES
-) -> tuple[list[str], str | None, NDArray[Any] | None]:
+) -> tuple[list[str], str | None, Array | None]:
     """Return the names of the arrays in a .mat, .npy or .npz file, the name that `choose` selects
     from them, and its array.
 
@@ -132,7 +131,7 @@ def _chosen(path: Path, key: str | None, names: list[str]) -> str:
     )
 
 
-def _read_image(path: Path, suffix: str) -> NDArray[Any]:
+def _read_image(path: Path, suffix: str) -> Array:
     """Return the picture in an image file as (rows, cols), or several as (pictures, rows, cols).
 
     `suffix` is its ending in lower case. Linear colours become luminance. A colour picture whose
@@ -149,7 +148,7 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             helps=("give the file the ending of its format",),
         )
     pages = open_pages(path)
-    pictures: list[NDArray[Any]] = []
+    pictures: list[Array] = []
     for picture in pages.read():
         pictures.append(picture)
         try:
@@ -172,8 +171,6 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
         helps=("compare luminance: convert the picture to grey, or use a linear one (.exr .hdr)",),
     )
 
-
-Floats = NDArray[np.float64]
 
 MOST = 1e15
 """Largest value of a measurement: its square fits single precision."""
@@ -209,7 +206,7 @@ def real_array(path: Path, name: str) -> Floats:
     return values
 
 
-def _named(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
+def _named(path: Path, name: str | None) -> tuple[list[str], Array | None]:
     """Return the names of the arrays in the file `path` (none for .npy), and the array `name`.
 
     For the name "mask", the only array of a file counts, whatever its name. The array is None if it

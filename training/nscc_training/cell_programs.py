@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats32, Ints
 from nscc_training.cells import PixelCell
 from nscc_training.codes_files import codes_bytes
 
@@ -65,7 +65,7 @@ def cell_files(
     # Each gate has a kernel for the input plane x and one for each state; zero kernels are left
     # out.
     names = [[_kernel_name(gate, plane, states) for plane in ("x", *states)] for gate in gates]
-    arrays: dict[str, NDArray[np.int64]] = {
+    arrays: dict[str, Ints] = {
         names[i][j]: kernel
         for i, row in enumerate(cell.kernels().numpy())
         for j, kernel in enumerate(row)
@@ -143,13 +143,13 @@ def level_on_chip(level: float, target: Target) -> float:
 def cell_film(
     program: ShutterProgram,
     cell: PixelCell,
-    exposure: NDArray[np.float32],
+    exposure: Floats32,
     planes: tuple[str, ...],
     *,
     effects: str = "none",
     seed: int = 0,
     device_seed: int = 0,
-) -> NDArray[np.bool_]:
+) -> Bools:
     """Run the program of a cell in the emulator.
 
     Parameters

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+
+from nscc.arrays import Array
 
 ORDERED = ("two-phase", "staggered", "cyclic")
 """Names of initial codes with staggered bumps (`nscc_training.encoders.encoder_classes`)."""
@@ -79,7 +79,7 @@ class ShutterSpec:
         return self.tile[0] * self.tile[1]
 
 
-def over_array(tile: NDArray[Any], rows: int, cols: int) -> NDArray[Any]:
+def over_array(tile: Array, rows: int, cols: int) -> Array:
     """Return a tile (.., r, c), repeated from the top left corner over an array, and cut to (..,
     rows, cols). A tile larger than the array is only cut."""
     repeats = (-(-rows // tile.shape[-2]), -(-cols // tile.shape[-1]))

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Ints
 from nscc.diagnostics.arguments import as_array, path_of, shown, wrong_argument
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
@@ -18,7 +19,7 @@ from nscc.npy import npz_arrays
 from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_training.problems import unreadable
 
-Codes = Mapping[str, NDArray[np.int64]]
+Codes = Mapping[str, Ints]
 
 
 def codes_bytes(codes: Codes) -> bytes:
@@ -65,7 +66,7 @@ def save_codes(path: Path | str, codes: Codes) -> None:
         write_whole(out, lambda file: savemat(file, arrays, do_compression=True))
 
 
-def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
+def load_codes(path: Path | str) -> dict[str, Ints]:
     """Read codes from a file.
 
     Parameters
@@ -116,7 +117,7 @@ def _path(call: str, value: object) -> Path:
     return path
 
 
-def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
+def _integers(path: Path, name: str, values: NDArray[np.generic]) -> Ints:
     """Return `values` as the codes of a field, int64 (rows, cols). Raise Rejected (NS0805) for
     other types or shapes.
 
@@ -142,7 +143,7 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
     return values.astype(np.int64)
 
 
-def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
+def _small(values: Ints) -> NDArray[np.generic]:
     """Return the values, of any shape and at least one, in the first of uint8, uint16 and int32
     that holds all of them; if none does, return them unchanged."""
     low, high = int(values.min()), int(values.max())

@@ -11,13 +11,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc.arrays import Array, Floats
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import CommonCode, Exchange, FixedCodes
@@ -243,11 +242,11 @@ def _readout_frames(sensor: Sensor, effects: Selection, size: tuple[int, int]) -
 def _measured(
     container: Container,
     tile: tuple[int, int],
-    light_e: NDArray[np.float64],
+    light_e: Floats,
     sensor: Sensor,
     effects: Selection,
     chips: int,
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+) -> tuple[Floats, Floats, Floats]:
     """Return the mean and the standard deviation of codes above the ADC's offset, and the fraction
     of saturated pixels, each (K, r, c), at K light levels.
 
@@ -271,8 +270,8 @@ def _measured(
         level_slice = slice(first, first + len(levels))
 
         def mean(
-            values: NDArray[Any], used: int = len(levels) * width, count: int = len(levels)
-        ) -> NDArray[np.float64]:
+            values: Array, used: int = len(levels) * width, count: int = len(levels)
+        ) -> Floats:
             """Return the mean of a quantity (frames, rows, cols) over frames and over the copies of
             the tile, (count, r, c).
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from torch import nn
 
 from nscc import html
+from nscc.arrays import Bytes, Floats, Floats32
 from nscc.diagnostics.arguments import as_array, path_of, shown, warn, wrong_argument
 from nscc.emit.notebook import shutter_chart
 from nscc.shutter_program import ShutterProgram, compile
@@ -83,7 +84,7 @@ class Run:
         return compile(self.path / "shutter.nsl", target=self.folder.setup.chip.file)
 
     @cached_property
-    def curves(self) -> dict[str, NDArray[np.float64]]:
+    def curves(self) -> dict[str, Floats]:
         """The columns of the log `metrics.csv` by name, each a float64 array (lines,).
 
         Empty cells are NaN. In the column `split`, 1 means validation and 0 training."""
@@ -129,7 +130,7 @@ class Run:
 
     def reconstruct(
         self, frame: FrameLike, *, force: bool = False, dark: DarkLike | None = None
-    ) -> NDArray[np.float32]:
+    ) -> Floats32:
         """Decode a frame.
 
         Parameters
@@ -160,7 +161,7 @@ class Run:
 
     def _decoded(
         self, frame: FrameLike, *, force: bool = False, dark: DarkLike | None = None
-    ) -> NDArray[np.float32]:
+    ) -> Floats32:
         """Return the decoder's output for a frame: light in electrons, or scores of classes.
 
         `frame` is a capture, a frame file or an array of codes; with `force` another program or
@@ -277,7 +278,7 @@ class Run:
         full = float(dark.saturated.mean())
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
-    def _codes(self, frame: object) -> NDArray[np.uint8]:
+    def _codes(self, frame: object) -> Bytes:
         """Check `frame`, an array of converter codes, and return it as uint8 (rows, cols), or (2,
         rows, cols) for two buckets.
 
@@ -328,7 +329,7 @@ def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
 _WIDTH, _HEIGHT, _LEFT, _TOP, _BELOW = 350.0, 130.0, 66.0, 20.0, 20.0
 
 
-def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
+def curve_chart(curves: Mapping[str, Floats]) -> html.Html:
     """Return two charts over the training steps: the validation score (PSNR, or the fraction of
     right classes), and the training loss.
 
@@ -345,9 +346,7 @@ def curve_chart(curves: Mapping[str, NDArray[np.float64]]) -> html.Html:
     )
 
 
-def _chart(
-    title: str, steps: NDArray[np.float64], values: NDArray[np.float64], colour: str
-) -> html.Html:
+def _chart(title: str, steps: Floats, values: Floats, colour: str) -> html.Html:
     """Return the SVG chart of `values` over `steps` (both of one length), with the range of values
     and the last step at its axes, `title` above, and the line in `colour`. It is empty without
     finite values."""

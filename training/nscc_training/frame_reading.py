@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats, Floats32, Ints
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
@@ -23,7 +23,6 @@ from nscc_runtime.pieces import COLOURS
 from nscc_training.code_choices import over_array
 from nscc_training.problems import why_no_arrays
 
-Array = NDArray[Any]
 _SLOTS = "decode_slot_us"
 _READ = ("saturated", OPEN, _SLOTS, "shutter", "shutter_shape")
 
@@ -38,12 +37,12 @@ class FrameRead:
     stored. `opened`, in the shape of `frame`, is the number of open slots of pixels that looked,
     else None. `meta` is the metadata of the file."""
 
-    frame: NDArray[np.uint8]
-    saturated: NDArray[np.bool_]
+    frame: Bytes
+    saturated: Bools
     meta: dict[str, Any]
-    shutter: NDArray[Any] | None
-    opened: NDArray[np.int64] | None = None
-    slot_us: NDArray[np.float64] | None = None
+    shutter: Array | None
+    opened: Ints | None = None
+    slot_us: Floats | None = None
 
     @property
     def buckets(self) -> int:
@@ -162,9 +161,9 @@ class Dark:
     (N,) are the slot lengths, None if unknown. `saturated` is the fraction of saturated pixels."""
 
     name: str
-    offset: NDArray[np.float64]
+    offset: Floats
     meta: Mapping[str, Any]
-    slot_us: Sequence[float] | NDArray[np.float64] | None
+    slot_us: Sequence[float] | Floats | None
     saturated: float
 
     def checked(
@@ -236,7 +235,7 @@ class Dark:
             )
 
 
-def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
+def of_pixels(offset: Floats, tile: tuple[int, int]) -> Floats:
     """Return the offset of each pixel (rows, cols) minus the mean over the pixels at the same place
     of all tiles.
 
@@ -249,7 +248,7 @@ def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.
     return pattern
 
 
-def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
+def undarkened(codes: Bytes, offset: Floats) -> Floats32:
     """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols), float32.
 
     The offset is repeated if the codes cover several arrays side by side."""
@@ -274,7 +273,7 @@ def read_dark(path: Path, buckets: int) -> Dark:
     return Dark(str(path), mean_dark(codes, adc_offset), file.meta, file.slot_us, full)
 
 
-def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
+def mean_dark(codes: Array, adc_offset: float) -> Floats:
     """Return the mean code above the ADC's offset, `adc_offset`, of repeated exposures `codes`
     (repeats, buckets, rows, cols): (rows, cols), or (2, rows, cols) for two buckets."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

@@ -8,21 +8,21 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
 from nscc.words.container import Container
-from nscc_training.array_files import Floats, ambiguous_axes, is_square_tile, read_mask
+from nscc_training.array_files import ambiguous_axes, is_square_tile, read_mask
 from nscc_training.code_choices import ShutterSpec, over_array
 from nscc_training.codes_files import codes_bytes
 from nscc_training.command_settings import Axis
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
 
-Bits = NDArray[np.bool_]
-Codes = dict[str, NDArray[np.int64]]
+Bits = Bools
+Codes = dict[str, Ints]
 _MOST_BITS = 62
 """Most bits of a code of class e, an int64."""
 _MOST_SHAPES = 4096
@@ -220,7 +220,7 @@ def _slots_first(mask: Floats, axis: Axis) -> Bits:
     return (np.moveaxis(mask, 2, 0) if axis == "last" else mask) > 0
 
 
-def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
+def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, Ints]:
     """Return the distinct shutters (K, slots) of a mask (slots, rows, cols), and for each pixel of
     its smallest repeating tile the index of its shutter.
 
@@ -248,7 +248,7 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
     return np.ascontiguousarray(mask.reshape(slots, -1).T[first]), tile
 
 
-def _period(places: NDArray[np.int64], is_whole: bool) -> int:
+def _period(places: Ints, is_whole: bool) -> int:
     """Return the smallest period of `places` (rows, cols), numbers of shutters, along their first
     axis: after so many rows, all rows repeat. Without a period it is the number of rows.
 
@@ -260,7 +260,7 @@ def _period(places: NDArray[np.int64], is_whole: bool) -> int:
 
 
 def _candidates(
-    shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
+    shutters: Bits, tile: Ints, reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
     """Yield each class of shutters that has all `shutters` (K, slots), with the codes of the tile,
     int64 by field (`book` (K, slots) of a codebook). The order is that of the classes; several may

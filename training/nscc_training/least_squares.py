@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
+
+from nscc.arrays import Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -13,12 +14,12 @@ class LeastSquares:
     """The result of `solve`: the solution with the smallest norm, the `rank` of the matrix, and its
     `condition` (largest over smallest singular value; infinite below full rank)."""
 
-    solution: NDArray[np.float64]
+    solution: Floats
     rank: int
     condition: float
 
 
-def solve(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> LeastSquares:
+def solve(matrix: Floats, right: Floats) -> LeastSquares:
     """Minimise |matrix x - right| for a matrix (m, n) and a right side (m,) or (m, k).
 
     Uses the singular value decomposition, because normal equations would square the condition

@@ -6,16 +6,15 @@ middle of the frame, and needs no ground truth."""
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats, Floats32
 from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.measured import Measured
 
-Clips = NDArray[np.float32]
-Decoder = Callable[[Measured[NDArray[Any]]], Clips]
+Clips = Floats32
+Decoder = Callable[[Measured[Array]], Clips]
 """A function of a measurement whose white is 1, for its clip (1, N, rows, cols)."""
 
 _WEIGHTS = (0.05, 0.1, 0.2, 0.5, 1.0)
@@ -32,9 +31,7 @@ def with_weight(weight: float, iterations: int) -> Decoder:
     return lambda measured: np.asarray(gap_tv_of(measured, iterations, weight=weight)[0])
 
 
-def best_weight(
-    measured: Measured[NDArray[Any]], iterations: int
-) -> tuple[float, NDArray[np.float64]]:
+def best_weight(measured: Measured[Array], iterations: int) -> tuple[float, Floats]:
     """Return the weight of total variation, one of `_WEIGHTS`, with which GAP-TV predicts left-out
     pixels best (least mean square error; of equal ones the smallest weight), and the errors
     (values,) of its predictions, in units of white.
@@ -45,7 +42,7 @@ def best_weight(
     return _WEIGHTS[best], errors[best]
 
 
-def prediction_errors(measured: Measured[NDArray[Any]], decoder: Decoder) -> NDArray[np.float64]:
+def prediction_errors(measured: Measured[Array], decoder: Decoder) -> Floats:
     """Return what a decoder's prediction lacks of each value that is left out.
 
     Parameters

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.chips.target import Target
 from nscc_runtime.light import Light
 
 
-def light_on_array(light_e: NDArray[Any], slots: int, target: Target) -> Light:
+def light_on_array(light_e: Array, slots: int, target: Target) -> Light:
     """Return `light_e`, electrons over a frame (rows, cols) or per slot (N, rows, cols), as light
     on the array of `target`.
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Picture = NDArray[np.float32]
+from nscc.arrays import Bools, Floats, Floats32
+
+Picture = Floats32
 Generator = np.random.Generator
 
 DIRECTIONS = (
@@ -38,7 +39,7 @@ def still(generator: Generator, size: int) -> Picture:
     return np.exp(surface).astype(np.float32)
 
 
-def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
+def clip(generator: Generator, frames: int, size: int) -> Floats32:
     """Return a clip (frames, size, size) of light from 0 to 1, in which two to five textured
     objects cross a panning background. All draws come from `generator`."""
     # More than the background can move: 1.5 pixels per frame at most.
@@ -56,7 +57,7 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
 
 def moving_texture(
     generator: Generator, frames: int, size: int, direction: str, speed: float
-) -> NDArray[np.float32]:
+) -> Floats32:
     """Return a clip (frames, size, size), float32 on 0..1, of a texture that moves by `speed`
     pixels per frame in `direction`, one of `DIRECTIONS`, blurred by its motion during each frame.
 
@@ -74,7 +75,7 @@ def moving_texture(
     return np.clip(clip, 0, 1).astype(np.float32)
 
 
-def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
+def _fractal(generator: Generator, size: int, spread: float) -> Floats:
     """Return noise (size, size) with mean 0 and the standard deviation `spread` / 2. Its amplitude
     falls with spatial frequency as in natural scenes. It is periodic."""
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
@@ -85,14 +86,14 @@ def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float
     return np.asarray((noise - noise.mean()) / noise.std() * spread * 0.5)
 
 
-def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _unit(values: Floats) -> Floats:
     """Return values scaled so that their 1 % and 99 % quantiles become 0.1 and 0.9; values beyond
     are clipped to this range. The two quantiles must differ."""
     low, high = np.percentile(values, (1, 99))
     return np.asarray(np.clip((values - low) / (high - low), 0, 1) * 0.8 + 0.1)
 
 
-def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
+def _shape(generator: Generator, size: int) -> Bools:
     """Return a mask (size, size), true in a random rotated rectangle or ellipse, part of which may
     lie outside."""
     y, x = generator.random(2) * size
@@ -106,7 +107,7 @@ def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
     return np.asarray((u / height) ** 2 + (v / width) ** 2 < 1)
 
 
-def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
+def _sprite(generator: Generator, size: int) -> tuple[Floats, ...]:
     """Return a random object for a picture of `size` pixels: texture and mask (side, side),
     position of its corner in pixels, and speed in pixels per frame (down, right)."""
     side = int(size * generator.uniform(0.2, 0.5))
@@ -116,7 +117,7 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
     return texture, mask.astype(np.float64), corner, generator.uniform(-3, 3, 2)
 
 
-def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
+def _moved(ground: Floats, corner: Floats, size: int) -> Picture:
     """Return the window (size, size) of `ground` whose corner (row, column) may lie between pixels,
     by linear interpolation. `ground` must extend one pixel beyond the window."""
     pixel = np.floor(corner).astype(int)
@@ -129,9 +130,9 @@ def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) 
 
 def _paste(
     picture: Picture,
-    texture: NDArray[np.float64],
-    mask: NDArray[np.float64],
-    corner: NDArray[np.float64],
+    texture: Floats,
+    mask: Floats,
+    corner: Floats,
 ) -> None:
     """Paste an object, `texture` (side, side), into `picture` (rows, cols), in place, where `mask`
     (side, side) is 1. Its corner is at `corner`, rounded to whole pixels; parts outside are cut."""

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256
 from nscc.program.problems import counted
@@ -28,7 +28,7 @@ METRIC_NAMES = {"psnr_db": "PSNR in dB", "ssim": "SSIM", "correct": "share of ri
 _METRIC_TEXTS = {"psnr_db": "{:.2f} dB", "ssim": "SSIM {:.4f}", "correct": "{:.1%} correct"}
 
 
-def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
+def check_pair(truth: Array, result: Array) -> None:
     """Raise Rejected unless metrics can compare both arrays: NS0802 for different or too small
     shapes, NS0804 for magnitudes above `LARGEST`. Both are (rows, cols) or (T, rows, cols), with at
     least one value."""
@@ -57,9 +57,7 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
             )
 
 
-def measures(
-    truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
-) -> dict[str, Any]:
+def measures(truth: Array, result: Array, data_range: float, nits: float = NITS) -> dict[str, Any]:
     """Return every metric of a pair of arrays that `check_pair` accepts, as JSON values by name.
 
     `truth` and `result` are (rows, cols), or clips (T, rows, cols), which also have `sd_db` and a
@@ -87,7 +85,7 @@ def measures(
     return values
 
 
-def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
+def frame_scores(truth: Array, result: Array, data_range: float) -> dict[str, Any]:
     """Return the metrics `psnr_db` and `ssim` of `result`, one frame of a clip, as JSON values.
     `data_range` is the peak value."""
     return {

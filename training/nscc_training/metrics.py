@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_training.curves import MU, PU21_HIGH, PU21_LOW, mu_law, pu21
 
@@ -17,8 +16,6 @@ WINDOW = 11
 SIGMA = 1.5
 """Standard deviation of SSIM's Gaussian windows in pixels (Wang et al. 2004)."""
 K1, K2 = 0.01, 0.03
-
-Array = NDArray[Any]
 
 
 def mean_square_error(truth: Array, result: Array) -> float:
@@ -213,7 +210,7 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
     return float(np.mean(similarity(truth, result, data_range)))
 
 
-def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
+def similarity(truth: Array, result: Array, data_range: float) -> Floats:
     """Return the SSIM of `truth` and `result` (rows, cols) in every whole window of 11 x 11 pixels,
     (rows - 10, cols - 10), float64. `data_range` is the peak value. The caller ensures equal
     shapes, at least 11 rows and columns, and finite values."""
@@ -235,7 +232,7 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
     return np.asarray(np.clip(light * structure, -1.0, 1.0))
 
 
-def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
+def _blur(picture: Floats) -> Floats:
     """Return the Gaussian-weighted mean of every whole window of 11 x 11 pixels of `picture` (rows,
     cols): (rows - 10, cols - 10). The caller ensures that both sides have at least 11 pixels."""
     offsets = np.arange(WINDOW) - WINDOW // 2

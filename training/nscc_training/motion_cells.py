@@ -5,9 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Bools, Floats32
 from nscc_training.cells import PixelCell
 from nscc_training.imported_networks import read_cell
 from nscc_training.made_scenes import DIRECTIONS
@@ -22,10 +20,10 @@ class LinearDecoder:
     `weight` (directions, outputs) times the fraction of 1 bits of each output over a film, plus
     `bias` (directions,)."""
 
-    weight: NDArray[np.float32]
-    bias: NDArray[np.float32]
+    weight: Floats32
+    bias: Floats32
 
-    def direction(self, bits: NDArray[np.bool_]) -> str:
+    def direction(self, bits: Bools) -> str:
         """Return the name of the direction with the largest score, from a film's output bits
         (frames, outputs, rows, cols); of equal scores, the first in `DIRECTIONS`. A film has at
         least one frame."""

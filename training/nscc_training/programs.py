@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.compiler import compile_file, compile_source
@@ -106,7 +106,7 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
     require_type("program_of", "encoder", encoder, Encoder, "nscc_training.make_encoder")
     require_type("program_of", "chip", chip, Chip, "nscc_training.Chip()")
-    codes: dict[str, NDArray[np.int64]] = encoder.codes()
+    codes: dict[str, Ints] = encoder.codes()
     if encoder.spec.kind == "looks":
         target = chip.table or load_target(chip.target, Path())
         schedule = LookSchedule(*(tuple(codes[name][0].tolist()) for name in ("at", "level")))
@@ -163,9 +163,7 @@ def compiled(
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
 
 
-def begun_with(
-    path: Path, spec: ShutterSpec, chip: Chip
-) -> tuple[dict[str, NDArray[np.int64]], NDArray[np.bool_] | None]:
+def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> tuple[dict[str, Ints], Bools | None]:
     """Return the codes of the program at `path` on the pixels of a tile, and the shutters that it
     opens for them, bool (buckets, N, rows, cols).
 
@@ -219,7 +217,7 @@ def begun_with(
     return codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1)
 
 
-def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
+def _book_of(compiled_program: Compiled, path: Path, target: Target) -> Ints:
     """Return the codebook (K, N) of a compiled program, 1 where a slot is open, with the rows that
     no pixel uses. `path` is the program's file, for the files that it names, and `target` its chip.
     """
@@ -238,7 +236,7 @@ def words_per_slot(compiled_program: Compiled) -> float:
     return container.words_per_frame / container.slots
 
 
-def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
+def legal_codes(spec: ShutterSpec, chip: Chip) -> Ints:
     """Return all codes, int64 (codes, fields), that the class in `spec` and the `require` of `chip`
     allow; there may be none. Raise Rejected if `require` is no valid condition, or the chip cannot
     be loaded."""
@@ -281,7 +279,7 @@ def _rules(spec: ShutterSpec) -> list[str]:
     ]
 
 
-def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
+def _book(book: Ints, packed: bytes) -> list[str]:
     """Return the lines that declare the codebook `book` (K, N). One of more than `_MOST_DIGITS`
     digits is read from the file of codes, whose content is `packed`; its digest is then named, too.
     """

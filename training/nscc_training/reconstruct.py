@@ -9,8 +9,8 @@ from hashlib import sha256
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats32
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
@@ -100,7 +100,7 @@ def classify(
     return likelihoods(folder.setup.classes, decoded.light), decoded.messages
 
 
-def likelihoods(classes: Sequence[str], scores: NDArray[np.float32]) -> dict[str, float]:
+def likelihoods(classes: Sequence[str], scores: Floats32) -> dict[str, float]:
     """Return the likelihoods of classes by name, most likely first, with a sum of 1: the softmax of
     `scores`.
 
@@ -130,7 +130,7 @@ def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> 
 
 def reconstructed(
     folder: RunFolder, read: FrameRead, name: str, dark: Dark | None, *, force: bool
-) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:
+) -> tuple[Floats32, tuple[Diagnostic, ...]]:
     """Return the decoder's output for a frame, and warnings. The output is (rows, cols) for a
     still, (N, rows, cols) for a clip, or (classes,); a frame in colours adds a last axis of
     colours.
@@ -159,7 +159,7 @@ def reconstructed(
     # only the deviations from that mean are subtracted.
     if offset is not None and folder.setup.settings.sensor.effects:
         offset = of_pixels(offset, folder.setup.encoder.spec.tile)
-    shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
+    shares: list[Floats32 | None] = [None] * len(read.frame)
     if folder.setup.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
             raise no_frame(name, "it does not contain the open time of its pixels")

@@ -8,11 +8,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Floats, Floats32
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
@@ -23,7 +22,6 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
 from nscc_training.array_files import (
     MOST,
-    Floats,
     ambiguous_axes,
     array_names,
     is_square_tile,
@@ -51,7 +49,7 @@ class Reconstruction:
     `method` names the method of the decoder for any code, else it is empty. `unit` is "e", or ""
     for own measurements. `reason` says why GAP-TV was chosen instead of the network."""
 
-    light: NDArray[np.float32]
+    light: Floats32
     still: bool
     colour: bool
     messages: tuple[Diagnostic, ...]
@@ -80,7 +78,7 @@ class Reconstruction:
         )
 
 
-def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
+def overexposed(name: str, saturated: Bools) -> Iterator[Diagnostic]:
     """Yield a warning (NS0844) if more than `_OVEREXPOSED` of the values of `saturated`, of any
     shape, are true. The message calls the frame `name`. Nothing is yielded for an empty array."""
     share = float(saturated.mean()) if saturated.size else 0.0
@@ -112,9 +110,7 @@ def method_for(still: bool, method: Method | None = None) -> Method:
     return method or "network"
 
 
-def gap_tv_clip(
-    measured: Measured[NDArray[Any]], iterations: int = _ITERATIONS
-) -> NDArray[np.float32]:
+def gap_tv_clip(measured: Measured[Array], iterations: int = _ITERATIONS) -> Floats32:
     """Return the clip (N, rows, cols) that `iterations` of GAP-TV reconstruct from a batch of one,
     in the unit of the measurement, at least 0.
 
@@ -126,7 +122,7 @@ def gap_tv_clip(
     return np.asarray(clip[0].clip(min=0) * white, np.float32)
 
 
-def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]], float]:
+def _relative(measured: Measured[Array]) -> tuple[Measured[Array], float]:
     """Return the measurement, a batch of one, divided by white, and white: the 99.5 % quantile of
     the mean light of pixels that open, at least 1e-6; 1 if none does."""
     opened = np.broadcast_to(measured.mask.sum(axis=(1, 2)) > 0, measured.mean().shape)
@@ -135,7 +131,7 @@ def _relative(measured: Measured[NDArray[Any]]) -> tuple[Measured[NDArray[Any]],
     return measured.over(np.array([white], np.float32)), white
 
 
-def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
+def chosen_for_clip(measured: Measured[Array]) -> tuple[Method, str]:
     """Return the method for a clip from `measured`, a batch of one in any unit: GAP-TV if it
     predicts pixels that are left out of the measurement better than the network, by more than
     chance, else the network.
@@ -160,7 +156,7 @@ def chosen_for_clip(measured: Measured[NDArray[Any]]) -> tuple[Method, str]:
     )
 
 
-def merged_still(measured: Measured[NDArray[Any]]) -> NDArray[np.float32]:
+def merged_still(measured: Measured[Array]) -> Floats32:
     """Return the light (rows, cols) over the frame of a batch of one still, in the unit of the
     measurement: each pixel is the mean of its neighbourhood, weighted by precision. Saturated
     values have weight 0, but their pixel has at least the light that saturates it. Pixels that
@@ -221,9 +217,7 @@ def reconstruct_any(
     )
 
 
-def _light(
-    coded: CodedFrame, still: bool, method: Method, progress: Progress
-) -> NDArray[np.float32]:
+def _light(coded: CodedFrame, still: bool, method: Method, progress: Progress) -> Floats32:
     """Return the reconstruction of one colour, a still or a clip, by `method`: electrons over the
     frame (rows, cols), or per slot (N, rows, cols).
 
@@ -241,9 +235,7 @@ def _light(
     return np.asarray(light * slots[:, None, None])
 
 
-def _clip(
-    measured: Measured[NDArray[Any]], method: Method, progress: Progress
-) -> NDArray[np.float32]:
+def _clip(measured: Measured[Array], method: Method, progress: Progress) -> Floats32:
     """Return the clip (N, rows, cols) of a batch of one, by the network if `method` is "network",
     else by GAP-TV, in the unit of the measurement per slot."""
     if method != "network":
@@ -394,7 +386,7 @@ def reconstruct_measurement(
     # The decoders are made for masks up to 1.
     most = measurement.mask.max()
     opened = np.asarray(measurement.mask / most, np.float32)[None, None]
-    clips: list[NDArray[np.float32]] = []
+    clips: list[Floats32] = []
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
         scaled = (values / most, np.minimum(variance / most**2, MOST**2))

@@ -8,11 +8,10 @@ from collections.abc import Collection, Iterable
 from contextlib import suppress
 from glob import glob
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import picture_files
@@ -87,20 +86,20 @@ def data_files(
     return matching
 
 
-def centre_of(frame: NDArray[Any], size: int) -> NDArray[Any]:
+def centre_of(frame: Array, size: int) -> Array:
     """Return the middle `size` x `size` pixels of a frame (rows, cols, ..). A side that is smaller
     stays whole."""
     first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
     return frame[first_row : first_row + size, first_col : first_col + size]
 
 
-def light_in(stored: NDArray[Any], colours: Transfer | Colours) -> NDArray[np.float64]:
+def light_in(stored: Array, colours: Transfer | Colours) -> Floats:
     """Return the light (rows, cols) of a picture or frame as stored in a file; `colours` is its
     encoding. Of colours, return the luminance."""
     return grey(stored, colours, channel=None)
 
 
-def frames_in(path: Path) -> Iterable[NDArray[Any]]:
+def frames_in(path: Path) -> Iterable[Array]:
     """Return the frames, (rows, cols) or with colours last, of the clip file `path` as stored, one
     after the other; in frames of floating-point numbers white is 1.
 

@@ -5,12 +5,12 @@ Light is float32; sums and all steps up to the ADC are float64, whatever the net
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc.arrays import Array
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import (
     require_type,
@@ -277,7 +277,7 @@ def check_light(light: Tensor) -> None:
     )
 
 
-def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
+def frame_of(light: Array, tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
     """Return the frame of one scene as float32 codes above the ADC's offset, ([buckets,] rows,
     cols).
 

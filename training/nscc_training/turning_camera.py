@@ -5,9 +5,10 @@ Rotation causes neither parallax nor occlusion, so additional objects cross the 
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Picture = NDArray[np.float32]
+from nscc.arrays import Floats, Floats32
+
+Picture = Floats32
 FIELD_OF_VIEW = 90.0
 """The camera's field of view in degrees: 256 of 1024 pixels of a panorama."""
 _TURNS = (0.1, 4.0)
@@ -16,9 +17,7 @@ _FLIGHTS = (0.2, 16.0)
 """Slowest and fastest speed of objects in pixels per frame."""
 
 
-def turned(
-    panorama: Picture, generator: np.random.Generator, frames: int, size: int
-) -> NDArray[np.float32]:
+def turned(panorama: Picture, generator: np.random.Generator, frames: int, size: int) -> Floats32:
     """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
     cols).
 
@@ -54,7 +53,7 @@ def turned(
     return clip
 
 
-def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
+def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> Floats:
     """Return a random velocity (down, right) in any direction. Its magnitude is uniform in the
     logarithm between the `limits`."""
     size = np.exp(generator.uniform(*np.log(limits)))

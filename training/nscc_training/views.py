@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
@@ -129,7 +129,7 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
     raise _nothing_to_view(path, f"it is not a frame file and has no image or video, but {names}")
 
 
-def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
+def _reduced(picture: Array, most: int = _MOST_DRAWN_PIXELS) -> Array:
     """Return a picture (rows, cols, [3]) reduced to at most `most` pixels by means over areas, in
     uint8 or uint16 as stored, else float32; a smaller one is returned as it is."""
     import cv2
@@ -158,7 +158,7 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 
 
 def frame_view(
-    arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
+    arrays: dict[str, Array], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
     """Draw each bucket of a frame file: codes, electrons and saturated pixels, or if it has them,
     images, planes and events.

@@ -16,8 +16,8 @@ from typing import Any, Literal
 from warnings import catch_warnings
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats32
 from nscc.codec import InvalidRecord, from_plain
 from nscc.compiler import CHECK
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
@@ -172,7 +172,7 @@ class Playground:
         truth_e = taken.truth_e
         light_e = truth_e.reshape(-1, *truth_e.shape[-2:]).sum(axis=0, dtype=np.float64)
         tone = fitted("log", light_e)
-        shown: dict[str, NDArray[Any]] = {"the light": tone(light_e)}
+        shown: dict[str, Array] = {"the light": tone(light_e)}
         shown |= {f"read out: {name}": taken.frame[k] for k, name in enumerate(buckets)}
         # From black to white; `or 1.0` is for an image with the same value everywhere.
         for name, values in taken.images.items():
@@ -220,7 +220,7 @@ class Playground:
             return capture(program, light, effects=settings.effects, seed=settings.seed)
 
 
-def _picture(text: str, shape: tuple[int, int]) -> NDArray[np.float32]:
+def _picture(text: str, shape: tuple[int, int]) -> Floats32:
     """Return the light of a user's picture, which `text` has as little-endian float32 in base64,
     row by row, as an array of `shape` (rows, cols). Raise Rejected (NS0796) for another length and
     for text that is not base64."""
@@ -238,7 +238,7 @@ def _text(path: Path) -> str:
     return path.read_text(encoding="utf-8")
 
 
-def _encoded(values: NDArray[Any]) -> str:
+def _encoded(values: Array) -> str:
     """Return the bytes of an array in base64, row by row and in its own type."""
     return b64encode(values.tobytes()).decode()
 

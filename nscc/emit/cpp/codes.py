@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.chips.target import Target
 from nscc.emit.cpp.cpp_text import Call, comment, literal, section, template_lines
 from nscc.emit.cpp.kernels import calls_words
@@ -60,7 +60,7 @@ class Patterns:
     inverted: bool
 
 
-def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
+def patterns_of(plane: Bools) -> Patterns | None:
     """Return a bit plane, bool (rows, cols), as address patterns; None if it depends on more than
     `MOST_BITS` address bits.
 
@@ -91,7 +91,7 @@ _Cube = tuple[int, int]
 """A cube: the mask of its variables, and the mask of the variables that are 1."""
 
 
-def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:
+def _support(on: Bools, off: Bools) -> tuple[int, int, list[_Bit]]:
     """Return two truth tables over the address bits on which a plane depends, and these bits,
     lowest first.
 
@@ -112,7 +112,7 @@ def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, l
     return _table(on), _table(off), bits[::-1]
 
 
-def _table(plane: NDArray[np.bool_]) -> int:
+def _table(plane: Bools) -> int:
     """Return a plane of any shape as an integer: its elements in C order, the first as the lowest
     bit."""
     return int.from_bytes(np.packbits(plane.ravel(), bitorder="little").tobytes(), "little")
@@ -167,7 +167,7 @@ _HEADER = 14 + 40
 """Bytes before the pixels of a BMP file: the file header and the image header."""
 
 
-def bitmap(plane: NDArray[np.bool_]) -> bytes:
+def bitmap(plane: Bools) -> bytes:
     """Return a 24-bit Windows bitmap that is white where a bit plane, bool (rows, cols), is 1 and
     black elsewhere.
 
@@ -298,7 +298,7 @@ class CodeLoading:
         return kernels
 
 
-def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
+def loading_of(planes: Mapping[str, Bools], target: Target, stem: str) -> CodeLoading:
     """Choose how to load bit planes, bool (rows, cols), which are given by register in loading
     order.
 

@@ -19,6 +19,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
@@ -52,7 +53,7 @@ class Stack:
 
     name: str
     codes: Codes
-    valid: NDArray[np.bool_]
+    valid: Bools
     exposure_s: float | None = None
     origin: str | None = None
 
@@ -148,7 +149,7 @@ def _wrong_time(name: str, text: str) -> Rejected:
     )
 
 
-def _arrays(path: Path) -> dict[str, NDArray[Any]]:
+def _arrays(path: Path) -> dict[str, Array]:
     """Return the needed arrays of the file `path` by key; the array of an .npy file has the key
     `frame`. Sizes are checked before data is read. Raises Rejected (NS0757) for arrays that are too
     large and for a damaged file."""
@@ -212,7 +213,7 @@ def _check_size(
         )
 
 
-def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
+def _chosen(name: str, arrays: Mapping[str, Array]) -> tuple[str, Array]:
     """Return the key and the array of the frames in the file `name`, among its `arrays` by key. It
     is the first of `KEYS` that exists, or the only array beside the exposure time.
 
@@ -231,9 +232,7 @@ def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray
     )
 
 
-def _ours(
-    name: str, values: NDArray[Any], meta: Mapping[str, Any]
-) -> tuple[NDArray[Any], float | None]:
+def _ours(name: str, values: Array, meta: Mapping[str, Any]) -> tuple[Array, float | None]:
     """Return the codes (K, rows, cols) of the frame file `name`, and for how long (s) its pixels
     were open, None if unknown.
 
@@ -260,7 +259,7 @@ def _ours(
     return shaped[:, 0], times[0] * 1e-6
 
 
-def _pictures(path: Path) -> NDArray[Any]:
+def _pictures(path: Path) -> Array:
     """Return the stored values (K, rows, cols) of the pictures in the file or folder `path`; of
     colours with equal channels one is kept. Raises Rejected: NS0757 for a file with another ending
     or in colour, and the errors of `files_of` and `open_pages`."""
@@ -288,7 +287,7 @@ def _pictures(path: Path) -> NDArray[Any]:
     return np.stack([p[..., 0] if p.ndim == 3 else p for p in pictures])
 
 
-def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
+def _codes(name: str, key: str, values: Array, top_code: int) -> Codes:
     """Return the codes `values`, (K, rows, cols) or (rows, cols), of the array `key` of file `name`
     as uint16 (K, rows, cols).
 

@@ -10,13 +10,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.calibrate.frame_stacks import Stack
 
-Map = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+Map = Floats
+Mask = Bools
 
 QUIET = 0.24
 """Variance in squared codes below which rounding of the ADC hides the noise (EMVA 1288)."""
@@ -42,8 +42,8 @@ class Level:
     variance: Map
     beside: Map
     below: Map
-    at_zero: NDArray[np.int64]
-    at_top: NDArray[np.int64]
+    at_zero: Ints
+    at_top: Ints
 
     @property
     def mean_map(self) -> Map:

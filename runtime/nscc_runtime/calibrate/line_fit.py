@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc_runtime.calibrate.levels import Map, Mask
 
-Vector = NDArray[np.float64]
+Vector = Floats
 
 
 IMPROBABLE = 1e-4

@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field, replace
 from threading import Thread
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.words.readout import converter_of_registers
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import packed_plane
@@ -103,7 +103,7 @@ class EmulatedChip:
         )
 
 
-def in_columns(frame: NDArray[Any]) -> bytes:
+def in_columns(frame: Array) -> bytes:
     """Return the bytes of `frame` (.., rows, cols) column by column, each from the top, as loaders
     send them."""
     return np.ascontiguousarray(frame.swapaxes(-2, -1)).tobytes()

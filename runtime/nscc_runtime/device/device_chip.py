@@ -6,11 +6,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from random import SystemRandom
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc.words.reach import Reach, beyond_reaches
@@ -256,13 +256,13 @@ def frame_of(
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
     # Loaders send values column by column (`in_columns`).
-    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
+    codes: Array = np.frombuffer(data, np.uint8, pixels).reshape(columns)
     codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
-    exposure: NDArray[np.float64] | None = None
+    exposure: Floats | None = None
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
         exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
-    planes: dict[str, NDArray[np.bool_]] = {}
+    planes: dict[str, Bools] = {}
     summaries: Mapping[str, PlaneSummary] = {}
     if container is not None:
         reports = device_reports(container) if channels & Channel.REPORTS else {}
@@ -274,8 +274,8 @@ def frame_of(
 
 
 def frame_of_readouts(
-    codes: NDArray[np.uint8],
-    exposure_e: NDArray[np.float64] | None,
+    codes: Bytes,
+    exposure_e: Floats | None,
     target: Target,
     container: Container | None,
     sent: Sent,
@@ -295,9 +295,7 @@ def frame_of_readouts(
     return frame if container is None else KINDS.of(container).sent_frame(container, frame, sent)
 
 
-def _planes_at_end(
-    data: bytes, names: Sequence[str], target: Target
-) -> dict[str, NDArray[np.bool_]]:
+def _planes_at_end(data: bytes, names: Sequence[str], target: Target) -> dict[str, Bools]:
     """Return the bit planes (rows, cols) of the registers `names`, by name. They are the last bytes
     of a frame's `data`, in this order; `target` gives their size."""
     shape = target.rows, target.cols

@@ -16,8 +16,8 @@ from time import monotonic, sleep
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.device.device_errors import rejected
@@ -36,7 +36,7 @@ _FUNCTIONS = ("open_usb", "open_tcp", "routine", "get_packet", "close")
 SHOWN_UPRIGHT = Orientation(flip="rows")
 """Public users of the module reverse the rows of its pictures before they show them."""
 
-Pictures = dict[str, tuple[str, NDArray[np.uint8]]]
+Pictures = dict[str, tuple[str, Bytes]]
 """By readout: the origin of the picture, for messages, and its values (rows, cols)."""
 
 
@@ -101,7 +101,7 @@ def _next_frame(
     without all pictures, and for frames with more."""
     wanted = {_ANALOG: analog, _DIGITAL: digital}
     first: int | None = None
-    number, pictures, last_picture_s = -1, dict[str, list[NDArray[np.uint8]]](), monotonic()
+    number, pictures, last_picture_s = -1, dict[str, list[Bytes]](), monotonic()
     incomplete = 0
     while True:
         _call(name, module.routine)
@@ -147,7 +147,7 @@ def _next_frame(
             }
 
 
-def _picture_of(packet: Mapping[str, Any], name: str) -> NDArray[np.uint8]:
+def _picture_of(packet: Mapping[str, Any], name: str) -> Bytes:
     """Return the picture (rows, cols) of a packet of the module `name`. Raises Rejected (NS0795) if
     it has another number of bytes than pixels."""
     rows, cols, data = int(packet["height"]), int(packet["width"]), bytes(packet["buffer"])

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole
@@ -107,7 +107,7 @@ def import_frame(
 
 def frame_of_pictures(
     container: Container,
-    pictures: Mapping[str, tuple[str, NDArray[np.uint8]]],
+    pictures: Mapping[str, tuple[str, Bytes]],
     orientation: Orientation,
     sensor: Sensor | None,
     about: Mapping[str, Any],
@@ -200,7 +200,7 @@ def _bytes_of(path: Path) -> bytes:
         raise _refused(path, str(error)) from error
 
 
-def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
+def _picture(path: Path, data: bytes) -> Bytes:
     """Return the 8-bit picture (rows, cols) that the content `data` of file `path` holds. Colour
     with three equal channels counts as grey, and alpha is dropped; true and false are 1 and 0.
     Raises Rejected (NS0794) for other arrays, and for values that are not whole or not 0 to 255."""
@@ -223,7 +223,7 @@ def _picture(path: Path, data: bytes) -> NDArray[np.uint8]:
     return values.astype(np.uint8)
 
 
-def _values(path: Path, data: bytes) -> NDArray[Any]:
+def _values(path: Path, data: bytes) -> Array:
     """Return the array of a .npy or .csv file with the content `data`, or of the picture file
     `path`, of any shape and type. A .csv has a row on each line, with commas between numbers.
     Raises Rejected if it cannot be read."""
@@ -245,9 +245,7 @@ def _values(path: Path, data: bytes) -> NDArray[Any]:
     return read_picture(path)
 
 
-def _laid(
-    picture: NDArray[np.uint8], origin: str, shape: tuple[int, int], orientation: Orientation
-) -> NDArray[np.uint8]:
+def _laid(picture: Bytes, origin: str, shape: tuple[int, int], orientation: Orientation) -> Bytes:
     """Return `picture` (rows, cols) as it lies on the array of `shape` (rows, cols): cropped, then
     mirrored, then transposed, as `orientation` says.
 
@@ -277,7 +275,7 @@ def _laid(
     return np.ascontiguousarray(picture.T if orientation.transpose else picture)
 
 
-def _bits(origin: str, picture: NDArray[np.uint8]) -> NDArray[np.bool_]:
+def _bits(origin: str, picture: Bytes) -> Bools:
     """Return the bits (rows, cols) of a `picture`: True where it is not 0. `origin` names it in
     messages. Raises Rejected (NS0794) for more than one value beside 0."""
     values = np.unique(picture)

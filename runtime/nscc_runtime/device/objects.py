@@ -36,8 +36,8 @@ from struct import Struct
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
@@ -270,13 +270,13 @@ def _plane_objects(container: Container) -> Iterator[Object]:
         yield Object(ObjectKind.PLANE, number, packed_plane(planes[register]))
 
 
-def packed_plane(plane: NDArray[np.bool_]) -> bytes:
+def packed_plane(plane: Bools) -> bytes:
     """Return a plane (rows, cols) as the bytes of a PLANE object: a bit for each pixel, row by row,
     the first in the lowest bit."""
     return np.packbits(plane, axis=None, bitorder="little").tobytes()
 
 
-def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
+def unpacked_plane(data: bytes, shape: tuple[int, int]) -> Bools:
     """Return the plane of `shape` (rows, cols) in the bytes of a PLANE object, which must have a
     bit for each pixel."""
     bits = np.frombuffer(data, np.uint8)

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc.chips.target import Target
 from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Values
 
 
 def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
@@ -47,7 +47,7 @@ OFFSET = parameter(
 )
 
 
-def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:
+def _codes(sensor: Sensor, exposure: Floats, noise: Floats | float, top: int) -> Floats:
     """Return converter codes, whole numbers 0..`top` as float64, of exposures in electrons. NaN
     stays NaN. `noise`: codes added before rounding, an array like `exposure` or one number."""
     # In place, because new arrays take most of the time.

@@ -9,12 +9,13 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc.chips.target import Target
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import CHIP, MOST_E, PUBLISHED, Parameter, parameter
 from nscc_runtime.effects.parts import Errors, OfSensor, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels, Places, Values, Word
+from nscc_runtime.effects.views import Pixels, Places, Word
 from nscc_runtime.noise import key, normals
 
 
@@ -93,14 +94,14 @@ def _move_gain(sensor: Sensor) -> float:
 _noise, _spread, _bias = map(_in_electrons, (NOISE, PATTERN, BIAS))
 
 
-def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Floats:
     """Return the fixed error of an addition in electrons, including the bias, (pixels,). `pixels`:
     places on the chip with the seed `device_seed`."""
     z = normals(key(device_seed, ANALOG.stream), pixels)
     return np.asarray(_bias(sensor) + _spread(sensor) * z)
 
 
-def _written(pixels: Pixels, value: Values, word: Word, destination: int, sign: float) -> Values:
+def _written(pixels: Pixels, value: Floats, word: Word, destination: int, sign: float) -> Floats:
     """Return what an analog word writes to a destination instead of its exact result `value`, both
     (pixels,) in electrons.
 

@@ -6,11 +6,12 @@ from typing import Any
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Places, Values
+from nscc_runtime.effects.views import Places
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
@@ -40,7 +41,7 @@ _OF_BOTH: dict[str, Any] = {
 }
 
 
-def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Floats:
     """Return the offset of each pixel's comparator in electrons, (pixels,). `pixels`: places on the
     chip with the seed `device_seed`."""
     z = normals(key(device_seed, COMPARATOR_OFFSET.stream), pixels)

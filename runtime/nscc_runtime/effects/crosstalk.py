@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Exchange
-from nscc_runtime.effects.views import Values
 
 FRACTION = parameter(
     "crosstalk_fraction",
@@ -20,7 +20,7 @@ FRACTION = parameter(
 )
 
 
-def smeared(charge: Values, fraction: float) -> Values:
+def smeared(charge: Floats, fraction: float) -> Floats:
     """Return the charge after each pixel has given the part `fraction` of its own to each of its
     neighbours: q + fraction laplacian(q) of charge q (.., rows, cols), as a new array. A pixel at
     the border keeps what a missing neighbour would get."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import CountedDark
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal
-from nscc_runtime.effects.views import WITHOUT_LIGHT, Places, Slots, Values
+from nscc_runtime.effects.views import WITHOUT_LIGHT, Places, Slots
 from nscc_runtime.noise import key, normals
 
 CURRENT = parameter(
@@ -24,14 +25,14 @@ SPREAD = parameter(
 )
 
 
-def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Floats:
     """Return the dark current of each pixel in electrons per second, (pixels,). `pixels`: places on
     the chip with the seed `device_seed`."""
     z = normals(key(device_seed, DARK.stream), pixels)
     return CURRENT(sensor) * log_normal(SPREAD(sensor), z)
 
 
-def _fall(slots: Slots, charge: Values) -> Values:
+def _fall(slots: Slots, charge: Floats) -> Floats:
     """Return `charge`, electrons (N, rows, cols) that fall in each slot, plus the counted electrons
     of the dark current."""
     rates = slots.scene.slot_s[:, None, None] * slots.fixed(current_e_per_s)

@@ -6,12 +6,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.registry import registered
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Device, Places, Values
+from nscc_runtime.effects.views import Device, Places
 from nscc_runtime.noise.keys import base
 
 
@@ -35,7 +36,7 @@ def figures(sensor: Sensor, effects: Selection) -> dict[str, float]:
     }
 
 
-def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Values]:
+def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Floats]:
     """Return the fixed patterns of effects, each (pixels,), by field of `FixedPatterns`; zeros for
     effects that are not in `effects`. `device`: all pixels of the chip. `places`: the pixels to
     return, row * cols + col."""

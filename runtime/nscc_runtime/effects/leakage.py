@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import TARGET, parameter
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal
-from nscc_runtime.effects.views import Places, Values
+from nscc_runtime.effects.views import Places
 from nscc_runtime.noise import key, normals
 
 TAU = parameter(
@@ -34,7 +35,7 @@ SPREAD = parameter(
 )
 
 
-def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Floats:
     """Return the leakage rate 1 / tau of each pixel in 1/s, (pixels,). `pixels`: places on the chip
     with the seed `device_seed`."""
     z = normals(key(device_seed, LEAKAGE.stream), pixels)

@@ -10,14 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar, Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Floats
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import OnDevice
 
 OfSensor = Callable[[Sensor], float]
-Values = NDArray[np.float64]
 
 
 class Part:
@@ -71,7 +68,7 @@ class Exchange(Part, stage="neighbours"):
     `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
-    smeared: Callable[[Values, float], Values]
+    smeared: Callable[[Floats, float], Floats]
 
 
 class Saturates(Part):
@@ -91,7 +88,7 @@ class Soft(Saturates, stage="registers"):
     """Declares that registers are linear up to `linear_e` and lose `lost_e` of larger values."""
 
     linear_e: OfSensor
-    lost_e: Callable[[Sensor, Values], Values]
+    lost_e: Callable[[Sensor, Floats], Floats]
 
 
 @dataclass(frozen=True)
@@ -162,7 +159,7 @@ class FixedCodes(CodeErrors, stage="pattern"):
     and shape of the array, with standard deviation `sigma_lsb` codes."""
 
     sigma_lsb: OfSensor
-    codes: Callable[[Sensor, int, tuple[int, int]], Values]
+    codes: Callable[[Sensor, int, tuple[int, int]], Floats]
 
 
 @dataclass(frozen=True)
@@ -177,7 +174,7 @@ class InColumns(Part, stage="columns"):
     """Declares that converter noise is a weighted sum of the noise of a pixel and of those below
     it."""
 
-    weights: Callable[[Sensor], Values]
+    weights: Callable[[Sensor], Floats]
 
 
 @dataclass(frozen=True)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Response
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Places, Values
+from nscc_runtime.effects.views import Places
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
@@ -22,7 +23,7 @@ SPREAD = parameter(
 )
 
 
-def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+def response(sensor: Sensor, device_seed: int, pixels: Places) -> Floats:
     """Return the response factor of each pixel, (pixels,), with mean 1, at least 0. `pixels`:
     places on the chip with the seed `device_seed`."""
     z = normals(key(device_seed, PRNU.stream), pixels)

@@ -7,14 +7,13 @@ from collections.abc import Mapping
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc.chips.target import Target
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import CHIP, Default, parameter
 from nscc_runtime.effects.parts import CommonCode, FixedCodes, InColumns
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Values
 from nscc_runtime.noise import key, normals, uniforms
 
 
@@ -83,7 +82,7 @@ zero have the correlations down columns of the chip's codes: -0.31, 0.10, 0.16, 
 lags 1 to 5. The noise itself has 1.18 times these: rounding adds white noise to codes."""
 
 
-def _pattern_lsb(sensor: Sensor, device_seed: int, shape: tuple[int, int]) -> Values:
+def _pattern_lsb(sensor: Sensor, device_seed: int, shape: tuple[int, int]) -> Floats:
     """Return the fixed error of each pixel's code, in converter codes, for a chip of `shape` (rows,
     cols) with the seed `device_seed`: independent errors and smooth waves."""
     rows, cols = (np.arange(size) for size in shape)
@@ -107,7 +106,7 @@ def _pattern_sd_lsb(sensor: Sensor) -> float:
     return hypot(PATTERN(sensor), SMOOTH(sensor))
 
 
-def _weights(sensor: Sensor) -> NDArray[np.float64]:
+def _weights(sensor: Sensor) -> Floats:
     """Return six weights of readout noise, (6,): of a pixel itself, then of the five pixels below
     it in its column, nearest first. Their squares add up to 1."""
     weights = np.array(_SHARED)

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop, Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Values
 
 _KNEE = 0.9
 """Default of the part of a register's range in which it is linear; so the target's own limits,
@@ -49,7 +49,7 @@ KNEE = parameter(
 )
 
 
-def soft(value: Values, sensor: Sensor) -> Values:
+def soft(value: Floats, sensor: Sensor) -> Floats:
     """Return the content of registers after `value` (any shape, electrons) is written: exactly
     `value` up to the knee, beyond it less, and never more than the range. NaN stays NaN. The result
     may be `value` itself."""
@@ -76,7 +76,7 @@ def _linear(sensor: Sensor) -> float:
     return KNEE(sensor) * _high(sensor)
 
 
-def _compute_loss_e(sensor: Sensor, size: Values) -> Values:
+def _compute_loss_e(sensor: Sensor, size: Floats) -> Floats:
     """Return how many electrons a register loses of values of the absolute `size` (any shape, e),
     whatever their sign; 0 in the linear range."""
     over = np.maximum(size - _linear(sensor), 0.0)

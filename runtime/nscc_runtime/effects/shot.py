@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import CountedLight
-from nscc_runtime.effects.views import LIGHT, Slots, Values
+from nscc_runtime.effects.views import LIGHT, Slots
 
 
-def _count(slots: Slots, light: Values) -> Values:
+def _count(slots: Slots, light: Floats) -> Floats:
     """Return the numbers of photons drawn for `light`, the expected electrons (N, rows, cols) of
     each slot."""
     return slots.counted(SHOT.stream, LIGHT, light)

@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from nscc_runtime.effects.views import Values
+from nscc.arrays import Floats
 from nscc_runtime.loop import compiled
 
 
-def log_normal(fraction: float, z: Values) -> Values:
+def log_normal(fraction: float, z: Floats) -> Floats:
     """Return lognormal factors of mean 1 and standard deviation `fraction` (at least 0), one for
     each standard normal number in `z`, in its shape."""
     variance = float(np.log1p(fraction * fraction))

@@ -10,8 +10,8 @@ from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
@@ -19,9 +19,8 @@ from nscc_runtime.light import Light
 LIGHT, WITHOUT_LIGHT = 0, 1
 """Numbers of the sources of charge."""
 
-Values = NDArray[np.float64]
-Places = NDArray[np.int64]
-OnDevice = Callable[[Sensor, int, Places], Values]
+Places = Ints
+OnDevice = Callable[[Sensor, int, Places], Floats]
 """A function of sensor, device seed and places that returns a chip's fixed pattern."""
 
 
@@ -31,7 +30,7 @@ class Scene:
 
     light: Light
     previous: Light
-    slot_s: NDArray[np.float64]
+    slot_s: Floats
 
 
 @dataclass(eq=False, kw_only=True)
@@ -44,7 +43,7 @@ class Device:
     places: Places
 
     @remembered
-    def fixed(self, make: OnDevice) -> Values:
+    def fixed(self, make: OnDevice) -> Floats:
         """Return the fixed pattern of the chip that `make` computes from sensor, device seed and
         places, (pixels,); cached. Callers do not change it."""
         return make(self.sensor, self.device_seed, self.places)
@@ -86,11 +85,11 @@ class Slots(Where, ABC):
     scene: Scene
 
     @abstractmethod
-    def electrons(self, light: Light) -> Values:
+    def electrons(self, light: Light) -> Floats:
         """Return the electrons of `light` in every slot, (N, rows, cols)."""
 
     @abstractmethod
-    def counted(self, stream: int, source: int, rates: Values) -> Values:
+    def counted(self, stream: int, source: int, rates: Floats) -> Floats:
         """Return Poisson counts with the means `rates`, both (N, rows, cols). `stream`: random
         stream of the effect. `source`: LIGHT or WITHOUT_LIGHT; counts of different sources are
         independent."""
@@ -101,6 +100,6 @@ class Pixels(Where, ABC):
     (pixels,), as are fixed patterns."""
 
     @abstractmethod
-    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+    def error(self, name: str, word: Word, destination: int = 0) -> Floats:
         """Return standard normal numbers (pixels,) for the effect called `name` at `word`. For an
         effect of what words write, they differ for each `destination`, its index in the word."""

@@ -14,12 +14,12 @@ pixel that is read or written."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nscc_runtime.loop import Bytes, Floats, Ints, Words, Written, compiled, inlined, loop, record
+from nscc.arrays import Array, Bytes, Floats, Ints
+from nscc_runtime.loop import Words, Written, compiled, inlined, loop, record
 
 BUS, COMPARE, BITS, NEIGHBOURS, PROPAGATION = range(5)
 _NONE, _SOME, _ALL = range(3)
@@ -79,7 +79,7 @@ class ArrayWord:
     in_e: float
 
 
-OfArrayWords = Annotated[NDArray[Any], ArrayWord]
+OfArrayWords = Annotated[Array, ArrayWord]
 
 
 @inlined
@@ -511,7 +511,7 @@ def run_words(
 @loop
 def run_array_words(
     shape: ArrayShape,
-    words: Annotated[NDArray[Any], ArrayWord, "count"],
+    words: Annotated[Array, ArrayWord, "count"],
     operands: Ints,
     values: Written[Floats],
     marks: Written[Bytes],

@@ -9,6 +9,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints
 from nscc.chips.target import Target
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc_runtime.emulator import array_loop as loop
@@ -68,7 +69,7 @@ class ArrayWords:
         return len(self._rows)
 
     @property
-    def table(self) -> tuple[NDArray[np.void], NDArray[np.int64]]:
+    def table(self) -> tuple[NDArray[np.void], Ints]:
         """All words and their operands, as arrays for the loop."""
         words = np.array(self._rows, np.dtype(loop.ArrayWord))
         return words, np.array(self._operands, np.int64).reshape(-1)
@@ -165,7 +166,7 @@ class ArrayWords:
         return [(self.digital[name], 0, 0) for name in names]
 
 
-def packed(planes: NDArray[np.bool_]) -> NDArray[np.uint64]:
+def packed(planes: Bools) -> NDArray[np.uint64]:
     """Return planes (.., cols) as 64-bit words (.., ceil(cols / 64)): pixel x is bit x % 64 of word
     x // 64. Bits beyond the last pixel are 0."""
     octets = np.packbits(planes, axis=-1, bitorder="little")
@@ -174,7 +175,7 @@ def packed(planes: NDArray[np.bool_]) -> NDArray[np.uint64]:
     return words.view("<u8").astype(np.uint64)
 
 
-def unpacked(words: NDArray[np.uint64], cols: int) -> NDArray[np.bool_]:
+def unpacked(words: NDArray[np.uint64], cols: int) -> Bools:
     """Return the planes (.., cols) that `packed` has turned into `words` (.., ceil(cols / 64))."""
     octets = words.astype("<u8").view(np.uint8)
     return np.unpackbits(octets, axis=-1, count=cols, bitorder="little").view(np.bool_)

@@ -21,8 +21,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc.operations import Op
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
 from nscc_runtime.pool import in_parts, threads_of
@@ -35,8 +35,7 @@ if TYPE_CHECKING:
     from nscc_runtime.emulator.loops import EmulatedWords
     from nscc_runtime.light import Light
 
-Values = NDArray[np.float64]
-Bits = NDArray[np.bool_]
+Bits = Bools
 
 BLOCK = 8192
 """Number of pixels exposed together, a multiple of 64. Their registers stay in the cache."""
@@ -58,7 +57,7 @@ class ChipProgram:
         kernels: Sequence[Sequence[Op]],
         launches: Sequence[Launch],
         planes: Mapping[str, Bits],
-        kept: Mapping[str, Values] = MappingProxyType({}),
+        kept: Mapping[str, Floats] = MappingProxyType({}),
     ) -> None:
         """Store what a chip holds: kernels (lists of words), launches (starts of kernels), and the
         registers at the start of a frame (see the class). Words are translated at the first `run`.
@@ -104,7 +103,7 @@ class ChipProgram:
         *,
         device_seed: int = 0,
         threads: int | None = None,
-    ) -> tuple[Values, Bits]:
+    ) -> tuple[Floats, Bits]:
         """Execute a frame, and return the contents of registers at its end.
 
         Parameters

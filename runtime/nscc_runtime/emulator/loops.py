@@ -7,11 +7,11 @@ rows."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats, Floats32, Ints
 from nscc_runtime.emulator.array_loop import (
     ArrayShape,
     ArrayWord,
@@ -21,17 +21,7 @@ from nscc_runtime.emulator.array_loop import (
     run_words,
 )
 from nscc_runtime.light import LightMatrix
-from nscc_runtime.loop import (
-    Bytes,
-    Floats,
-    Floats32,
-    Ints,
-    Words,
-    Written,
-    compiled,
-    loop,
-    record,
-)
+from nscc_runtime.loop import Words, Written, compiled, loop, record
 
 _GOLDEN = 0.6180339887498949
 _MOST_START_E = 1e38
@@ -123,7 +113,7 @@ class EmulatedWords(NamedTuple):
     launch_kernel[launch_start[n] : launch_start[n + 1]], in that order. A launch is the start of a
     kernel, a list of words."""
 
-    words: Annotated[NDArray[Any], ArrayWord]
+    words: Annotated[Array, ArrayWord]
     operands: Ints
     kernel_start: Ints
     launch_start: Annotated[Ints, "slots+2"]

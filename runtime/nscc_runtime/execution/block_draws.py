@@ -9,7 +9,8 @@ import math
 
 import numpy as np
 
-from nscc_runtime.loop import Floats, Ints, compiled, inlined
+from nscc.arrays import Floats, Ints
+from nscc_runtime.loop import compiled, inlined
 from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile

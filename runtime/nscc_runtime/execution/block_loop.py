@@ -12,6 +12,7 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc_runtime.execution.layout import (
     BLOCK,
     FixedPatterns,
@@ -25,18 +26,7 @@ from nscc_runtime.execution.layout import (
     WordKeys,
 )
 from nscc_runtime.execution.word_loop import add, begin, compare, fill, read_out, reset, write
-from nscc_runtime.loop import (
-    Bytes,
-    Floats,
-    Ints,
-    Ints32,
-    Words,
-    Written,
-    compiled,
-    inlined,
-    loop,
-    record,
-)
+from nscc_runtime.loop import Words, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.keys import bits, unit
 

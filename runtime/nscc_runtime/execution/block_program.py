@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import CannotHave, Selection
@@ -75,8 +75,8 @@ class BlockProgram:
     segments: Segments
     readouts: Readouts
     stretches: Stretches
-    lane: NDArray[np.int32]
-    first_segment: NDArray[np.int64]
+    lane: Ints32
+    first_segment: Ints
     numbered: int
 
     @property
@@ -160,11 +160,11 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
 
 
 def _in_use(
-    lane: NDArray[np.int64],
-    word: NDArray[np.int64],
-    resets: NDArray[np.bool_],
-    reads: NDArray[np.bool_],
-) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    lane: Ints,
+    word: Ints,
+    resets: Bools,
+    reads: Bools,
+) -> tuple[Ints, Ints]:
     """Return the two arrays without resets of PIX (the photodiode) that no read follows before the
     lane's next reset: nothing depends on them.
 
@@ -211,7 +211,7 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
     )
 
 
-def _start_s(container: Container) -> NDArray[np.float64]:
+def _start_s(container: Container) -> Floats:
     """Return the times in seconds, (slots + 1,), at which each slot begins, then the end of the
     last one; the frame begins at 0."""
     return np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6

@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.in_loops import draws_keys, patterns
@@ -62,8 +62,7 @@ from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import WORD_DRAWS
 
-Values = NDArray[np.float64]
-Places = NDArray[np.int64]
+Places = Ints
 
 _MOST_BYTES = 1 << 26
 """Largest memory of the means that are kept from frame to frame."""
@@ -85,9 +84,9 @@ class PixelExposures:
         The number of the ending of each pixel's path of answers; 0 for fixed shutters.
     """
 
-    exposure_e: Values
-    saturated_by: NDArray[np.uint8]
-    endings: NDArray[np.int32]
+    exposure_e: Floats
+    saturated_by: Bytes
+    endings: Ints32
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,13 +100,13 @@ class ChargeScene:
     fraction of its charge that a pixel gives to each neighbour. `invalid`: those of `number` whose
     light is not a number. A site is a pixel whose charge is computed."""
 
-    number: NDArray[np.int64]
+    number: Ints
     sites: Sites
     patterns: FixedPatterns
-    counted: list[tuple[int, int, Values]]
+    counted: list[tuple[int, int, Floats]]
     means: StretchMeans
     exchanged: float
-    invalid: NDArray[np.int64]
+    invalid: Ints
 
     @property
     def pixels(self) -> int:
@@ -133,7 +132,7 @@ class BlockScene:
     device_seed: int
     switches: Switches
     numbers: Numbers
-    parts: list[NDArray[np.int64]]
+    parts: list[Ints]
     """For each group of pixels whose charge is computed together, their indices in `places`."""
     light_means: LightMeans | None = None
     """Means of light that several scenes share, see `lay_out`."""
@@ -213,7 +212,7 @@ def lay_out(
     return replace(scene, kept=(_charge_scene(scene, parts[0], threads),))
 
 
-def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) -> ChargeScene:
+def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     """Return the mean charge of each stretch of slots for the pixels of `scene` with the indices
     `number`, their fixed patterns, and what exchange between neighbours needs. Means of light that
     the scene shares are used if known, else stored in `scene.light_means`."""
@@ -226,7 +225,7 @@ def _charge_scene(scene: BlockScene, number: NDArray[np.int64], threads: int) ->
     slow = effects.find_part(SlowWords) is not None
     is_counted = bool(lit or dark) and exchanged > 0
 
-    def zeros(wanted: bool, rows: int, columns: int) -> Values:
+    def zeros(wanted: bool, rows: int, columns: int) -> Floats:
         """Return an array of zeros (rows, columns); (1, 1) if it is not wanted, because compiled
         loops take arrays only."""
         return np.zeros((rows, columns) if wanted else (1, 1))
@@ -382,7 +381,7 @@ def expose_pixels(
 
 def _charge_of_frame(
     scene: BlockScene, charge: ChargeScene, seed: int, frame: int, threads: int
-) -> Values:
+) -> Floats:
     """Return the charge of one frame, electrons (stretches, pixels): the means plus the deviations
     of random counts, exchanged between neighbours.
 
@@ -426,7 +425,7 @@ def _charge_of_frame(
 def _run_words(
     scene: BlockScene,
     charge: ChargeScene,
-    charge_e: Values,
+    charge_e: Floats,
     first_segment: Places,
     seed: int,
     frame: int,

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints
 from nscc_runtime.execution.block_draws import BLOCK, ROOM, counted
-from nscc_runtime.loop import Floats, Ints, Words, Written, loop, record
+from nscc_runtime.loop import Words, Written, loop, record
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.pool import in_parts
 
@@ -71,12 +71,12 @@ def draw_counts(
 
 
 def draw_deviations(
-    sources: Sequence[tuple[int, int, NDArray[np.float64]]],
-    places: NDArray[np.int64],
+    sources: Sequence[tuple[int, int, Floats]],
+    places: Ints,
     seed: int,
     frame: int,
     threads: int,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return the deviations of counts from their means, (rows, pixels), added up over sources.
 
     `sources`, at least one: of each the random stream, the number of the source, and the means

@@ -6,19 +6,10 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from nscc.arrays import Floats, Floats32, Ints, Ints32
 from nscc_runtime.execution.block_draws import BLOCK, drawn_normals
 from nscc_runtime.execution.moment_loop import on_side
-from nscc_runtime.loop import (
-    Floats,
-    Floats32,
-    Ints,
-    Ints32,
-    Words,
-    Written,
-    compiled,
-    loop,
-    record,
-)
+from nscc_runtime.loop import Words, Written, compiled, loop, record
 
 
 @record

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Ints
 from nscc.words.container import Container
 from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -32,7 +32,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 
-Places = NDArray[np.int64]
+Places = Ints
 
 
 @dataclass(frozen=True, eq=False)

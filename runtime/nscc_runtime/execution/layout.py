@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nscc_runtime.loop import Floats, Ints, Ints32, Written, record
+from nscc.arrays import Array, Floats, Ints, Ints32
+from nscc_runtime.loop import Written, record
 
 BLOCK = 256
 """Number of pixels that run through their words together."""
@@ -102,7 +102,7 @@ class LoopWord:
     """The value of IN during the word, in electrons."""
 
 
-OfWords = Annotated[NDArray[Any], LoopWord]
+OfWords = Annotated[Array, LoopWord]
 
 
 class LoopProgram(NamedTuple):

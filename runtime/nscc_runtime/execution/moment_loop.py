@@ -4,15 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.loop import (
-    Floats,
-    Floats32,
-    Written,
-    compiled,
-    inlined,
-    loop,
-    record,
-)
+from nscc.arrays import Floats, Floats32
+from nscc_runtime.loop import Written, compiled, inlined, loop, record
 
 UP, DOWN, LEFT, RIGHT = range(4)
 """Neighbours, in the order of `nscc_runtime.execution.overlap`."""

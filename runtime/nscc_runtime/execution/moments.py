@@ -10,8 +10,8 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32, Ints32
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
     Counted,
@@ -34,8 +34,6 @@ from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.weights import WeightModel
-
-Values = NDArray[np.float64]
 
 _LEAK_SIGMAS = 4.0
 """Leakage rates within this number of standard deviations lie between the two nodes; one pixel in
@@ -67,19 +65,19 @@ class Moments:
         Errors of words in each bucket for one normal number.
     """
 
-    mean_e: Values
-    counts: Values
-    own_weights: NDArray[np.float32]
-    neighbour_weights: NDArray[np.float32]
+    mean_e: Floats
+    counts: Floats
+    own_weights: Floats32
+    neighbour_weights: Floats32
     exchanged: float
-    error_e: Values
+    error_e: Floats
 
-    def variance_e2(self, lane: NDArray[np.int32]) -> Values:
+    def variance_e2(self, lane: Ints32) -> Floats:
         """Return the variance of exposures over frames, in square electrons, (buckets, pixels);
         that of the readout is not included.
 
         `lane` (rows, cols): the lane (the pixels of one code) of each pixel."""
-        own_weights: Values | NDArray[np.float32] = self.own_weights
+        own_weights: Floats | Floats32 = self.own_weights
         variance_e2 = (self.error_e**2).sum(axis=0)[:, lane.reshape(-1)]
         if self.exchanged and len(self.counts):
             # `given`: the fraction of its charge that a pixel loses, less at the border.
@@ -148,17 +146,17 @@ class _ChipMoments:
     `neighbour_weights`, `error_e`: see `Moments`."""
 
     leak_rates: tuple[float, ...]
-    rate_weights: Values
-    factor: Values
-    factor_32: NDArray[np.float32]
-    fixed_e: Values
-    dark_e2: Values
-    dark_e: Values
-    electron_weights: Values
-    own_weights: NDArray[np.float32] | None
-    unknown: Values
-    neighbour_weights: NDArray[np.float32]
-    error_e: Values
+    rate_weights: Floats
+    factor: Floats
+    factor_32: Floats32
+    fixed_e: Floats
+    dark_e2: Floats
+    dark_e: Floats
+    electron_weights: Floats
+    own_weights: Floats32 | None
+    unknown: Floats
+    neighbour_weights: Floats32
+    error_e: Floats
 
 
 def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
@@ -207,8 +205,8 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
 
 def _completed(
     chip: _ChipMoments,
-    sums: Values,
-    charge_e: Values,
+    sums: Floats,
+    charge_e: Floats,
     light_pairs: int,
     exchanged: float,
     shape: tuple[int, int],
@@ -268,7 +266,7 @@ def exchanged_fraction(effects: Selection, program: AnalysedProgram) -> float:
     return 0.0 if exchange is None else exchange.fraction(program.sensor)
 
 
-def light_factor(effects: Selection, device: Device) -> Values:
+def light_factor(effects: Selection, device: Device) -> Floats:
     """Return the factor (pixels,) on the light of each pixel: 1 plus the lag of an equal previous
     frame, times the pixel's response; 1 if neither effect is on."""
     echo, response = effects.find_part(Echo), effects.find_part(Response)
@@ -278,7 +276,7 @@ def light_factor(effects: Selection, device: Device) -> Values:
     return factor * device.fixed(response.factor)
 
 
-def dark_e_per_s(effects: Selection, device: Device) -> Values:
+def dark_e_per_s(effects: Selection, device: Device) -> Floats:
     """Return the dark current of each pixel in electrons per second, (pixels,); 0 if the effect is
     not on."""
     dark = effects.find_part(CountedDark)
@@ -303,7 +301,7 @@ def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
     return nodes if nodes[0] < nodes[1] else (mean,)
 
 
-def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Values:
+def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Floats:
     """Return weights (rates, pixels) with which sums at the `rates` of leakage (1/s, one or two:
     `leak_rates`) are added up to those at each pixel's own rate. They sum to 1; a pixel whose rate
     is outside the two has a negative one."""
@@ -314,7 +312,7 @@ def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) 
     return np.stack([1.0 - upper, upper])
 
 
-def _at_each_leakage(sums: Values, rate_weights: Values) -> Values:
+def _at_each_leakage(sums: Floats, rate_weights: Floats) -> Floats:
     """Return sums (buckets, pixels) at each pixel's own rate of leakage.
 
     `sums` (buckets * rates, pixels): those at each rate, where all rates of a bucket follow each
@@ -328,8 +326,8 @@ def _fixed_e(
     effects: Selection,
     device: Device,
     rates: tuple[float, ...],
-    rate_weights: Values,
-) -> Values:
+    rate_weights: Floats,
+) -> Floats:
     """Return the part of mean exposures that does not depend on the light, in electrons (buckets,
     pixels): dark charge and fixed errors of words; 0 if neither effect is on.
 
@@ -354,7 +352,7 @@ def _fixed_e(
     return total
 
 
-def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Values:
+def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Floats:
     """Return the covariances that counts of dark charge cause, in square electrons, (pairs of
     buckets, pixels). Pairs are (0, 0), (0, 1), (1, 1), (0, 2) and so on; there are none, shape (0,
     pixels), without the effect."""
@@ -371,7 +369,7 @@ def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Devi
     return square_s.take(program.lanes, axis=1) * dark_e_per_s(effects, device)
 
 
-def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> Values:
+def _at_neighbours(weights: Floats, values: Floats, shape: tuple[int, int]) -> Floats:
     """Return `weights` (4, buckets, pixels) times the `values` (pixels,) of the neighbour above,
     below, left and right of each pixel, as an array like `weights`. It is 0 where a pixel of the
     array of `shape` (rows, cols) has no such neighbour."""
@@ -382,7 +380,7 @@ def _at_neighbours(weights: Values, values: Values, shape: tuple[int, int]) -> V
     return products.reshape(weights.shape)
 
 
-def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
+def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Floats:
     """Return how much an electron counts on average, (buckets, lanes), in the slots that a bucket
     sees; 1 for buckets that see none.
 
@@ -394,9 +392,7 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Values:
     return np.asarray(np.divide(square, plain, out=np.ones_like(square), where=square > 0))
 
 
-def _neighbour_weights(
-    program: AnalysedProgram, model: WeightModel
-) -> tuple[NDArray[np.float32], Values]:
+def _neighbour_weights(program: AnalysedProgram, model: WeightModel) -> tuple[Floats32, Floats]:
     """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the parts (4,
     buckets, pixels) of neighbours' charge in a frame whose counts do not follow from them. Both are
     cached with the program and the `model` of weights.
@@ -404,7 +400,7 @@ def _neighbour_weights(
     The counts of a neighbour in the slots that a pixel sees are estimated from its own draws, as if
     its light were steady."""
 
-    def make() -> tuple[NDArray[np.float32], Values]:
+    def make() -> tuple[Floats32, Floats]:
         """Compute how much a pixel's counts tell about the charge that it gives to its neighbours.
 
         Return the weights of each draw, and for four directions and each bucket the variance, for a
@@ -429,12 +425,12 @@ def _neighbour_weights(
     return program.recent.of((_neighbour_weights, model), make)
 
 
-def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
+def _word_errors(program: AnalysedProgram, effects: Selection) -> Floats:
     """Return the errors of words under `effects` as factors of normal numbers, in electrons,
     (draws, buckets, lanes); cached in the `program`. Without such effects there are no draws. A
     lane is the pixels of one code."""
 
-    def make() -> Values:
+    def make() -> Floats:
         """Return the standard deviations (e) of all word errors by draw, bucket and lane.
 
         A lane is a code among the codes in use. The errors of buckets are correlated, so a bucket
@@ -452,7 +448,7 @@ def _word_errors(program: AnalysedProgram, effects: Selection) -> Values:
     return program.recent.of((_word_errors, effects.on), make)
 
 
-def lower_triangular(covariance: Values) -> tuple[Values, Values]:
+def lower_triangular(covariance: Floats) -> tuple[Floats, Floats]:
     """Return L, shape (n, n, ..), and d, shape (n, ..), with covariance = L diag(d) L^T for each of
     the symmetric matrices in the first two axes of `covariance` (n, n, ..).
 
@@ -470,7 +466,7 @@ def lower_triangular(covariance: Values) -> tuple[Values, Values]:
     return lower, variance
 
 
-def inverse_lower(lower: Values) -> Values:
+def inverse_lower(lower: Floats) -> Floats:
     """Return the inverses of the lower triangular matrices in the first two axes of `lower` (n, n,
     ..), whose diagonals are 1; the diagonal and what is above it are not read."""
     inverse = np.zeros_like(lower)

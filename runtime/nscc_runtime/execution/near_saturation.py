@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints
 from nscc_runtime.effects.parts import Moving, Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.views import Device
@@ -20,8 +20,7 @@ from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.execution.sum_loop import SlotWeights, light_at, light_sums
 from nscc_runtime.light import Light
 
-Values = NDArray[np.float64]
-Places = NDArray[np.int64]
+Places = Ints
 
 _SIGMAS = 6.0
 """Number of standard deviations of noise that are added to a pixel's mean charge."""
@@ -42,7 +41,7 @@ class NearSaturation:
     """
 
     places: Places
-    most_e: Values
+    most_e: Floats
 
 
 NO_PIXELS = NearSaturation(np.empty(0, np.int64), np.empty(0))
@@ -76,9 +75,9 @@ class _Limits:
     photodiode."""
 
     weights: SlotWeights
-    dark_s: Values
-    saturation_e: Values
-    mean_e: Values
+    dark_s: Floats
+    saturation_e: Floats
+    mean_e: Floats
 
 
 def _search(
@@ -91,7 +90,7 @@ def _search(
     factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
     exchanged = exchanged_fraction(effects, program)
     total_e = light.sum_e * factor.reshape(light.shape)
-    gained_e: Values = np.zeros(light.shape)
+    gained_e: Floats = np.zeros(light.shape)
     if exchanged:
         for pixels, neighbours in NEIGHBOURS:
             gained_e[pixels] += total_e[neighbours]

@@ -6,10 +6,10 @@ in its own open slots is estimated from these draws, slot by slot."""
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Values = NDArray[np.float64]
-Weights = NDArray[np.float32]
+from nscc.arrays import Floats, Floats32, Ints32
+
+Weights = Floats32
 
 _MOST_PAIRS = 1 << 23
 """Largest number of pairs of lanes for which a table of all pairs is computed: a product of
@@ -26,7 +26,7 @@ NEIGHBOURS = (
 neighbour, and these neighbours."""
 
 
-def weights_beside(seconds: Values, estimated: Values, lanes: NDArray[np.int32]) -> Weights:
+def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights:
     """Return the weights of neighbours' counts in the exposures of pixels.
 
     Parameters

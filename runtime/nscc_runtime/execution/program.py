@@ -7,8 +7,8 @@ from functools import cached_property
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer, Recent, remembered
 from nscc_runtime.effects import Selection, everything
@@ -18,8 +18,6 @@ from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, WeightModel, backward
-
-Values = NDArray[np.float64]
 
 _RECENT_MODELS, _RECENT_LARGE = 24, 12
 """Number of cached results: planning compares a dozen models."""
@@ -48,8 +46,8 @@ class AnalysedProgram:
     sensor: Sensor
     fresh: tuple[AnalogWord, ...]
     decayed: tuple[AnalogWord, ...]
-    lane: NDArray[np.int32]
-    slot_s: Values
+    lane: Ints32
+    slot_s: Floats
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> AnalysedProgram:
@@ -73,7 +71,7 @@ class AnalysedProgram:
         return cls(container, sensor, fresh, decayed, lane, container.slot_s)
 
     @property
-    def lanes(self) -> NDArray[np.int32]:
+    def lanes(self) -> Ints32:
         """The lane (the pixels of one code) of each pixel, shape (pixels,)."""
         return self.lane.reshape(-1)
 
@@ -103,12 +101,12 @@ class AnalysedProgram:
         return bool(((self.weights(model).slots != 0.0).sum(axis=2) > 1).any())
 
     @cached_property
-    def opened(self) -> NDArray[np.bool_]:
+    def opened(self) -> Bools:
         """The shutters (N, lanes, buckets). A lane is the pixels of one code."""
         return self._backward(WeightModel()).open()
 
     @cached_property
-    def seen_slots(self) -> NDArray[np.bool_]:
+    def seen_slots(self) -> Bools:
         """Mask (N, lanes) of the slots whose charge is on PIX (the photodiode) when a word reads
         it: slots with no read between them and the next reset, or the end of the frame, are False.
         A lane is the pixels of one code."""

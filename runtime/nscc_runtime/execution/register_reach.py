@@ -8,15 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Indices, Ints
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Soft, WordGain
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
-
-Values = NDArray[np.float64]
 
 _MOST_LANES = 64
 _MOST_STRETCHES = 128
@@ -38,8 +36,8 @@ class RegisterReach:
     lanes), which is 0 where noise alone may leave the range. If `held_weights` is None, `least_e`
     limits the charge that PIX (the photodiode) has collected. A lane is the pixels of one code."""
 
-    held_weights: Values | None
-    least_e: Values
+    held_weights: Floats | None
+    least_e: Floats
 
 
 def reach_of(program: AnalysedProgram) -> RegisterReach:
@@ -72,9 +70,7 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
     return RegisterReach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
 
 
-def _farthest(
-    program: AnalysedProgram, sampled_lanes: NDArray[np.intp], ends: NDArray[np.int64]
-) -> _RegisterReach:
+def _farthest(program: AnalysedProgram, sampled_lanes: Indices, ends: Ints) -> _RegisterReach:
     """Run the words over the lanes with the numbers `sampled_lanes`, and return how far the written
     registers are from the ends of their linear range. Stretches of slots end at the boundaries
     `ends`, ascending. A lane is the pixels of one code."""
@@ -121,7 +117,7 @@ class _RegisterState:
         for _, errors in effects.errors():
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
-    def reset(self, in_lane: NDArray[np.bool_]) -> None:
+    def reset(self, in_lane: Bools) -> None:
         """Reset PIX (the photodiode) in the lanes (groups of pixels with one code each) of the mask
         `in_lane` (lanes,): its charge becomes 0, and its reset level has the variance of a reset,
         independent of everything before."""
@@ -130,7 +126,7 @@ class _RegisterState:
         )
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
-    def execute(self, word: AnalogWord, in_lane: NDArray[np.bool_]) -> None:
+    def execute(self, word: AnalogWord, in_lane: Bools) -> None:
         """Run the bus word `word` in the lanes (groups of pixels with one code each) of the mask
         `in_lane` (lanes,): update weights and covariance of its destinations, with the errors of
         reading PIX (the photodiode) and of the word itself."""
@@ -149,9 +145,7 @@ class _RegisterState:
             own = 1.0 if word.adds else self._move_noise**2
             self.covariance[lanes, row, row] += own * self._variance["words"]
 
-    def _write(
-        self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
-    ) -> None:
+    def _write(self, lanes: Indices, rows: list[int], total: Floats, variance: float) -> None:
         """Set the registers `rows` in the lanes `lanes` (their numbers) to the sum of all rows with
         the weights `total` (rows,), plus noise of this `variance` (e^2), the same in all `rows`. A
         lane is the pixels of one code."""
@@ -178,15 +172,15 @@ class _RegisterReach:
 
     linear_e: float
     error_e: tuple[float, float]
-    held_weights: Values
-    least: Values
+    held_weights: Floats
+    least: Floats
 
     @property
     def most(self) -> float:
         """The largest weight of a charge in a register, at least 1."""
         return max(1.0, float(self.held_weights.max(initial=0.0)))
 
-    def add(self, lanes: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
+    def add(self, lanes: Bools, lit: Floats, fixed: Floats, sigma: Floats) -> None:
         """Take a written register into account.
 
         `lanes`: mask (lanes,) of the lanes (groups of pixels with one code each) that write it.

@@ -12,10 +12,11 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
+from nscc.arrays import Floats, Ints, Ints32
 from nscc_runtime.execution.block_draws import drawn_normals
 from nscc_runtime.execution.layout import BLOCK
 from nscc_runtime.light import LightMatrix
-from nscc_runtime.loop import Floats, Ints, Ints32, Written, compiled, inlined, loop, record
+from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.keys import bits
 
 NEIGHBOURS = 4

@@ -8,21 +8,10 @@ from functools import cached_property
 from typing import Annotated, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes, Floats, Floats32, Ints, Ints32
 from nscc_runtime.light import Light
-from nscc_runtime.loop import (
-    Bytes,
-    Floats,
-    Floats32,
-    Ints,
-    Ints32,
-    Written,
-    compiled,
-    inlined,
-    loop,
-    record,
-)
+from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.pool import in_parts
 
 BLOCK = 512
@@ -266,11 +255,11 @@ class FrameWeights:
     together. A lane is the pixels of one code."""
 
     timing: Hashable
-    weights: NDArray[np.float64]
-    frame_weight: NDArray[np.float64]
+    weights: Floats
+    frame_weight: Floats
 
     @classmethod
-    def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> FrameWeights:
+    def of(cls, light: Light, slots: Sequence[Floats]) -> FrameWeights:
         """Convert the weights `slots`, one array (N, lanes) for each sum, at least one, to weights
         of the frames of `light`. A lane is the pixels of one code."""
         flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
@@ -278,13 +267,13 @@ class FrameWeights:
         return cls(light.timing, np.ascontiguousarray(by_frame.swapaxes(0, 1)), light.frame_weight)
 
     @cached_property
-    def lit_sums(self) -> NDArray[np.uint8]:
+    def lit_sums(self) -> Bytes:
         """Mask (sums, frames): whether any lane (the pixels of one code) has a nonzero weight of a
         frame."""
         return np.asarray(self.weights.any(axis=2), np.uint8)
 
     @cached_property
-    def alike(self) -> NDArray[np.int64]:
+    def alike(self) -> Ints:
         """For each frame, how many successive frames from it on have the same weights in all sums
         and lanes, (frames,); at least 1, the frame itself. A lane is the pixels of one code."""
         count = self.weights.shape[1]
@@ -294,7 +283,7 @@ class FrameWeights:
         return np.asarray(ends[np.searchsorted(ends, frame, side="right")] - frame, np.int64)
 
     @cached_property
-    def most_part(self) -> NDArray[np.float64]:
+    def most_part(self) -> Floats:
         """The largest weight of a frame in any sum, as a fraction of the frame's total weight, for
         each lane, (lanes,); 0 for frames without weight. A lane is the pixels of one code."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
@@ -307,7 +296,7 @@ class SlotWeights:
     light's frames are cached, because series of frames have the same timing. A lane is the pixels
     of one code."""
 
-    def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
+    def __init__(self, slots: Iterable[Floats]) -> None:
         """Store the weights `slots`, an array (N, lanes) for each sum; at least one sum. A lane is
         the pixels of one code."""
         self.slots = [*slots]
@@ -342,13 +331,13 @@ class SlotWeights:
 
 def light_sums(
     light: Light,
-    lanes: NDArray[np.int32],
-    scale: tuple[NDArray[np.float64], NDArray[np.float32]],
+    lanes: Ints32,
+    scale: tuple[Floats, Floats32],
     weights: SlotWeights,
     smeared: int,
     fraction: float,
     threads: int = 1,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return the sums (sums, pixels) of a light's slots, in electrons, each weighted by slot and
     lane (the pixels of one code).
 
@@ -403,7 +392,7 @@ def light_sums(
     return out.reshape(count, -1)
 
 
-def light_at(light: Light, places: NDArray[np.int64]) -> Light:
+def light_at(light: Light, places: Ints) -> Light:
     """Return the light of the pixels at `places`, row * cols + col, as a light with one row, in
     this order. It has no motion of its own: a light that moves is chosen before."""
     frames = light.frames.reshape(len(light.frames), -1).take(places, axis=1)

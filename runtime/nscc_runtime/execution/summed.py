@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints32
 from nscc_runtime.execution.block_draws import BLOCK
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.frame_loop import Adding, add_up
@@ -15,15 +15,11 @@ from nscc_runtime.execution.moments import Moments
 from nscc_runtime.noise import key
 from nscc_runtime.pool import in_parts
 
-Values = NDArray[np.float64]
-
 SUMS, COUNTS, ERRORS = 0, 1, 2
 """Random stream of frames by sums (effects have streams from 1), and its source numbers."""
 
 
-def draw_exposures(
-    moments: Moments, lane: NDArray[np.int32], seed: int, frame: int, threads: int
-) -> Values:
+def draw_exposures(moments: Moments, lane: Ints32, seed: int, frame: int, threads: int) -> Floats:
     """Return the exposures of frame number `frame`, in electrons, (buckets, pixels), drawn from the
     moments of its scene without saturation.
 

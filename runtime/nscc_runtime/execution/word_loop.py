@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from nscc.arrays import Bytes, Floats, Ints
 from nscc_runtime.effects.spread import soft_in_loop
 from nscc_runtime.execution.layout import (
     BLOCK,
@@ -20,7 +21,7 @@ from nscc_runtime.execution.layout import (
     Readouts,
     Switches,
 )
-from nscc_runtime.loop import Bytes, Floats, Ints, inlined
+from nscc_runtime.loop import inlined
 
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4
 """Saturation marks of a register: it contains a full PIX with positive or negative sign, or a full

@@ -8,8 +8,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
@@ -20,7 +20,7 @@ from nscc_runtime.pictures.tone import Tone, fitted
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Arrays = Mapping[str, NDArray[Any]]
+Arrays = Mapping[str, Array]
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,18 +53,18 @@ class Content:
     """
 
     arrays: Arrays
-    light: NDArray[Any] | None = None
+    light: Array | None = None
     moving: bool = False
     colour: bool = False
-    codes: NDArray[np.uint8] | None = None
+    codes: Bytes | None = None
     write_npz: Callable[[Any], object] | None = None
-    main: Callable[[], NDArray[Any]] | None = None
+    main: Callable[[], Array] | None = None
     benchmark: Callable[[], Arrays] | None = None
     tone: str | None = None
     usual: str = "log"
     white: float | None = None
     unit: str = "e"
-    picture: Callable[[NDArray[Any]], NDArray[Any]] = np.asarray
+    picture: Callable[[Array], Array] = np.asarray
 
     @cached_property
     def shown_by(self) -> Tone | None:
@@ -77,17 +77,17 @@ class Content:
         return fitted(self.tone or self.usual, light, self.white)
 
     @property
-    def pictures(self) -> Iterator[NDArray[Any]]:
+    def pictures(self) -> Iterator[Array]:
         """The light as an iterator of pictures: the frames of a clip, or one picture."""
         return self._pictures(self.light)
 
     @property
-    def shown(self) -> Iterator[NDArray[np.uint8]]:
+    def shown(self) -> Iterator[Bytes]:
         """The pictures for display (uint8) as an iterator, after the tone curve."""
         tone = self.shown_by
         return self._pictures(self.codes) if tone is None else map(tone, self.pictures)
 
-    def _pictures(self, values: NDArray[Any] | None) -> Iterator[NDArray[Any]]:
+    def _pictures(self, values: Array | None) -> Iterator[Array]:
         """Yield the pictures of a clip `values`, or the one of a still. `values` must not be
         None."""
         assert values is not None  # `lacks` refuses content without light
@@ -126,7 +126,7 @@ def frame_content(
     file: FrameFile,
     container: Container,
     light: Light | None,
-    shutters: Callable[[], NDArray[np.bool_]],
+    shutters: Callable[[], Bools],
     tone: str | None = None,
 ) -> Content:
     """Return the content of the frame file `file` of the program `container`.
@@ -152,9 +152,7 @@ def frame_content(
     )
 
 
-def _read_out(
-    frame: Frame, container: Container
-) -> tuple[NDArray[np.uint8], NDArray[np.float64] | None]:
+def _read_out(frame: Frame, container: Container) -> tuple[Bytes, Floats | None]:
     """Return codes and electrons, (.., reads, rows, cols) each, of all that the program `container`
     reads in `frame`; no electrons if only reports are read.
 
@@ -180,7 +178,7 @@ def _read_out(
     return np.stack(codes, axis=-3), np.stack(electrons, axis=-3)
 
 
-def _picture(values: NDArray[Any]) -> NDArray[Any]:
+def _picture(values: Array) -> Array:
     """Return `values` (buckets, rows, cols) as a picture (rows, buckets * cols), with 0 for values
     that are not finite. A leading axis of three colours becomes the last axis."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
@@ -190,8 +188,8 @@ def _picture(values: NDArray[Any]) -> NDArray[Any]:
 
 def benchmark_arrays(
     container: Container,
-    shutters: NDArray[np.bool_],
-    exposure_e: NDArray[np.float64],
+    shutters: Bools,
+    exposure_e: Floats,
     light: Light | None,
     colour: bool = False,
 ) -> Arrays:
@@ -217,7 +215,7 @@ def benchmark_arrays(
         white_e = float(clip.max()) or 1.0
         if light.kind == "clip" and white_e <= light.exposure_scale_e:
             white_e = light.exposure_scale_e
-    arrays: dict[str, NDArray[Any]] = {
+    arrays: dict[str, Array] = {
         "mask": np.asarray(shutters[:, 0][lanes], np.uint8),
         "meas": np.moveaxis(exposures[:, 0], 0, -1) * (_TOP / white_e),
         "white_e": np.array([[white_e]]),
@@ -258,7 +256,7 @@ def mask_content(arrays: Arrays, bucket: int | None) -> Content:
     return Content({"mask": opened if bucket is None else opened[bucket]})
 
 
-def _opened(arrays: Arrays) -> NDArray[np.uint8]:
+def _opened(arrays: Arrays) -> Bytes:
     """Return the shutters of all pixels, (buckets, rows, cols, slots) of 0 and 1. `arrays` has them
     as packed bits in `shutter`, the first in the lowest bit, and their shape in `shutter_shape`."""
     count = int(arrays["shutter_shape"][3])

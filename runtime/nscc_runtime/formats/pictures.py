@@ -7,11 +7,10 @@ import io
 import os
 import tempfile
 from itertools import chain
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats32
 from nscc_runtime.formats.content import Content
 from nscc_runtime.scenes.picture_files import quiet
 
@@ -76,19 +75,19 @@ def exr(content: Content) -> bytes:
             return stream.read()
 
 
-def _light(content: Content) -> NDArray[np.float32]:
+def _light(content: Content) -> Floats32:
     """Return the light of the one picture of `content`, float32 (rows, cols) or (rows, cols, 3)."""
     (picture,) = content.pictures
     return np.asarray(picture, np.float32)
 
 
-def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
+def _to_opencv(light: Array) -> Array:
     """Return the picture `light` (rows, cols) or (rows, cols, 3) with channels blue, green, red, as
     OpenCV requires; grey stays as it is."""
     return light[..., ::-1] if light.ndim == 3 else light
 
 
-def _encoded(ending: str, light: NDArray[np.float32]) -> bytes:
+def _encoded(ending: str, light: Floats32) -> bytes:
     """Return the bytes of a file of the picture `light`, (rows, cols) or (rows, cols, 3), in the
     format of `ending`, such as ".pfm". Raises OSError if OpenCV cannot write it."""
     import cv2
@@ -153,7 +152,7 @@ def mp4(content: Content) -> bytes:
             return stream.read()
 
 
-def _even(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def _even(frame: Bytes) -> Bytes:
     """Return a display `frame`, (rows, cols) or (rows, cols, 3), with channels blue, green, red,
     padded to even numbers of rows and columns by repeating the last ones."""
     colours = frame[..., ::-1] if frame.ndim == 3 else np.repeat(frame[..., None], 3, axis=-1)

@@ -15,11 +15,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import chain
 from math import inf
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Indices, Ints
 from nscc.operations import WordEffect
 from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer
@@ -46,11 +45,11 @@ class Paths:
     bits (endings,) at the end of a frame, by state register."""
 
     words: tuple[RunningWord, ...]
-    start: NDArray[np.int64]
-    acting: NDArray[np.int64]
-    following: NDArray[np.int64]
+    start: Ints
+    acting: Ints
+    following: Ints
     starts: Mapping[str, Bits]
-    first: NDArray[np.int64]
+    first: Ints
     endings: Mapping[str, Bits]
 
     @classmethod
@@ -69,7 +68,7 @@ class Paths:
         return _alive(container, words, walk, starts)
 
     @cached_property
-    def _packed(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    def _packed(self) -> tuple[Ints, Ints]:
         """The bits of each start as one number (see the function `_packed`), ascending, and the
         first segment of each, both (starts,). A segment is the part of a path between two
         comparisons."""
@@ -77,9 +76,7 @@ class Paths:
         order = np.argsort(numbers)
         return numbers[order], self.first[order]
 
-    def begins(
-        self, loaded: Mapping[str, NDArray[Any]], shape: tuple[int, ...]
-    ) -> NDArray[np.int64]:
+    def begins(self, loaded: Mapping[str, Array], shape: tuple[int, ...]) -> Ints:
         """Return the first segment, or -1 - e for ending e, of each pixel of an array of `shape`.
         `loaded`: bits by register, each an array of this shape; those of all `starts` are needed.
         Raises ValueError for bits that no code and no kept state has. A segment is the part of a
@@ -107,7 +104,7 @@ def paths_of(container: Container, retention_us: float) -> Paths | str:
         return str(why)
 
 
-def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
+def _packed(bits: Mapping[str, Array], shape: tuple[int, ...]) -> Ints:
     """Return for each pixel of an array of `shape` its `bits`, arrays by register, as one number:
     bit k is that of the k-th register in alphabetical order. Without registers it is 0."""
     numbers = np.zeros(shape, np.int64)
@@ -158,9 +155,9 @@ class _PathReplay:
             self.target, {**dict.fromkeys(names, unknown), **starts}, retention_us
         )
         self.segment = np.arange(self.starts)
-        self.passed: list[tuple[int, NDArray[np.intp], Bits]] = []
+        self.passed: list[tuple[int, Indices, Bits]] = []
         """For each word that may act: its number, the segments, and whether it acts in them."""
-        self.following: list[tuple[NDArray[np.intp], int, NDArray[np.intp]]] = []
+        self.following: list[tuple[Indices, int, Indices]] = []
         """For each answered comparison: segments, an answer, and the next segment of each."""
         self.size = 0
 
@@ -178,7 +175,7 @@ class _PathReplay:
                 self.registers.run(word.op)
         return tuple(words)
 
-    def distinct_endings(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
+    def distinct_endings(self) -> tuple[dict[str, Bits], Indices]:
         """Return the different endings after `run`, as bits (endings,) by state register, and the
         number of the ending of each lane, (lanes,). Raises Pathless if the bit of a state is
         unknown. A lane is the pixels of one code."""
@@ -303,9 +300,7 @@ def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
     return sum({registers[name] for name in names if name in registers})
 
 
-def _by_segment(
-    walk: _PathReplay, ending: NDArray[np.intp]
-) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
+def _by_segment(walk: _PathReplay, ending: Indices) -> tuple[list[list[tuple[int, int]]], Ints]:
     """Return for each segment (a part of a path between two comparisons) its analog words as pairs
     (number of the word, whether it acts: 0, 1 or UNKNOWN) in order, and the next segments
     (segments, 2) for the answers 0 and 1.

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.chips.target import Target
 from nscc.operations import Op
 from nscc.record import Record
@@ -42,11 +43,11 @@ class ArrayContents:
     (rows, cols), 0 where nothing saturated. `planes`: digital registers (rows, words of 64 pixels),
     as `unpacked` reads them."""
 
-    register: Mapping[str, NDArray[np.float64]]
-    cut_by: Mapping[str, NDArray[np.uint8]]
+    register: Mapping[str, Floats]
+    cut_by: Mapping[str, Bytes]
     planes: Mapping[str, NDArray[np.uint64]]
 
-    def bit(self, name: str) -> NDArray[np.bool_]:
+    def bit(self, name: str) -> Bools:
         """Return the digital register called `name`, such as `R3`, as bits (rows, cols). Raises
         KeyError for other names."""
         return unpacked(self.planes[name], next(iter(self.register.values())).shape[1])
@@ -74,9 +75,9 @@ class PictureWords:
     def run(
         self,
         shape: tuple[int, int],
-        exposed: Mapping[str, NDArray[np.float64]],
-        exposed_by: Mapping[str, NDArray[np.uint8]],
-        code: Mapping[str, NDArray[np.bool_]],
+        exposed: Mapping[str, Floats],
+        exposed_by: Mapping[str, Bytes],
+        code: Mapping[str, Bools],
     ) -> ArrayContents:
         """Return the contents of registers after the words, for an array of `shape` (rows, cols).
 
@@ -112,8 +113,8 @@ class PictureWords:
         return ArrayContents(register, cut_by, dict(zip(digital, planes, strict=True)))
 
 
-Told = dict[str, NDArray[Any]]
-Planes = dict[str, NDArray[np.bool_]]
+Told = dict[str, Array]
+Planes = dict[str, Bools]
 """Bits (pixels,) by register."""
 
 
@@ -124,8 +125,8 @@ class KeptRegisters(Record, eq=False):
     marks of kept images; both have the same names."""
 
     bits: Planes
-    images: Mapping[str, NDArray[np.float64]] = MappingProxyType({})
-    marks: Mapping[str, NDArray[np.uint8]] = MappingProxyType({})
+    images: Mapping[str, Floats] = MappingProxyType({})
+    marks: Mapping[str, Bytes] = MappingProxyType({})
 
     @classmethod
     def at_start(cls, container: Container) -> KeptRegisters:
@@ -290,7 +291,7 @@ class PicturedProgram:
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
         wait_s = self.container.target.readout_us * 1e-6
-        read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
+        read: dict[str, tuple[Floats, Bytes]] = {}
         # Readouts follow each other, and registers leak while they wait for theirs.
         for name in pictures.reads:
             register = pictures.registers[name]
@@ -321,7 +322,7 @@ class PicturedProgram:
         self,
         names: list[str],
         read: dict[str, Any],
-        valid: NDArray[np.bool_],
+        valid: Bools,
         seeds: tuple[int, int],
         number: int,
     ) -> Frame:
@@ -345,10 +346,10 @@ class PicturedProgram:
         self,
         names: list[str],
         read: dict[str, Any],
-        valid: NDArray[np.bool_],
+        valid: Bools,
         seeds: tuple[int, int],
         number: int,
-    ) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    ) -> tuple[Bytes, Bytes]:
         """Return the converter codes of the images `names`, 128 for 0 e, and their saturation
         marks, each (names, rows, cols).
 
@@ -462,7 +463,7 @@ def image_sensor(sensor: Sensor, target: Target) -> Sensor:
 
 def sums_of_images(
     container: Container,
-    values: Mapping[str, NDArray[np.float64]],
+    values: Mapping[str, Floats],
     reaches: Mapping[str, Reach] | None = None,
 ) -> Told:
     """Return the reports of sums, each an array without axes, by the report's key: the electrons of
@@ -484,7 +485,7 @@ def sums_of_images(
 
 def told_of_planes(
     container: Container,
-    planes: Mapping[str, NDArray[np.bool_]],
+    planes: Mapping[str, Bools],
     reaches: Mapping[str, Reach] | None = None,
     summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
 ) -> Told:

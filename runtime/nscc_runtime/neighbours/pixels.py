@@ -10,14 +10,14 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, WordEffect
 from nscc.words.cost import word_us
 from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.trace import RunningWord, retention_us
 from nscc_runtime.reference.weights import error_sign
-from nscc_runtime.reference.words import Bits, Values, WordPixels
+from nscc_runtime.reference.words import Bits, WordPixels
 
 RANGE_BIT = 32
 """In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
@@ -35,10 +35,10 @@ class ArrayPixels(WordPixels):
 
     word_draws = 2  # words after an exposure
     shape: tuple[int, int]
-    exposed: Mapping[str, Values]
-    exposed_by: Mapping[str, NDArray[np.uint8]]
+    exposed: Mapping[str, Floats]
+    exposed_by: Mapping[str, Bytes]
     code: Mapping[str, Bits]
-    cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
+    cut_by: dict[str, Bytes] = field(init=False)
 
     def __post_init__(self) -> None:
         """Set the registers as the exposure leaves them; all others, analog and digital, hold
@@ -101,7 +101,7 @@ class ArrayPixels(WordPixels):
             case _:
                 digital.run(op)
 
-    def total(self, word: RunningWord) -> Values:
+    def total(self, word: RunningWord) -> Floats:
         """Return the sum of a word's sources in each pixel, electrons (pixels,). A neighbour's bus
         is the content of NEWS there, 0 beyond the array. PIX (the photodiode) is not read after the
         exposure."""
@@ -129,7 +129,7 @@ class ArrayPixels(WordPixels):
                 value = bends(self, value)
             self._store(name, value, by)
 
-    def _cut(self, op: Op) -> NDArray[np.uint8]:
+    def _cut(self, op: Op) -> Bytes:
         """Return the bitwise OR (pixels,) of the saturation marks of a word's sources. For a source
         in a neighbour, the marks are the neighbour's; beyond the array they are 0."""
         # `_uncut` itself, not a copy, stands for "no marks": comparing objects is fast.
@@ -142,7 +142,7 @@ class ArrayPixels(WordPixels):
                 marks = marks | by
         return marks
 
-    def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
+    def _with_range(self, cut: Bytes, value: Floats) -> Bytes:
         """Return the marks `cut` (pixels,), with RANGE_BIT set where `value` (electrons) is beyond
         the range of registers; `cut` itself if it is nowhere."""
         high, low = self.target.register_max_e, self.target.register_min_e
@@ -151,7 +151,7 @@ class ArrayPixels(WordPixels):
         over = (value > high) | (value < low)
         return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
 
-    def _store(self, name: str, value: Values, by: NDArray[np.uint8]) -> None:
+    def _store(self, name: str, value: Floats, by: Bytes) -> None:
         """Write `value` (electrons) and its saturation marks `by` to the register `name` where FLAG
         (the bit that lets a pixel act) is 1. If `name` is a neighbour's bus, each pixel gets value
         and marks of the pixel on the opposite side, 0 at the border, and the register is NEWS."""
@@ -181,7 +181,7 @@ class ArrayPixels(WordPixels):
                 result |= chosen & self.moved(bits, right, down, beyond=outside)
         digital.write(op.destinations[0], result)
 
-    def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: Any) -> NDArray[Any]:
+    def moved(self, values: Array, right: int, down: int, *, beyond: Any) -> Array:
         """Return for each pixel (pixels,) the value of the pixel `right` columns and `down` rows
         away, each -1, 0 or 1. Pixels outside the array have the value `beyond`."""
         rows, cols = self.shape
@@ -191,11 +191,11 @@ class ArrayPixels(WordPixels):
 
 
 def propagated(
-    bits: NDArray[np.bool_],
-    mask: NDArray[np.bool_],
-    chosen: Sequence[NDArray[np.bool_]],
+    bits: Bools,
+    mask: Bools,
+    chosen: Sequence[Bools],
     pixels: int,
-) -> NDArray[np.bool_]:
+) -> Bools:
     """Return the bits after one propagation, in which a 1 spreads step by step to neighbours.
 
     All arrays are (rows, cols). A pixel where `mask` is 1 becomes 1 if a neighbour that it chooses

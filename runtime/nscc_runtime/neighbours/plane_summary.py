@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Ints32
 from nscc.words.pictures import PlaneReport
 
-PlaneSummary = tuple[int, Sequence[int], NDArray[np.int32]]
+PlaneSummary = tuple[int, Sequence[int], Ints32]
 """The number of bits that are 1; their smallest x and y and largest x and y, four times -1 without
 such bits; (bits, 2): x and y of the first of these bits in reading order, at least as many as the
 reports of the plane may send. x is a column, y a row."""
 NO_BOX = (-1, -1, -1, -1)
 
 
-def summary_of(bits: NDArray[np.bool_]) -> PlaneSummary:
+def summary_of(bits: Bools) -> PlaneSummary:
     """Return the summary of a plane (rows, cols), with x and y of all bits that are 1, row after
     row. Without such bits the box is `NO_BOX`, and the coordinates have shape (0, 2)."""
     rows, cols = np.nonzero(bits)
@@ -26,7 +25,7 @@ def summary_of(bits: NDArray[np.bool_]) -> PlaneSummary:
     return len(places), box, places
 
 
-def reported(report: PlaneReport, summary: PlaneSummary) -> dict[str, NDArray[Any]]:
+def reported(report: PlaneReport, summary: PlaneSummary) -> dict[str, Array]:
     """Return the arrays of a report about a plane, by the report's key.
 
     `flood`: whether no bit is 1; `any`: whether a bit is; `box`: smallest x and y, largest x and y,

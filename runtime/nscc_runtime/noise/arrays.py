@@ -7,10 +7,10 @@ does not change results."""
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Pixels = NDArray[np.int64]
+from nscc.arrays import Bools, Floats, Ints
+
+Pixels = Ints
 
 RATE_CAP = 1e12
 """Upper limit of rates, infinity included. No well contains this number of electrons."""
@@ -40,7 +40,7 @@ def normals(key: np.uint64, pixels: Pixels, *, single: bool = False) -> Floats:
     return out
 
 
-def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, Bools]:
     """Return Poisson counts with mean `rate` (shape of `pixels`), and where they are valid.
 
     Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. For a NaN rate the count is 0

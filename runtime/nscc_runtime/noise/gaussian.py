@@ -13,8 +13,8 @@ import math
 from statistics import NormalDist
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32
 from nscc_runtime.loop import inlined, table
 
 _TERMS = 8
@@ -43,7 +43,7 @@ def taylor(z: float) -> list[float]:
     return terms
 
 
-def _table() -> NDArray[np.float64]:
+def _table() -> Floats:
     """Return the Taylor coefficients of the quantile about the upper end of each cell of v, in
     ascending order of v: (cells, _TERMS), flattened."""
     width = 2.0**-_CELL_BITS
@@ -93,7 +93,7 @@ _HALF = np.uint64(32)
 _LOWER = np.uint64(0xFFFF_FFFF)
 
 
-def _cells() -> NDArray[np.float32]:
+def _cells() -> Floats32:
     """Return float32 (cells, 3): constant, slope and bend of the parabola about the middle of each
     cell of v, in ascending order of v."""
     cells = np.zeros((_FAST_CELLS, 3))

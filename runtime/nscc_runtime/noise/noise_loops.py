@@ -9,7 +9,8 @@ from typing import Annotated
 
 import numpy as np
 
-from nscc_runtime.loop import Bytes, Floats, Ints, Written, compiled, inlined, loop, record
+from nscc.arrays import Bytes, Floats, Ints
+from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.gaussian import normal, normal_fast
 from nscc_runtime.noise.keys import bits, unit
 from nscc_runtime.noise.poisson_law import (

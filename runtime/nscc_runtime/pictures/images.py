@@ -5,11 +5,11 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.merge import BucketReadout, light_estimate
 from nscc_runtime.pictures import sheet
@@ -30,7 +30,7 @@ class Image:
     """An image (rows, cols), or (rows, cols, 3) in colours, of 0..255, with the title above and the
     note below it."""
 
-    values: NDArray[Any]
+    values: Array
     title: str = ""
     note: str = ""
 

@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc_runtime.pictures.sheet import theme
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-Points = NDArray[np.float64]
+Points = Floats
 """Coordinates (n, 2): x and y in units of the axes."""
 
 _NAME, _SMALL = 7.8, 7.0

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc.words.container import Container
 from nscc.words.machine import LIGHT, StateMachine
 from nscc_runtime.pictures import sheet
@@ -22,8 +22,7 @@ from nscc_runtime.pictures.shutter_sheet import (
     unit,
 )
 
-Values = NDArray[np.float64]
-Nodes = NDArray[np.int64]
+Nodes = Ints
 """Numbers of nodes of the state machine; a node is a behaviour with values of its states."""
 
 
@@ -36,14 +35,14 @@ class Courses:
     (lights, states): states at the end of the frame. `flips`: (boundary, light) of comparisons
     whose answer changes between two lights."""
 
-    wells: Values
-    opens: NDArray[np.bool_]
-    resets: NDArray[np.bool_]
-    values: NDArray[np.int64]
+    wells: Floats
+    opens: Bools
+    resets: Bools
+    values: Ints
     flips: tuple[tuple[int, float], ...]
 
 
-def courses(container: Container, behaviour: int, wells: Values, frame: int = 0) -> Courses:
+def courses(container: Container, behaviour: int, wells: Floats, frame: int = 0) -> Courses:
     """Return what pixels do in frame number `frame`, from 0. `behaviour` is the number of the codes
     that pass the same states. `wells` (lights,) is the steady light of each pixel, in full wells
     over a frame, ascending. Kept states have the program's start values in frame 0 and continue
@@ -55,7 +54,7 @@ def courses(container: Container, behaviour: int, wells: Values, frame: int = 0)
     return _run_frame(container, machine, nodes, wells)[0]
 
 
-def thresholds(container: Container) -> Values:
+def thresholds(container: Container) -> Floats:
     """Return for each comparison (comparisons,) the light at which what a pixel has collected
     reaches its level, in full wells over the frame, if nothing resets the pixel."""
     machine, share = container.machine, _share(container)
@@ -68,7 +67,7 @@ def thresholds(container: Container) -> Values:
     )
 
 
-def _share(container: Container) -> Values:
+def _share(container: Container) -> Floats:
     """Return the fraction of the frame that has passed at each boundary (N + 1,), from 0 to 1, by
     the lengths of the slots."""
     ends = np.cumsum([0.0, *container.slot_us])
@@ -76,7 +75,7 @@ def _share(container: Container) -> Values:
 
 
 def _run_frame(
-    container: Container, machine: StateMachine, nodes: Nodes, wells: Values
+    container: Container, machine: StateMachine, nodes: Nodes, wells: Floats
 ) -> tuple[Courses, Nodes]:
     """Run one frame of pixels in steady light, and return what they did and the nodes in which they
     end (lights,).

@@ -16,8 +16,8 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.rejection import rejected
 
 MARKERS = "osD^vP"
@@ -272,7 +272,7 @@ def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
     return shape[1] * zoom, shape[0] * zoom
 
 
-def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
+def show_pixels(axes: Axes, image: Array) -> None:
     """Draw a grey (0..255) image (rows, cols), or an RGB image (rows, cols, 3), over all of `axes`,
     one square per pixel."""
     axes.imshow(image, cmap="gray", vmin=0, vmax=255, interpolation="nearest", aspect="auto")

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Floats
 from nscc.words.container import Container, tile_of
 from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.run_kinds import KINDS
-from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -52,7 +51,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     if count > _MOST_ROWS:
         chosen = np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
     shades = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
-    colours: Field = colormaps[sheet.SCALE](shades)[:, :3]
+    colours: Floats = colormaps[sheet.SCALE](shades)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
     flow = KINDS.of(container).flow(container, CHART_INCHES)
     maps = [] if flow is not None and count == 1 else _maps(container, shutters, colours)
@@ -111,9 +110,7 @@ def unit(us: float) -> tuple[float, str]:
     return (1.0, "µs") if us >= 1 else (1e3, "ns")
 
 
-def _draw_chart(
-    axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
-) -> None:
+def _draw_chart(axes: Axes, container: Container, rows: Bools, row_colours: Floats) -> None:
     """Draw the open time of each shutter as a bar, into `axes`. `rows` bool (shutters, buckets,
     slots) are the shutters. `row_colours` (shutters, 3) are their colours in the map, used for the
     bars if there is one bucket."""
@@ -156,13 +153,13 @@ def _draw_chart(
     _number_slots(axes, edges)
 
 
-def chart_columns(edges: Field) -> Field:
+def chart_columns(edges: Floats) -> Floats:
     """Return the times at the edges of a chart's columns: `edges` (N + 1,), those of the slots, or
     1201 evenly spaced ones if there are more."""
     return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
 
 
-def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field:
+def open_share(opened: Bools, edges: Floats, columns: Floats) -> Floats:
     """Return the fraction (columns,) of each column of a chart for which a shutter is open.
     `opened` bool (N,): its open slots. `edges` (N + 1,), `columns` (columns + 1,): times at the
     edges of slots and of columns."""
@@ -171,7 +168,7 @@ def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field
     return np.asarray(np.diff(np.interp(columns, edges, open_until)) / np.diff(columns))
 
 
-def _number_slots(axes: Axes, edges: Field) -> None:
+def _number_slots(axes: Axes, edges: Floats) -> None:
     """Write slot numbers above `axes`, only as many as there is room for. `edges` (N + 1,): times
     at the edges of the slots."""
     slots = len(edges) - 1
@@ -195,11 +192,11 @@ class _Map:
     (rows, cols, fields), None if they do not fit."""
 
     title: str
-    colours: Field
-    codes: NDArray[Any] | None = None
+    colours: Floats
+    codes: Array | None = None
 
 
-def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
+def _maps(container: Container, shutters: Shutters, colours: Floats) -> tuple[_Map, ...]:
     """Return maps of the pixel codes of `container`: of the whole array, and of the smallest
     repeating tile or of a corner. `colours` (shutters, 3) are those of its `shutters`.
 

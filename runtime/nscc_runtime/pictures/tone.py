@@ -5,14 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats
 from nscc.diagnostics.rejection import unknown_name
-
-Field = NDArray[np.float64]
 
 WHITE_PERCENTILE = 99.8
 """Percentile of light shown as white: a few bright lights must not darken the picture."""
@@ -29,9 +26,9 @@ class Tone:
 
     name: str
     white: float
-    curve: Callable[[Field], Field]
+    curve: Callable[[Floats], Floats]
 
-    def __call__(self, light: NDArray[Any]) -> NDArray[np.uint8]:
+    def __call__(self, light: Array) -> Bytes:
         """Map light of any shape to 0..255 (uint8). Negative values and NaN are black, values above
         `white` are white."""
         if not self.white > 0:
@@ -47,7 +44,7 @@ def check_tone(tone: str) -> None:
         raise unknown_name("NS0739", "unknown tone curve '{}'", tone, [*TONES], "the curves are {}")
 
 
-def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
+def fitted(tone: str, light: Array, white: float | None = None) -> Tone:
     """Fit the tone curve named `tone` to light (.., rows, cols), or (.., rows, cols, 3) in colours.
 
     `white`: the light shown as white; None for the percentile `WHITE_PERCENTILE`, or the brightest
@@ -64,14 +61,14 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
     return Tone(f"{tone} curve", white=white, curve=TONES[tone](values / white))
 
 
-def srgb_of_linear(values: Field) -> Field:
+def srgb_of_linear(values: Floats) -> Floats:
     """Return `values`, linear light on 0..1 and above, mapped by the sRGB curve of IEC 61966-2-1.
     Negative values continue its straight part."""
     power = 1.055 * np.maximum(values, 0.0031308) ** (1 / 2.4) - 0.055
     return np.where(values > 0.0031308, power, 12.92 * values)
 
 
-def _logarithmic(relative: Field) -> Callable[[Field], Field]:
+def _logarithmic(relative: Floats) -> Callable[[Floats], Floats]:
     """Return the curve log(1 + b x) / log(1 + b), with b such that the median of `relative` light
     becomes a middle grey. b is limited to 1 .. 2^30 for a median that is too bright or too dark."""
     middle = min(float(np.median(relative)), 1.0)
@@ -85,13 +82,13 @@ def _logarithmic(relative: Field) -> Callable[[Field], Field]:
     return lambda light: np.log1p(factor * np.minimum(light, 1.0)) / np.log1p(factor)
 
 
-def _reinhard(relative: Field) -> Callable[[Field], Field]:
+def _reinhard(relative: Floats) -> Callable[[Floats], Floats]:
     """Return Reinhard's global operator (SIGGRAPH 2002) with a white point, for an sRGB screen. The
     geometric mean of `relative` light, without zeros, becomes a middle grey."""
     lit = relative[relative > 0]
     scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
 
-    def curve(light: Field) -> Field:
+    def curve(light: Floats) -> Floats:
         """Return light divided by white on the screen's scale, with highlights compressed (Reinhard
         et al. 2002)."""
         bright = light * scale
@@ -100,12 +97,12 @@ def _reinhard(relative: Field) -> Callable[[Field], Field]:
     return curve
 
 
-def _mu_law(_relative: Field) -> Callable[[Field], Field]:
+def _mu_law(_relative: Floats) -> Callable[[Floats], Floats]:
     """Return log(1 + 5000 x) / log 5001, the curve of PSNR-mu."""
     return lambda light: np.log1p(5000.0 * np.minimum(light, 1.0)) / np.log1p(5000.0)
 
 
-TONES: dict[str, Callable[[Field], Callable[[Field], Field]]] = {
+TONES: dict[str, Callable[[Floats], Callable[[Floats], Floats]]] = {
     "log": _logarithmic,
     "reinhard": _reinhard,
     "mu-law": _mu_law,

@@ -11,12 +11,10 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planning.planned_scene import PlannedScene, trial_of
-
-Values = NDArray[np.float64]
 
 SLACK = 1.1
 """The audit passes if the measured error is at most this multiple of the tolerance."""
@@ -126,7 +124,7 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
     return replace(report, holds=report.breach(plan) is None)
 
 
-def in_distribution(report: Audit, own_e: Values, loop_e: Values) -> Audit:
+def in_distribution(report: Audit, own_e: Floats, loop_e: Floats) -> Audit:
     """Return `report` with the difference in distribution of two series of independent frames, of
     the bucket in which it is largest.
 

@@ -6,11 +6,10 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats, Ints, Ints32
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.effects.parts import Saturates
@@ -34,9 +33,8 @@ from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.run_kinds import KINDS
 
-Values = NDArray[np.float64]
-Places = NDArray[np.int64]
-States = NDArray[np.int32]
+Places = Ints
+States = Ints32
 
 SAMPLED = 4000
 """Number of pixels on which a plan is measured."""
@@ -150,8 +148,8 @@ class SampledExposures:
     which each pixel ended, as a number whose bit k is that of the k-th state register in
     alphabetical order; 0 without states."""
 
-    exposure_e: Values
-    endings: NDArray[np.int32]
+    exposure_e: Floats
+    endings: Ints32
 
 
 Expose = Callable[[int, States | None], PixelExposures]
@@ -325,9 +323,7 @@ def _kept_bits(container: Container) -> int:
     return sum(1 << k for k, name in enumerate(_state_registers(container)) if name in kept)
 
 
-def _packed(
-    container: Container, bits: Mapping[str, NDArray[Any]], count: int
-) -> NDArray[np.int32]:
+def _packed(container: Container, bits: Mapping[str, Array], count: int) -> Ints32:
     """Return the bits of state registers as numbers, (count,): bit k is that of the k-th state
     register in alphabetical order. `bits`: arrays of `count` bits, of any shape, by register; a
     register that is missing is 0."""

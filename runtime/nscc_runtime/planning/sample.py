@@ -10,14 +10,13 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Floats32, Ints
 from nscc_runtime.execution.block_scene import LightMeans
 from nscc_runtime.execution.near_saturation import NearSaturation
 from nscc_runtime.light import Light
 
-Values = NDArray[np.float64]
-Places = NDArray[np.int64]
+Places = Ints
 
 _NEAR_FRACTION = 0.4
 """Largest fraction of a sample that is drawn from the pixels near saturation."""
@@ -57,8 +56,8 @@ class Sample:
     """
 
     places: Places
-    weight: Values
-    near: NDArray[np.bool_]
+    weight: Floats
+    near: Bools
     scene_pixels: int
     light_means: LightMeans = field(default_factory=dict)
 
@@ -82,14 +81,14 @@ class SampledErrors:
     scene that each sampled pixel represents. `unseen_e2`: allowance in the mean square error, in
     square electrons, for rare pixels that the sample does not contain."""
 
-    size_e: Values
-    compared: NDArray[np.bool_]
-    weight: Values
+    size_e: Floats
+    compared: Bools
+    weight: Floats
     unseen_e2: float = 0.0
 
     @classmethod
     def between(
-        cls, exposed_e: Values, true_e: Values, same: NDArray[np.bool_], weight: Values
+        cls, exposed_e: Floats, true_e: Floats, same: Bools, weight: Floats
     ) -> SampledErrors:
         """Return the errors of `exposed_e` against `true_e`, electrons (outputs, frames, pixels).
 
@@ -119,7 +118,7 @@ class SampledErrors:
         return float(mean_e2.max(initial=0.0))
 
     @property
-    def mean_square_e2(self) -> Values:
+    def mean_square_e2(self) -> Floats:
         """Mean square error of each output over the pixels that are compared, in square electrons,
         (outputs,)."""
         return self._mean(self.size_e**2) / self._compared
@@ -148,18 +147,18 @@ class SampledErrors:
         return float(1.0 - self._compared.min(initial=1.0))
 
     @property
-    def _compared(self) -> Values:
+    def _compared(self) -> Floats:
         """Fraction of the scene that is compared, (outputs,); at least 1e-12, because errors are
         divided by it."""
         return np.maximum(self._mean(self.compared.astype(np.float64)), 1e-12)
 
-    def _mean(self, values: Values) -> Values:
+    def _mean(self, values: Floats) -> Floats:
         """Return the mean (outputs,) of values (outputs, frames, pixels) over frames and, weighted
         by the scene's pixels, over pixels; 0 without pixels."""
         total = (values.mean(axis=1) * self.weight).sum(axis=-1)
         return np.asarray(total / max(float(self.weight.sum()), 1e-300))
 
-    def _standard_error(self, values: Values) -> Values:
+    def _standard_error(self, values: Floats) -> Floats:
         """Return the standard error (outputs,) of the weighted mean of values (outputs, frames,
         pixels): other pixels could have been drawn, and the noise of the drawn ones differs."""
         deviation = (values.mean(axis=1) - self._mean(values)[:, None]) * self.weight
@@ -167,7 +166,7 @@ class SampledErrors:
         return np.asarray(np.sqrt((deviation**2).sum(axis=-1)) / total)
 
 
-def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Values) -> Sample:
+def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Floats) -> Sample:
     """Draw about `count` pixels of a scene, deterministically; all pixels of a scene with at most
     `count`. A pixel that would be drawn several times is in the sample once.
 
@@ -194,8 +193,8 @@ def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Va
 
 
 def _near_drawn(
-    near: NearSaturation, full_well_e: float, chance: Values, count: int
-) -> tuple[Places, Values]:
+    near: NearSaturation, full_well_e: float, chance: Floats, count: int
+) -> tuple[Places, Floats]:
     """Draw about `count` of the pixels near saturation; all if there are no more. Return their
     indices in `near`, and how many such pixels each represents, 1 if it is certain to be drawn.
 
@@ -213,7 +212,7 @@ def _near_drawn(
     return np.append(certain, ordered[drawn]), np.append(np.ones(len(certain)), weight)
 
 
-def _drawn(chance: Values, count: int, represented: int) -> tuple[Places, Values]:
+def _drawn(chance: Floats, count: int, represented: int) -> tuple[Places, Floats]:
     """Draw distinct indices of `chance` with probabilities proportional to its values,
     deterministically.
 
@@ -234,7 +233,7 @@ def _drawn(chance: Values, count: int, represented: int) -> tuple[Places, Values
     return drawn, np.where(sure, 1.0, weight * scale)
 
 
-def drawing_chances(light: Light, full_well_e: float) -> Values:
+def drawing_chances(light: Light, full_well_e: float) -> Floats:
     """Return the relative probability of drawing each pixel of a scene, (rows * cols,), above 0 for
     all. `full_well_e`: full well in electrons.
 
@@ -258,7 +257,7 @@ def drawing_chances(light: Light, full_well_e: float) -> Values:
     return chance.reshape(-1)
 
 
-def _contrast(light_e: NDArray[np.float32]) -> NDArray[np.float32]:
+def _contrast(light_e: Floats32) -> Floats32:
     """Return each pixel's light plus the absolute differences from its four neighbours, in
     electrons, (rows, cols) as `light_e`; beyond the border there is no difference."""
     score = light_e.copy()

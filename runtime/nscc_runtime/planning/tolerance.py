@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.effects import everything
@@ -141,7 +141,7 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     tolerance_of(tolerance, sensor, Bright())
 
 
-def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
+def mean_signal_e(exposure_e: Floats, sensor: Sensor) -> float:
     """Return the mean absolute exposure in electrons, each clipped to the full well; NaN is
     ignored. `exposure_e`: exposures without effects, any shape. Returns 0 if all are NaN."""
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])

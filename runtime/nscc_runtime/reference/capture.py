@@ -17,8 +17,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc.operations import WordEffect
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
@@ -37,8 +37,7 @@ from nscc_runtime.reference.weights import backward
 from nscc_runtime.reference.words import START, Marked, WordPixels, in_rows
 from nscc_runtime.run_kinds import KINDS
 
-Values = NDArray[np.float64]
-Bits = NDArray[np.bool_]
+Bits = Bools
 Planes = Mapping[str, Bits]
 """Digital registers (rows, cols) by name."""
 
@@ -245,7 +244,7 @@ class ProgramPixels(WordPixels):
             self.target, {**bits, **self.code}, retention_us(self.effects, self.sensor)
         )
 
-    def run(self, charge: Values) -> Marked:
+    def run(self, charge: Floats) -> Marked:
         """Run all words of the frame, and return exposures (buckets, pixels) in electrons and their
         saturation marks. `charge`: electrons (intervals, pixels) that fall in each interval."""
         slots, starts = self.container.slots, self.program.starts
@@ -268,7 +267,7 @@ class ProgramPixels(WordPixels):
                 self.digital.now_us += interval_us[number]
         return self.read_out()
 
-    def _until(self, word: RunningWord, slot_charge: Values) -> None:
+    def _until(self, word: RunningWord, slot_charge: Floats) -> None:
         """Add to PIX the part of `slot_charge` (pixels,), the charge of the slot that begins at the
         word's boundary, that is collected until the word ends. Without the effect of slow words,
         this is nothing. Update `fallen`, the fraction of the slot collected so far. PIX is the

@@ -9,8 +9,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -18,10 +18,10 @@ from nscc_runtime.effects.views import OnDevice, Scene, Slots
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, poisson
 
-Charge = NDArray[np.float64]
+Charge = Floats
 
 
-def places_of(rows: range, cols: int) -> NDArray[np.int64]:
+def places_of(rows: range, cols: int) -> Ints:
     """Return the places, row * cols + column, of the pixels of consecutive rows, (pixels,)."""
     return np.arange(rows.start * cols, rows.stop * cols, dtype=np.int64)
 
@@ -35,7 +35,7 @@ class Fallen(NamedTuple):
 
     charge: Charge
     light: Charge
-    valid: NDArray[np.bool_]
+    valid: Bools
 
     def rows(self, rows: slice) -> Fallen:
         """Return the charge of some of these rows: the slice `rows`, where 0 is the first row that

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Indices
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase, WordEffect
 
@@ -24,9 +25,7 @@ class Digital:
     it for more than `retention_us`, by the time `now_us`, which the caller advances. Where the mask
     register disables a write, the masked register keeps its value."""
 
-    def __init__(
-        self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
-    ) -> None:
+    def __init__(self, target: Target, bits: Mapping[str, Array], retention_us: float) -> None:
         """Begin with `bits` (pixels,) by name, of all digital registers and of FLAG (the bit that
         lets a pixel act). Registers that are not written again within `retention_us` microseconds
         read 0."""
@@ -50,7 +49,7 @@ class Digital:
         is_retained = self.now_us - self.written_us[name] <= self.retention_us
         return np.where(is_retained, self.bits[name], np.int8(0))
 
-    def write(self, name: str, value: NDArray[Any]) -> None:
+    def write(self, name: str, value: Array) -> None:
         """Set a register in all pixels to `value` (pixels,), bool or 0, 1 and UNKNOWN, and note the
         time."""
         self.bits[name], self.written_us[name] = value.astype(np.int8), self.now_us
@@ -107,7 +106,7 @@ class Digital:
             )
         return any_bit
 
-    def choose(self, pixels: NDArray[np.intp]) -> None:
+    def choose(self, pixels: Indices) -> None:
         """Replace the pixels by those with the indices `pixels` (new pixels,); an index may occur
         several times or never. Bits and times of writing follow."""
         self.bits = {name: values[pixels] for name, values in self.bits.items()}
@@ -115,7 +114,7 @@ class Digital:
             if isinstance(values, np.ndarray):
                 self.written_us[name] = values[pixels]
 
-    def merge(self) -> NDArray[np.intp]:
+    def merge(self) -> Indices:
         """Merge pixels whose bits and times of writing are equal into one. Return for each old
         pixel (pixels,) the index of the new one."""
         # A time that is a single number is the same in all pixels.

@@ -11,8 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes, Floats
 from nscc.words.container import Container
 from nscc.words.stream import Stream
 from nscc_runtime.effects import Selection
@@ -22,8 +22,6 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.words import Marked, in_rows
-
-Values = NDArray[np.float64]
 
 _ACTING = {
     "scene", "light", "response", "count", "charge", "neighbours", "well", "resets", "reads",
@@ -106,13 +104,13 @@ class _Taps(Pixels):
     effects: Selection
     rows: slice
 
-    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+    def error(self, name: str, word: Word, destination: int = 0) -> Floats:
         """Return standard normal numbers (pixels,) for the effect called `name` at the step `word`.
         `destination` is ignored: there is one for each step. The effect must be simulated."""
         effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 
-    def run(self, charge: Values) -> Marked:
+    def run(self, charge: Floats) -> Marked:
         """Return exposures (buckets, pixels) in electrons, and their saturation marks. `charge`:
         electrons (N, pixels) that fall in each slot."""
         container, target = self.container, self.container.target
@@ -139,7 +137,7 @@ class _Taps(Pixels):
         waits_us = [ends(_Step(slot, target.plane_load_us)) for ends in self.effects.at("time")]
         return 1.0 - float(sum(waits_us)) / slot_us
 
-    def _clip_tap(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
+    def _clip_tap(self, charge: Floats) -> tuple[Floats, Bytes]:
         """Return the charge (pixels,) of a tap after saturation, in electrons, and its saturation
         marks: the bit of each effect that reduced the charge."""
         marked = np.zeros(len(charge), np.uint8)
@@ -151,7 +149,7 @@ class _Taps(Pixels):
                 )
         return charge, marked
 
-    def _read_out(self, tap_charge: Values) -> Values:
+    def _read_out(self, tap_charge: Floats) -> Floats:
         """Apply reset level, gain, read errors and readout to `tap_charge` (taps, pixels), which
         holds electrons, in place, and return it."""
         for tap, readout in enumerate(self.container.readouts):

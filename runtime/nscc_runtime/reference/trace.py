@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.operations import Op, WordEffect
@@ -24,7 +24,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.digital import Digital
 
-Bits = NDArray[np.bool_]
+Bits = Bools
 
 _ANALOG = WordEffect.BUS, WordEffect.RESET_PIX, WordEffect.FLAG_ANALOG
 
@@ -121,7 +121,7 @@ def retention_us(effects: Selection, sensor: Sensor) -> float:
     return min([kept_us(sensor) for kept_us in effects.at("digital")], default=inf)
 
 
-def readout_waits_s(container: Container) -> NDArray[np.float64]:
+def readout_waits_s(container: Container) -> Floats:
     """Return the time in seconds from the end of the exposure to the readout of each bucket,
     (buckets,).
 

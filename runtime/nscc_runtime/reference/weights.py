@@ -14,15 +14,15 @@ from math import exp
 from typing import Generic, Literal, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints32
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters, readout_waits_s
 
-Weights = NDArray[np.float64]
+Weights = Floats
 Name = TypeVar("Name", int, tuple[int, int])
 
 
@@ -35,7 +35,7 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 
     def __init__(self) -> None:
         """Begin without weights."""
-        self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
+        self._held: dict[Name, tuple[int, Ints32 | None, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
         """Store the weights (lanes, buckets) of a name, in place of those stored before; all 0
@@ -151,7 +151,7 @@ class Backward:
         code."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
-    def open(self) -> NDArray[np.bool_]:
+    def open(self) -> Bools:
         """Return the shutters (N, lanes, buckets), True where open. Raises Rejected with NS0442 if
         the weight of a slot is neither 0 nor 1 up to rounding, as with a model that has losses. A
         lane is the pixels of one code."""
@@ -268,7 +268,7 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
     return result
 
 
-def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
+def _fresh(executed: Sequence[AnalogWord], lanes: int) -> Bools:
     """Return a mask (words, lanes, 1): True if an earlier word of the same boundary has reset PIX
     (the photodiode) in this lane (the pixels of one code). `executed`: the words of one boundary in
     order, at least one. The last axis fits the buckets of weights."""

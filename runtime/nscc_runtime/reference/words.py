@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Bytes, Floats
 from nscc.chips.target import Target
 from nscc.operations import OPERATIONS, Op, WordEffect
 from nscc.words.container import Container
@@ -24,8 +24,7 @@ from nscc_runtime.reference.charge import Fallen
 from nscc_runtime.reference.trace import RunningWord, readout_waits_s
 from nscc_runtime.reference.weights import error_sign
 
-Full = NDArray[np.uint8]
-Values = NDArray[np.float64]
+Full = Bytes
 
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4  # bits of `Marks.full`
 
@@ -49,12 +48,12 @@ class Marks:
         self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
         self.lost = {name: np.zeros(pixels) for name in registers}
 
-    def fill(self, full: NDArray[np.bool_]) -> None:
+    def fill(self, full: Bools) -> None:
         """Mark PIX (the photodiode) as full where the mask `full` (pixels,) is True; other marks of
         PIX stay."""
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
-    def fallen(self, pixels: Pixels, charge: Values) -> Values:
+    def fallen(self, pixels: Pixels, charge: Floats) -> Floats:
         """Return the charge (pixels,) of PIX (the photodiode), in electrons, after the effects of
         the full well. Mark PIX as full where an effect with such a mark has reduced the charge."""
         for effect, clip in self.effects.acting("well"):
@@ -63,7 +62,7 @@ class Marks:
                 self.fill(charge < charge_before)
         return charge
 
-    def clip_register(self, pixels: Pixels, value: Values, lost_e: Values) -> tuple[Values, Values]:
+    def clip_register(self, pixels: Pixels, value: Floats, lost_e: Floats) -> tuple[Floats, Floats]:
         """Return a register's `value` after saturation, and `lost_e` plus the electrons lost by it,
         all in electrons (pixels,). Without effects of registers both stay."""
         for effect, clip in self.effects.acting("registers"):
@@ -72,14 +71,12 @@ class Marks:
                 lost_e = lost_e + np.abs(value_before - value)
         return value, lost_e
 
-    def empty(self, acting: NDArray[np.bool_]) -> None:
+    def empty(self, acting: Bools) -> None:
         """Clear the marks of PIX (the photodiode) where it is reset: in the pixels of the mask
         `acting`."""
         self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
 
-    def gathered(
-        self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
-    ) -> tuple[Full, Values]:
+    def gathered(self, op: Op, unseen: Bools, lit: Bools) -> tuple[Full, Floats]:
         """Return the marks, as bits ADDED, SUBTRACTED and LEVEL, and the lost electrons that the
         result of the bus word `op` inherits from its sources, each (pixels,).
 
@@ -98,13 +95,13 @@ class Marks:
             lost_e = lost_e + self.lost[name]
         return inverted(full), lost_e / op.operation.divisor
 
-    def write(self, name: str, acting: NDArray[np.bool_], full: Full, lost_e: Values) -> None:
+    def write(self, name: str, acting: Bools, full: Full, lost_e: Floats) -> None:
         """Set the marks `full` and the lost electrons `lost_e` of the register `name` in the pixels
         of the mask `acting`; others keep theirs. All are (pixels,)."""
         self.full[name] = np.where(acting, full, self.full[name])
         self.lost[name] = np.where(acting, lost_e, self.lost[name])
 
-    def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
+    def read_out(self, name: str, gain: float) -> Bytes:
         """Return the bits of `saturated_by` (pixels,) for the readout of the register `name`.
 
         A negative `gain` inverts its sign, so added and subtracted charge are exchanged. Losses of
@@ -133,7 +130,7 @@ def inverted(full: Full) -> Full:
     return np.asarray(exchanged | full & LEVEL, np.uint8)
 
 
-Bits = NDArray[np.bool_]
+Bits = Bools
 
 
 class Resets:
@@ -166,7 +163,7 @@ class Resets:
         (the photodiode) was reset at this boundary, and an effect lets light into the level."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
-    def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
+    def read_level(self, pixels: Pixels, charge: Floats, word: Word, boundary: float) -> Floats:
         """Return the electrons (pixels,) that `word` reads from PIX (the photodiode) at `boundary`
         when PIX contains `charge`: reset level and charge. Where PIX was reset at this boundary,
         the charge is left out, or what effects that let light into the level make of it."""
@@ -176,7 +173,7 @@ class Resets:
         return charge_and_level + self._level_e
 
 
-Marked = tuple[Values, NDArray[np.uint8]]
+Marked = tuple[Floats, Bytes]
 """Exposures (buckets, pixels) in electrons, and their saturation marks, of the same shape."""
 
 CELLS = 1 << 21
@@ -264,18 +261,18 @@ class WordPixels(Pixels):
             effect.name: error_part.at for effect, error_part in self.effects.having(Errors)
         }
 
-    def arbitrary(self, group: int) -> Values:
+    def arbitrary(self, group: int) -> Floats:
         """Return uniform numbers in [0, 1), (pixels,), for the initial values of a register. They
         depend on the device seed and on `group`, the number of the register."""
         return uniforms(key(self.device_seed, START, group=group), self.places)
 
-    def draw(self, name: str, number: int) -> Values:
+    def draw(self, name: str, number: int) -> Floats:
         """Return standard normal numbers (pixels,) of the effect called `name`. `number` counts the
         draws of this effect in a frame; the same number gives the same draw."""
         stream = by_name()[name].stream
         return normals(key(self.seed, stream, self.word_draws, self.frame, number), self.places)
 
-    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+    def error(self, name: str, word: Word, destination: int = 0) -> Floats:
         """Return standard normal numbers (pixels,) of the effect called `name` for `word`. For an
         effect of results of words they differ for each `destination` (its index in the word);
         effects of reads, resets and comparisons have one draw a word."""
@@ -284,7 +281,7 @@ class WordPixels(Pixels):
             number = number * self.most + destination
         return self.draw(name, number)
 
-    def fall(self, charge: Values) -> None:
+    def fall(self, charge: Floats) -> None:
         """Add `charge` (pixels,), in electrons, to PIX (the photodiode), which may saturate."""
         self.charge = self.marks.fallen(self, self.charge + charge)
 
@@ -302,7 +299,7 @@ class WordPixels(Pixels):
         self.marks.empty(acting)
         self.resets.reset(self, acting, word, word.boundary)
 
-    def total(self, word: RunningWord) -> Values:
+    def total(self, word: RunningWord) -> Floats:
         """Return the sum of a word's sources in electrons (pixels,); reading PIX adds its reset
         level and read errors. PIX is the photodiode."""
         total = np.zeros(len(self.places))
@@ -318,7 +315,7 @@ class WordPixels(Pixels):
                 total += self.register[name]
         return total
 
-    def compared(self, word: RunningWord) -> Values:
+    def compared(self, word: RunningWord) -> Floats:
         """Return the electrons (pixels,) that the comparison `word` tests for being above 0: the
         sum of its sources, with the comparator's errors if these effects are on."""
         total = self.total(word)

@@ -6,8 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from numpy.typing import NDArray
-
+from nscc.arrays import Array
 from nscc.words.container import Container
 from nscc_runtime.frame_file import joined
 from nscc_runtime.neighbours.pictured_program import (
@@ -67,10 +66,10 @@ class ImagesRun(RunKind):
         `frame` has the buckets that are read, then the images in the order in which they are sent.
         If `sent.exact`, its electrons are exact; otherwise those of images follow from their
         converter codes. The host adds up the images whose sum is reported."""
-        told: dict[str, NDArray[Any]] = {}
+        told: dict[str, Array] = {}
         buckets = len(container.buckets_read)
         converter = image_sensor(sent.sensor, container.target)
-        pictures, values = container.pictures, dict[str, NDArray[Any]]()
+        pictures, values = container.pictures, dict[str, Array]()
         for number, name in enumerate(container.buckets_read):
             values[pictures.registers[name]] = frame.exposure_e[number]
         for number, name in enumerate(pictures.images_sent, buckets):

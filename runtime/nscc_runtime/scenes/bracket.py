@@ -7,11 +7,10 @@ from collections.abc import Callable, Sequence
 from fractions import Fraction
 from glob import glob
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats32
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
@@ -60,7 +59,7 @@ def merged_bracket(
     times: Sequence[float] | None,
     transfer: Transfer | None = None,
     tell: Callable[[Pages], object] = lambda _: None,
-) -> tuple[NDArray[np.float32], Colours]:
+) -> tuple[Floats32, Colours]:
     """Merge photos to linear light by the method of Debevec and Malik (SIGGRAPH 1997).
 
     The camera response is known: the curve that the file states, or the curve of its format. Light
@@ -128,7 +127,7 @@ def merged_bracket(
     return merged if merged.shape[-1] == 3 else merged[..., 0], light
 
 
-def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
+def _weights(photo: Array) -> Floats32:
     """Return the weight (R, C, 1) of each pixel of a `photo` (R, C, channels) of uint8 or uint16: 0
     for samples at black and white, and largest half-way between. Weights of channels are
     averaged."""
@@ -137,7 +136,7 @@ def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
     return np.asarray(triangle[photo].mean(axis=-1, keepdims=True))
 
 
-def _log_light(photo: NDArray[Any], colours: Colours) -> NDArray[np.float32]:
+def _log_light(photo: Array, colours: Colours) -> Floats32:
     """Return the logarithm of the linear light of a `photo` (R, C, channels) of uint8 or uint16, in
     the same shape: 0 for white. `colours` gives the curve of each channel.
 

@@ -7,14 +7,14 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import exposure as exposures
 from nscc_runtime.scenes.exposure import BUILTIN, ExposureLevel
-from nscc_runtime.scenes.shapes import Field, fractal, noise, smooth
+from nscc_runtime.scenes.shapes import fractal, noise, smooth
 
 _SUN = (0.66, 0.37)
 """Position of the sun, in fractions of width and height."""
@@ -28,7 +28,7 @@ _TREES = ((0.045, 0.36), (0.125, 0.47), (0.2, 0.57), (0.93, 0.5), (0.985, 0.42))
 """Position of the stem and of the tip of each pine, in fractions of width and height."""
 
 
-def landscape(rows: int, cols: int) -> NDArray[np.float32]:
+def landscape(rows: int, cols: int) -> Floats32:
     """Return relative luminance (rows, cols) from 0.03 to 6000, equal on every machine.
 
     The functions below draw its parts from back to front. They use coordinates x to the right and
@@ -52,7 +52,7 @@ def landscape(rows: int, cols: int) -> NDArray[np.float32]:
     return picture.astype(np.float32)
 
 
-def _sky(x: Field, y: Field) -> Field:
+def _sky(x: Floats, y: Floats) -> Floats:
     """Return the luminance of the sky with a sun and clouds, (rows, cols); `x` and `y` are
     coordinates 0..1."""
     distance2 = ((x - _SUN[0]) ** 2)[None, :] + ((y - _SUN[1]) ** 2)[:, None]
@@ -65,7 +65,12 @@ def _sky(x: Field, y: Field) -> Field:
 
 
 def _ridge(
-    picture: Field, x: Field, y: Field, shape: tuple[float, float, float], seed: int, pixel: float
+    picture: Floats,
+    x: Floats,
+    y: Floats,
+    shape: tuple[float, float, float],
+    seed: int,
+    pixel: float,
 ) -> None:
     """Draw a mountain ridge into `picture` (rows, cols), in place.
 
@@ -82,7 +87,7 @@ def _ridge(
     picture += (level * slopes * haze - picture) * land
 
 
-def _lake(picture: Field, x: Field, y: Field) -> None:
+def _lake(picture: Floats, x: Floats, y: Floats) -> None:
     """Draw the lake below the shore into `picture` (rows, cols), in place; it mirrors the scene
     above, broken by waves. `x` and `y` are the coordinates (0..1) of columns and rows. A picture
     that ends above the shore, or begins below it, is unchanged."""
@@ -104,7 +109,7 @@ def _lake(picture: Field, x: Field, y: Field) -> None:
     picture[below] = np.minimum(mirror, 300.0) * shade + 0.05 + 900.0 * path * path * glitter
 
 
-def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
+def _bank(picture: Floats, x: Floats, y: Floats, pixel: float) -> None:
     """Draw the near bank with pines and a hut with a lit window into `picture` (rows, cols), in
     place. `x` and `y` are the coordinates (0..1) of columns and rows, and `pixel` is the size of a
     pixel."""
@@ -123,7 +128,7 @@ def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
     picture += (70.0 - picture) * lit
 
 
-def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
+def _pine(x: Floats, y: Floats, stem: float, tip: float, pixel: float) -> Floats:
     """Return how much of each pixel a pine tree covers, 0..1, (rows, cols).
 
     All arguments are in fractions of the picture's size: `x` and `y` of columns and rows, `stem`
@@ -136,7 +141,7 @@ def _pine(x: Field, y: Field, stem: float, tip: float, pixel: float) -> Field:
     return smooth(-0.5 * pixel, 0.5 * pixel, inside)
 
 
-def _hut(x: Field, y: Field, pixel: float) -> Field:
+def _hut(x: Floats, y: Floats, pixel: float) -> Floats:
     """Return how much of each pixel a hut with a roof covers, 0..1, (rows, cols). `x`, `y`:
     positions of columns and rows, 0..1; `pixel`: the width of a pixel."""
     roof = np.abs(x - 0.81)[None, :] * 0.7 + 0.755 - y[:, None]
@@ -145,7 +150,7 @@ def _hut(x: Field, y: Field, pixel: float) -> Field:
     return np.maximum(walls, eaves * smooth(-0.5 * pixel, 0.5 * pixel, -roof))
 
 
-def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: float) -> Field:
+def _box(x: Floats, y: Floats, sides: tuple[float, float, float, float], pixel: float) -> Floats:
     """Return how much of each pixel a rectangle covers, 0..1, (rows, cols).
 
     All arguments are in fractions of the picture's size: `x` and `y` of columns and rows, `sides`
@@ -153,7 +158,7 @@ def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: fl
     x0, x1, y0, y1 = sides
     across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - x0, x1 - x))
     down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - y0, y1 - y))
-    result: Field = across[None, :] * down[:, None]
+    result: Floats = across[None, :] * down[:, None]
     return result
 
 

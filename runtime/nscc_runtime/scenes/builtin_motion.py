@@ -8,14 +8,14 @@ from fractions import Fraction
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import timing
 from nscc_runtime.scenes.exposure import ExposureLevel, scale
-from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
+from nscc_runtime.scenes.shapes import fractal, hashed, turn
 
-Picture = NDArray[np.float32]
+Picture = Floats32
 Point = tuple[float, float]
 
 _FEWEST, _MOST = 64, 256
@@ -46,7 +46,7 @@ def motion(
     )
 
 
-def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.float32]:
+def frames(count: int, rows: int, cols: int, share: float = 1.0) -> Floats32:
     """Return the middle `share` (0 to 1) of the clip: relative luminance (count, rows, cols) up to
     8.
 
@@ -69,7 +69,7 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.f
     return clip
 
 
-def _wall(x: Field, y: Field) -> Picture:
+def _wall(x: Floats, y: Floats) -> Picture:
     """Return the luminance of a brick wall lit from one side, (rows, cols), float32. `x`, `y`:
     coordinates of columns and rows from the centre. A unit of them holds 16 courses of bricks and 7
     bricks of a course."""
@@ -83,17 +83,17 @@ def _wall(x: Field, y: Field) -> Picture:
     grain = fractal(x * 24.0, y * 24.0, seed=11, octaves=3)
     light = 0.24 - 0.12 * x[None, :] - 0.06 * y[:, None]
     colour = (0.45 + 0.55 * mortar * (0.5 + 0.5 * tone)) * (0.7 + 0.6 * grain)
-    wall: Field = np.maximum(light, 0.03) * colour
+    wall: Floats = np.maximum(light, 0.03) * colour
     return wall.astype(np.float32)
 
 
-def _span(axis: Field, low: float, high: float) -> slice:
+def _span(axis: Floats, low: float, high: float) -> slice:
     """Return the slice of the ascending pixel centres `axis` that lie between `low` and `high`,
     both included; empty if there are none."""
     return slice(int(np.searchsorted(axis, low)), int(np.searchsorted(axis, high, side="right")))
 
 
-def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
+def _train(picture: Picture, x: Floats, y: Floats, phase: float, half: Point, pixel: float) -> None:
     """Draw coaches with lit windows, which run along the lower edge from left to right, into
     `picture` (rows, cols), in place.
 
@@ -116,7 +116,7 @@ def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixe
 class _Wheel:
     """A wheel of five spokes that makes one and a half turns; its static parts are cached."""
 
-    def __init__(self, x: Field, y: Field, pixel: float) -> None:
+    def __init__(self, x: Floats, y: Floats, pixel: float) -> None:
         """Prepare the wheel on the rows and columns that it covers. `x` and `y` are the coordinates
         of columns and rows from the centre, `pixel` is the size of a pixel."""
         centre, radius = (-0.2, -0.05), 0.21
@@ -146,7 +146,7 @@ class _Wheel:
         region += (glint - region) * cover
 
 
-def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
+def _ball(picture: Picture, x: Floats, y: Floats, phase: float, half: Point, pixel: float) -> None:
     """Draw a ball that bounces three times from right to left into `picture` (rows, cols), in
     place.
 
@@ -167,7 +167,7 @@ def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel
     picture[rows, cols] += (lit + gloss - picture[rows, cols]) * cover
 
 
-def _spark(picture: Picture, x: Field, y: Field, phase: float, half: Point) -> None:
+def _spark(picture: Picture, x: Floats, y: Floats, phase: float, half: Point) -> None:
     """Add a point of light, at the position `phase` (0..1) of a closed loop, to `picture` (rows,
     cols), in place. `x` and `y` are the coordinates of columns and rows from the centre, `half` is
     half the width and half the height of the picture."""

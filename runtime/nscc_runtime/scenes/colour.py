@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc_runtime.scene_settings import Transfer
 
 CURVES = {
@@ -26,7 +26,7 @@ LUMINANCE: Weights = (0.2126, 0.7152, 0.0722)
 _STRIP_SAMPLES = 1 << 22
 """Number of samples that are converted at a time, to limit memory in double precision."""
 
-Curve = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+Curve = Callable[[Floats], Floats]
 """A function from samples as fractions of white to linear light, where white is 1."""
 
 
@@ -74,9 +74,7 @@ def white_of(dtype: np.dtype[Any]) -> float:
     return float(np.iinfo(dtype).max) if dtype.kind in "ui" else 1.0
 
 
-def linear(
-    values: NDArray[Any], colours: Transfer | Colours, white: float | None = None
-) -> NDArray[np.float64]:
+def linear(values: Array, colours: Transfer | Colours, white: float | None = None) -> Floats:
     """Convert stored samples of any shape to linear light, float64; white becomes 1.
 
     Samples are fractions of `white`, a sample above 0 (None: `white_of` their type). With three
@@ -90,22 +88,22 @@ def linear(
     return _on_curve(values, colours.curves[0], white)
 
 
-def _on_curve(values: NDArray[Any], curve: Curve, white: float | None) -> NDArray[np.float64]:
+def _on_curve(values: Array, curve: Curve, white: float | None) -> Floats:
     """Return stored `values` as linear light, where the sample `white` is 1; None for the default
     white of their type."""
     scale = white or white_of(values.dtype)
     if values.dtype == np.uint8:
         # 8 bits have 256 values: the curve is computed once for each instead of for each sample.
         table = curve(np.arange(256, dtype=np.float64) / scale)
-        decoded: NDArray[np.float64] = table[values]
+        decoded: Floats = table[values]
         return decoded
-    fractions: NDArray[np.float64] = values.astype(np.float64)
+    fractions: Floats = values.astype(np.float64)
     if scale != 1:
         fractions /= scale
     return curve(fractions)
 
 
-def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def pq_to_linear(values: Floats) -> Floats:
     """Convert PQ signals to linear light (0..1, where 1 is 10 000 cd/m2). Signals below 0 count as
     0, those above 1 as 1."""
     # Constants and formula of SMPTE ST 2084.
@@ -115,7 +113,7 @@ def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray((np.maximum(power - c1, 0) / (c2 - c3 * power)) ** (1 / m1))
 
 
-def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def hlg_to_linear(values: Floats) -> Floats:
     """Convert HLG signals to the linear light of the scene; 0 stays 0, 1 stays 1. Negative signals
     count as 0, those above 1 continue the curve."""
     # Constants of ITU-R BT.2100.
@@ -126,7 +124,7 @@ def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(signal <= 0.5, signal**2 / 3, bright)
 
 
-def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def srgb_to_linear(values: Floats) -> Floats:
     """Convert sRGB signals to linear light; 0 stays 0, 1 stays 1. Below 0.04045, also below 0, the
     curve is a straight line."""
     # The maximum keeps the base of the power positive; smaller samples take the straight line.
@@ -134,7 +132,7 @@ def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(values <= 0.04045, values / 12.92, curve)
 
 
-def _unchanged(values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _unchanged(values: Floats) -> Floats:
     """Return the values: the curve of linear light."""
     return values
 
@@ -147,7 +145,7 @@ _INVERSES: dict[Transfer, Curve] = {
 }
 
 
-def luminance(rgb: NDArray[np.float64], weights: Weights = LUMINANCE) -> NDArray[np.float64]:
+def luminance(rgb: Floats, weights: Weights = LUMINANCE) -> Floats:
     """Return the luminance (rows, cols) of linear red, green, blue (rows, cols, 3): their sum with
     these `weights`."""
     red, green, blue = weights
@@ -155,11 +153,11 @@ def luminance(rgb: NDArray[np.float64], weights: Weights = LUMINANCE) -> NDArray
 
 
 def grey(
-    stored: NDArray[Any],
+    stored: Array,
     colours: Transfer | Colours,
     channel: int | None,
     white: float | None = None,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return the luminance (rows, cols) of a stored picture as linear light, white = 1, or the
     light of one of its colours.
 

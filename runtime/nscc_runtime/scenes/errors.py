@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 
@@ -59,9 +58,7 @@ def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
 _NOT_LIGHT = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": "negative"}
 
 
-def refuse_no_light(
-    values: NDArray[Any], name: Path_or_name, corner: tuple[int, int] = (0, 0)
-) -> None:
+def refuse_no_light(values: Array, name: Path_or_name, corner: tuple[int, int] = (0, 0)) -> None:
     """Raise NS0736 if any of `values` is NaN, negative, or above float32's range, which counts as
     infinite. An empty array passes.
 

@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.errors import Path_or_name
 
@@ -82,7 +82,7 @@ def needed(name: Path_or_name) -> ExposureLevel:
     )
 
 
-def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_name) -> float:
+def scale(open_sum: Floats, exposure: ExposureLevel, name: Path_or_name) -> float:
     """Return the factor from the unit of the scene `name` to electrons, with which its pixel at the
     percentile of `exposure` gets the electrons of `exposure`.
 

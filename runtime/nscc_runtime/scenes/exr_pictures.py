@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import pages as limits
 from nscc_runtime.scenes.colour import LUMINANCE, Weights
@@ -69,7 +69,7 @@ def exr_pages(path: Path) -> Pages:
         text = f"contains {len(layers)} parts with a picture, used as frames of a clip"
         notes.append((f"{text}: {_listed(names)}", "--still --first K selects one of them"))
 
-    def read() -> Iterator[NDArray[Any]]:
+    def read() -> Iterator[Array]:
         """Yield the layers as pictures; raise ValueError if parts of the file are missing."""
         with OpenEXR.File(str(path), separate_channels=True) as file:
             if len(file.parts) < len(headers):  # the library leaves out parts that it cannot read
@@ -119,9 +119,9 @@ def _picture_layer(channels: Sequence[str]) -> str | None:
 def _layer_pixels(
     channels: Mapping[str, Any],
     layer: str,
-    window: tuple[NDArray[Any], NDArray[Any]],
+    window: tuple[Array, Array],
     weights: Weights,
-) -> NDArray[Any]:
+) -> Array:
     """Return the picture of a layer on its data window, (rows, cols) of Y alone, else (rows, cols,
     3).
 
@@ -129,7 +129,7 @@ def _layer_pixels(
     `window` is ((left, top), (right, bottom)). `weights` are the luminances of red, green and blue,
     by which green is computed from luminance and chroma."""
 
-    def pixels(name: str) -> NDArray[Any]:
+    def pixels(name: str) -> Array:
         """Return the channel `name` (without prefix) of the layer at every pixel, (rows, cols)."""
         return _at_every_pixel(channels[layer + name], window)
 
@@ -146,7 +146,7 @@ def _layer_pixels(
     return np.stack([red, green, blue], axis=-1).astype(np.float32)
 
 
-def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> NDArray[Any]:
+def _at_every_pixel(channel: Any, window: tuple[Array, Array]) -> Array:
     """Return the samples of `channel` at all pixels of the data window `window`, ((left, top),
     (right, bottom)). A subsampled channel is interpolated linearly, to float32; beyond its last
     sample that sample is repeated."""
@@ -172,7 +172,7 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
     return values
 
 
-def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDArray[Any]:
+def _in_display_window(picture: Array, header: Mapping[str, Any]) -> Array:
     """Return a `picture` (rows, cols, ..) on its data window as it appears in the display window:
     padded with black, or cropped. `header` states both windows."""
     (data_left, data_top), _ = header["dataWindow"]

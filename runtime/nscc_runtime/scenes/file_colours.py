@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes.colour import (
     LUMINANCE,
@@ -111,19 +111,19 @@ def _profile_curve(data: bytes, tag: bytes) -> Curve:
     return partial(_table, samples / 65535)
 
 
-def _power(gamma: float, values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _power(gamma: float, values: Floats) -> Floats:
     """Return values to the power `gamma`; negative ones become 0. A `gamma` of 1 changes
     nothing."""
     return np.maximum(values, 0.0) ** gamma if gamma != 1 else values
 
 
-def _table(samples: NDArray[np.float64], values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _table(samples: Floats, values: Floats) -> Floats:
     """Return `values` (0..1) mapped by the curve that `samples` give at even distances from 0 to 1,
     with straight lines between. Values outside 0..1 get the first or the last sample."""
     return np.interp(values, np.linspace(0, 1, len(samples)), samples)
 
 
-def _parametric(numbers: tuple[float, ...], values: NDArray[np.float64]) -> NDArray[np.float64]:
+def _parametric(numbers: tuple[float, ...], values: Floats) -> Floats:
     """Return `values` mapped by the ICC parametric curve of `numbers`: 1, 3, 4, 5 or 7 of g, a, b,
     c, d, e, f.
 
@@ -188,7 +188,7 @@ def of_numbers(primaries: int, transfer: int) -> Stated:
     )
 
 
-def of_primaries(primaries: NDArray[Any] | None) -> Stated:
+def of_primaries(primaries: Array | None) -> Stated:
     """Return the colours of linear light with these `primaries`: CIE x and y of red, green, blue
     and white, eight numbers of any shape. None counts as Rec. 709; others are named in a note."""
     weights, notes = _weighted(None if primaries is None else np.ravel(primaries).tolist())

@@ -9,8 +9,8 @@ from itertools import compress, islice, pairwise, repeat
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc_runtime.scenes.pages import Edges, Note, Pages
 
 _CLOCK_S = 1e-3
@@ -57,7 +57,7 @@ def timed(pages: Pages) -> Pages:
     return replace(pages, edges=edges, notes=(*pages.notes, *notes))
 
 
-def _even(durations_s: NDArray[np.float64]) -> bool:
+def _even(durations_s: Floats) -> bool:
     """Return whether the frame durations `durations_s` (one or more) are equal, up to the rounding
     of a clock to 1 ms."""
     shortest, difference_s = float(durations_s.min()), float(np.ptp(durations_s))
@@ -70,7 +70,7 @@ def _even(durations_s: NDArray[np.float64]) -> bool:
     return bool(difference_s <= _EVEN_SHARE * shortest or drift_s <= _CLOCK_S + _SLACK)
 
 
-def _edges(durations_s: NDArray[np.float64]) -> tuple[Fraction, ...]:
+def _edges(durations_s: Floats) -> tuple[Fraction, ...]:
     """Return the starts of frames with these `durations_s` (above 0), and the end of the last, as
     fractions in units of the shortest duration."""
     steps = durations_s / durations_s.min()

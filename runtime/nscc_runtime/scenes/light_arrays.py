@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats32
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import MOST_BYTES, check_size, npy_header, npy_values
@@ -63,7 +63,7 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
         return {str(name): tuple(shape) for name, shape, _ in whosmat(file)}
 
 
-def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
+def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> Array:
     """Read the array `name` of a .mat file of any version, with axes in MATLAB's order. Raises
     ValueError if there is no such array, InvalidArrays if it needs more than `most_bytes`, and the
     exceptions of scipy and h5py for a damaged file."""
@@ -75,7 +75,7 @@ def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[An
 
 def mat_arrays(
     path: Path, names: Sequence[str] | None = None, most_bytes: int = MOST_BYTES
-) -> dict[str, NDArray[Any]]:
+) -> dict[str, Array]:
     """Read arrays of a .mat file of any version, by name, with axes in MATLAB's order.
 
     `names`: the arrays to read, None for all. Names that are missing, and variables that are no
@@ -127,7 +127,7 @@ def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
                 block = unpacker.unconsumed_tail
 
 
-def _of_hdf5(path: Path, names: Sequence[str] | None, most_bytes: int) -> dict[str, NDArray[Any]]:
+def _of_hdf5(path: Path, names: Sequence[str] | None, most_bytes: int) -> dict[str, Array]:
     """Return arrays of a MATLAB 7.3 file by name, with axes in MATLAB's order. `names`: the arrays
     to read, None for all; missing names and variables that are no arrays are left out. Raises
     InvalidArrays, before data is read, if they need more than `most_bytes`."""
@@ -256,7 +256,7 @@ def _refuse_other_axes(
     )
 
 
-def read_light(path: Path, check: Check) -> NDArray[np.float32]:
+def read_light(path: Path, check: Check) -> Floats32:
     """Read the array `light` of an .npz or .npy file: float32, (T, rows, cols) or (rows, cols).
 
     Raises Rejected: NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers,
@@ -298,7 +298,7 @@ def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
     )
 
 
-def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
+def _read_npy(file: IO[bytes], path: Path, check: Check) -> Floats32:
     """Return the light in the open .npy file `file`; `path` is for messages.
 
     `check` gets its shape before data is read, and raises if it does not fit. Raises ValueError for
@@ -312,20 +312,20 @@ def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
     return _light_of(path, values)
 
 
-def _light_of(path: Path, values: NDArray[Any]) -> NDArray[np.float32]:
+def _light_of(path: Path, values: Array) -> Floats32:
     """Return `values` of the file `path` as float32 in C order. Raises NS0736 for values that are
     not light."""
     refuse_no_light(values, path)
     return np.require(values, np.float32, ["C"])
 
 
-def clip_white(clip: NDArray[Any]) -> float | None:
+def clip_white(clip: Array) -> float | None:
     """Return the white level of a clip in a .mat file: 255 for floats that exceed 1, as in the
     benchmark; None for the default of the type."""
     return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
 
 
-def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
+def read_mat(path: Path, check: Check) -> tuple[str, Array]:
     """Read the scene in the .mat file `path`, as a pair of key and array: "light" with a float32
     array, or "orig" with an array (rows, cols, T) as stored. `light` has precedence.
 

@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats, Floats32
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
@@ -44,7 +44,7 @@ from nscc_runtime.scenes.placement import (
     white_used,
 )
 
-Stored = tuple[NDArray[Any], Colours]
+Stored = tuple[Array, Colours]
 """A picture as stored, and the meaning of its samples."""
 
 ARRAYS = (".mat", ".npy", ".npz")
@@ -91,7 +91,7 @@ class _Request:
         if self.factor is None and self.exposure is None:
             exposure.needed(self.name)
 
-    def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
+    def scale(self, open_sum: Floats, placement: Placement) -> float:
         """Return the factor from the scene's unit to electrons: `factor`, or the one that gives the
         exposure asked for.
 
@@ -115,7 +115,7 @@ class _Request:
         return len(self.slot_us)
 
     @property
-    def slot_s(self) -> NDArray[np.float64]:
+    def slot_s(self) -> Floats:
         """The lengths of the slots in seconds."""
         return np.array(self.slot_us, np.float64) * 1e-6
 
@@ -252,7 +252,7 @@ def laid_scene(
 
 
 def light_of_array(
-    values: NDArray[Any], *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
+    values: Array, *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
 ) -> Light:
     """Return the light of an array: electrons per slot (N, rows, cols), or per second (rows, cols).
 
@@ -399,7 +399,7 @@ def _array(request: _Request, path: Path) -> PlacedLight:
     return PlacedLight(_electrons(request, values), request.on_array)
 
 
-def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
+def _electrons(request: _Request, values: Floats32) -> Light:
     """Return the light of `values`: a clip (slots, rows, cols) in electrons, or a still (rows,
     cols) in electrons per second.
 
@@ -494,9 +494,7 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
     return PlacedLight(clip, placement, colour)
 
 
-def _say_changes(
-    request: _Request, stored: NDArray[Any], colours: Colours, placement: Placement
-) -> bool:
+def _say_changes(request: _Request, stored: Array, colours: Colours, placement: Placement) -> bool:
     """Return whether the picture `stored` is in colour. Send notes on its changes to `warn`, if the
     request is for the luminance: on size (by `placement`) and colours, and on the curve and white
     level that were assumed for `colours`."""
@@ -515,8 +513,8 @@ def _say_changes(
 
 
 def _light(
-    request: _Request, stored: NDArray[Any], colours: Colours, name: str
-) -> tuple[NDArray[np.float32], Placement]:
+    request: _Request, stored: Array, colours: Colours, name: str
+) -> tuple[Floats32, Placement]:
     """Return a stored picture as light on the arrays (rows, cols), in units of white, and its
     placement.
 

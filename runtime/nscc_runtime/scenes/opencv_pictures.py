@@ -7,11 +7,10 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from math import prod
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.pillow_pictures import pillow_pages
 
@@ -56,21 +55,19 @@ def _head(path: Path) -> bytes:
         return file.read(_HEADER_BYTES)
 
 
-def _reader(
-    path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
-) -> Callable[[], Iterator[NDArray[Any]]]:
+def _reader(path: Path, decode: Callable[[Bytes], Array]) -> Callable[[], Iterator[Array]]:
     """Return the function `read` (see `Pages`) of the file `path` of one picture. `decode` returns
     the picture in the bytes of the file. Decoding from memory recognises files by content, and
     supports any path."""
 
-    def read() -> Iterator[NDArray[Any]]:
+    def read() -> Iterator[Array]:
         """Yield the one picture of the file."""
         yield decode(np.fromfile(path, np.uint8))
 
     return read
 
 
-def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
+def decoded(data: Bytes) -> Array:
     """Return the picture in the bytes `data` of a file, (R, C, 3) red, green, blue or (R, C) grey,
     with its type of samples. Alpha is dropped. Raises ValueError if OpenCV cannot decode it."""
     import cv2
@@ -85,7 +82,7 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
     raise ValueError("OpenCV cannot decode it")
 
 
-def _radiance(data: NDArray[np.uint8]) -> NDArray[Any]:
+def _radiance(data: Bytes) -> Array:
     """Return the picture in the bytes `data` of a Radiance file of any of its eight orientations;
     OpenCV knows one. Raises UnsupportedPicture for colours other than red, green, blue, and
     ValueError for a damaged file."""

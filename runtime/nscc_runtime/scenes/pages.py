@@ -8,11 +8,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import prod
 from pathlib import Path
-from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.colour import Colours
 
@@ -53,10 +50,10 @@ class Pages:
 
     sizes: tuple[tuple[int, int], ...]
     count: int
-    read: Callable[[], Iterator[NDArray[Any]]]
+    read: Callable[[], Iterator[Array]]
     stated: Stated = Stated()
     notes: tuple[Note, ...] = ()
-    durations_s: Callable[[], NDArray[np.float64]] | None = None
+    durations_s: Callable[[], Floats] | None = None
     edges: Edges = None
     is_clip: bool = False
     is_light: bool = False

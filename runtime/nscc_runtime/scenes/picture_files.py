@@ -11,8 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from numpy.typing import NDArray
-
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
@@ -124,7 +123,7 @@ def open_pages(path: Path, large: bool = False) -> Pages:
         pages = replace(format_.pages(path), is_light=format_.is_light)
         check_sizes(path, pages, large)
 
-    def read() -> Iterator[tuple[str, NDArray[Any]]]:
+    def read() -> Iterator[tuple[str, Array]]:
         """Yield each picture with its name for messages, which counts from 0. Raises Rejected
         (NS0732) where the file is damaged, or has an array that is no picture."""
         pictures, number = pages.read(), 0
@@ -142,14 +141,14 @@ def open_pages(path: Path, large: bool = False) -> Pages:
     return replace(pages, read=lambda: same_size(read()))
 
 
-def read_frames(path: Path) -> Iterator[NDArray[Any]]:
+def read_frames(path: Path) -> Iterator[Array]:
     """Yield the frames of the clip `path` at even steps, as stored; frames that last longer are
     repeated. Raises Rejected like `open_pages`."""
     pages = timed(open_pages(path))
     return evenly(pages.read(), pages.edges)
 
 
-def read_picture(path: Path) -> NDArray[Any]:
+def read_picture(path: Path) -> Array:
     """Read the only picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
 
     Raises
@@ -160,7 +159,7 @@ def read_picture(path: Path) -> NDArray[Any]:
     return only_picture(path, open_pages(path))
 
 
-def only_picture(path: Path, pages: Pages) -> NDArray[Any]:
+def only_picture(path: Path, pages: Pages) -> Array:
     """Return the only picture among the `pages` of the file `path`, as stored: (R, C) or (R, C, 3).
     Raises Rejected (NS0732) for a file of several pictures or a damaged one."""
     if pages.count != 1:
@@ -188,7 +187,7 @@ def _readable(path: Path) -> Iterator[None]:
         raise damaged(path, error) from error
 
 
-def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
+def same_size(pictures: Iterable[tuple[Path_or_name, Array]]) -> Iterator[Array]:
     """Yield the pictures, (R, C) or (R, C, 3), of pairs (name for messages, picture). Raises NS0734
     at the first one that differs in rows or columns from the first picture."""
     first: tuple[int, int] | None = None

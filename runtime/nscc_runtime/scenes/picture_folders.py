@@ -5,10 +5,8 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
 
-from numpy.typing import NDArray
-
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.errors import damaged
@@ -81,7 +79,7 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
-) -> Iterator[tuple[NDArray[Any], Pages]]:
+) -> Iterator[tuple[Array, Pages]]:
     """Yield each of the files `pictures` as stored, (R, C) or (R, C, 3), with the pages of its
     file.
 
@@ -90,7 +88,7 @@ def read_folder(
     (NS0734) if one differs in size from the first."""
     opened: list[Pages] = []
 
-    def read() -> Iterator[tuple[Path, NDArray[Any]]]:
+    def read() -> Iterator[tuple[Path, Array]]:
         """Yield each picture; with `skip`, warn of unreadable ones and leave them out."""
         for path in pictures:
             try:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from math import prod
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import pages
@@ -23,7 +22,7 @@ _TINY_NEGATIVE = 1e-3
 
 
 def picture_light(
-    stored: NDArray[Any],
+    stored: Array,
     colours: Transfer | Colours,
     name: str,
     *,
@@ -32,7 +31,7 @@ def picture_light(
     window: tuple[slice, slice] | None = None,
     size: tuple[int, int] | None = None,
     warn: Callable[[Diagnostic], object] = lambda _: None,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Convert a stored picture to linear light (rows, cols).
 
     Parameters
@@ -83,7 +82,7 @@ def picture_light(
     return values
 
 
-def reduced(bands: Iterator[NDArray[np.float64]], rows: int, size: tuple[int, int]) -> NDArray[Any]:
+def reduced(bands: Iterator[Floats], rows: int, size: tuple[int, int]) -> Array:
     """Reduce a picture, given as bands of consecutive rows, by means over areas.
 
     Parameters

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats
 from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_numbers, of_pillow
 from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
 
@@ -52,7 +52,7 @@ def pillow_pages(path: Path) -> Pages:
     notes = (_GAIN_MAP,) if gain or any(mark in head for mark in _GAIN_MAPS) else ()
     numbers = range(first, count) if moving else range(1)
 
-    def read() -> Iterator[NDArray[Any]]:
+    def read() -> Iterator[Array]:
         """Yield the pictures of a file that Pillow reads, without its limit on sizes."""
         with without_pillow_limit(), Image.open(path) as image:
             for number in numbers:
@@ -77,7 +77,7 @@ def _is_in_adobe_rgb(image: Any) -> bool:
     return image.format in ("JPEG", "MPO") and image.getexif().get_ifd(_INTEROP).get(1) == "R03"
 
 
-def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:
+def pixels(image: Any, upright: bool = True) -> Bytes:
     """Return the samples of an open `image` of Pillow, uint8: (R, C) of a grey photograph, else (R,
     C, 3). Alpha is dropped.
 
@@ -96,7 +96,7 @@ def pixels(image: Any, upright: bool = True) -> NDArray[np.uint8]:
     return samples
 
 
-def _durations_s(path: Path, numbers: range) -> NDArray[np.float64]:
+def _durations_s(path: Path, numbers: range) -> Floats:
     """Return the durations in seconds of the frames with these `numbers` (from 0) in the file
     `path`; 0 for frames that state none or cannot be read, and for those after them."""
     from PIL import Image

@@ -11,8 +11,8 @@ from math import prod
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats, Floats32
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
@@ -134,7 +134,7 @@ class Placement:
         """Whether the exposed picture has the size of one array."""
         return self.size == self.array
 
-    def cut(self, values: NDArray[Any]) -> NDArray[Any]:
+    def cut(self, values: Array) -> Array:
         """Return the part of `values` (.., rows, cols) that belongs to the picture: its top left
         corner of size `size`. Their rows and columns are those of all arrays side by side."""
         return values[..., : self.size[0], : self.size[1]]
@@ -151,7 +151,7 @@ class Placement:
             for left in self._starts(1)
         ]
 
-    def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
+    def joined(self, pieces: list[Array]) -> Array:
         """Return the picture of values (.., rows, cols). `pieces` are those of each array, row by
         row and from left to right in a row; overlaps and margins are cut off."""
         if len(pieces) == 1:
@@ -163,7 +163,7 @@ class Placement:
         )
         return np.concatenate([*bands], axis=-2)
 
-    def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
+    def repeated(self, values: Array) -> Array:
         """Return the `values` of an array (.., rows, cols), repeated on every array, at the pixels
         of the picture."""
         return np.ascontiguousarray(self.joined([values] * prod(self.arrays)))
@@ -210,7 +210,7 @@ def placement_of(
     return Placement(fit, picture, (rows, cols), array)
 
 
-def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
+def placed(light: Floats, placement: Placement) -> Floats32:
     """Return the light of a picture on all arrays side by side, (rows, cols). `light` (rows, cols)
     is scaled to `placement.size` if it has another size. The mirror image of the picture fills what
     remains to the right and below."""
@@ -227,7 +227,7 @@ def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float
     return np.pad(exposed, margin, mode="symmetric")
 
 
-def in_colour(stored: NDArray[Any]) -> bool:
+def in_colour(stored: Array) -> bool:
     """Return whether the picture `stored`, (R, C) or (R, C, 3), has a pixel that is not grey."""
     # Row by row, because a mask of a whole picture takes much memory.
     return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
@@ -277,14 +277,14 @@ def taken_for_srgb(name: str) -> Diagnostic:
     )
 
 
-def few_bits(stored: NDArray[Any]) -> bool:
+def few_bits(stored: Array) -> bool:
     """Return whether the samples `stored` are integers of 16 bits or more and use at most a quarter
     of their range, such as 12-bit samples in 16 bits."""
     deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
     return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
 
 
-def white_used(name: str, curve: str, stored: NDArray[Any]) -> Diagnostic:
+def white_used(name: str, curve: str, stored: Array) -> Diagnostic:
     """Return the note (NS0773) on the curve and the white level with which the samples `stored` of
     the picture `name`, which use few bits, were converted. `curve` is the name of the curve in
     messages."""

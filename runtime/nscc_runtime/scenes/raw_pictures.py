@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc_runtime.scenes.pages import Note, Pages
 
 _NOTE: Note = (
@@ -32,7 +32,7 @@ def raw_pages(path: Path) -> Pages:
         stored = (int(raw.sizes.raw_height), int(raw.sizes.raw_width))
 
     # The file is opened again when the picture is read, because decoding it takes much memory.
-    def read() -> Iterator[NDArray[Any]]:
+    def read() -> Iterator[Array]:
         """Yield the one picture of a camera raw file: linear, in the camera's colours, without
         corrections."""
         with rawpy.imread(str(path)) as raw:

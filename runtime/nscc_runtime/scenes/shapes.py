@@ -6,20 +6,19 @@ sines and powers of libraries, so that builtin scenes are bit-identical everywhe
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Field = NDArray[np.float64]
+from nscc.arrays import Floats, Ints
 
 
-def smooth(low: float, high: float, values: Field) -> Field:
+def smooth(low: float, high: float, values: Floats) -> Floats:
     """Return, for each of `values`, 0 up to `low`, 1 from `high` on, and a smooth cubic in between.
     `low` is below `high`; both are in the unit of `values`."""
     t = np.clip((values - low) / (high - low), 0.0, 1.0)
-    result: Field = t * t * (3.0 - 2.0 * t)
+    result: Floats = t * t * (3.0 - 2.0 * t)
     return result
 
 
-def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
+def hashed(x: Ints, y: Ints, seed: int) -> Floats:
     """Return a pseudo-random number in [0, 1) for every pair of integers of `x` and `y`, another
     one for each `seed`. The shapes of `x` and `y` are broadcast as in a sum."""
     # The odd factors and shifts mix the bits. Products beyond 64 bits wrap around, which leaves the
@@ -27,11 +26,11 @@ def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
     h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
     h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
-    result: Field = ((h ^ (h >> 14)) & 0xFFFFFF) / float(1 << 24)
+    result: Floats = ((h ^ (h >> 14)) & 0xFFFFFF) / float(1 << 24)
     return result
 
 
-def noise(x: Field, y: Field, seed: int) -> Field:
+def noise(x: Floats, y: Floats, seed: int) -> Floats:
     """Return a smooth random field (len(y), len(x)) in [0, 1) with grain size 1. `x` and `y` are
     the coordinates of columns and of rows, in any order. Another `seed` gives another field.
 
@@ -47,11 +46,11 @@ def noise(x: Field, y: Field, seed: int) -> Field:
     rows_below = lattice[row - first_row + 1]
     between = rows_above + (rows_below - rows_above) * v
     at_left = between[:, column - first_col]
-    result: Field = at_left + (between[:, column - first_col + 1] - at_left) * u
+    result: Floats = at_left + (between[:, column - first_col + 1] - at_left) * u
     return result
 
 
-def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
+def fractal(x: Floats, y: Floats, seed: int, octaves: int) -> Floats:
     """Return noise in [0, 1), (len(y), len(x)), for the coordinates `x` of columns and `y` of rows.
     It is a mean of fields of `noise` at `octaves` scales (1 or more), each half as large and half
     as strong as the one before. `seed` numbers the first field."""
@@ -62,7 +61,7 @@ def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
         total += strength * noise(x * factor, y * factor, seed + octave)
         sum_of_strengths += strength
         strength *= 0.5
-    result: Field = total / sum_of_strengths
+    result: Floats = total / sum_of_strengths
     return result
 
 

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc_runtime.scenes.file_colours import of_profile
 from nscc_runtime.scenes.opencv_pictures import decoded
 from nscc_runtime.scenes.pages import Note, Pages, Stated, UnsupportedPicture
@@ -115,7 +115,7 @@ def tiff_pages(path: Path) -> Pages:
         _check_samples(page)
     profile = pages[0].tags.get(_PROFILE)
 
-    def read() -> Iterator[NDArray[Any]]:
+    def read() -> Iterator[Array]:
         """Yield the pictures of all pages."""
         for page in pages:
             yield _picture(path, byte_order, page)
@@ -229,7 +229,7 @@ def _check_samples(page: _Page) -> None:
     )
 
 
-def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
+def _picture(path: Path, byte_order: bytes, page: _Page) -> Array:
     """Return the `page` of the TIFF file `path`: (R, C) grey or (R, C, 3). `byte_order` is `II` or
     `MM`. Raises ValueError if its size differs from its tags, or if it cannot be decoded."""
     kind, bits = page.samples
@@ -249,7 +249,7 @@ def _picture(path: Path, byte_order: bytes, page: _Page) -> NDArray[Any]:
     return picture
 
 
-def _by_pillow(path: Path, page: _Page) -> NDArray[Any] | None:
+def _by_pillow(path: Path, page: _Page) -> Array | None:
     """Return the `page` of the file `path` as 8-bit grey (R, C) or RGB (R, C, 3). Return None if
     Pillow does not support its kind, or cannot seek to it because it lies in the samples of another
     page's directory."""

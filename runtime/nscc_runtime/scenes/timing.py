@@ -11,8 +11,8 @@ from math import ceil
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32, Ints, Ints32
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
@@ -30,9 +30,9 @@ class Overlaps:
     The entries of slot n are `row_start[n]` to `row_start[n + 1]` - 1. An entry is the frame
     `frame_index` and the time `seconds`."""
 
-    row_start: NDArray[np.int64]
-    frame_index: NDArray[np.int32]
-    seconds: NDArray[np.float64]
+    row_start: Ints
+    frame_index: Ints32
+    seconds: Floats
 
 
 def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
@@ -85,9 +85,9 @@ def overlaps(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> Ov
 
 
 def spread(
-    frames: NDArray[np.float32],
+    frames: Floats32,
     overlap: Overlaps,
-    factor_of: Callable[[NDArray[np.float64]], float],
+    factor_of: Callable[[Floats], float],
 ) -> Light:
     """Return the light of a clip; each frame is constant for its time.
 
@@ -104,7 +104,7 @@ def spread(
 
 
 def with_motion(
-    light: Light, seconds: NDArray[np.float64] | None = None, fps: float = 1.0, edges: Edges = None
+    light: Light, seconds: Floats | None = None, fps: float = 1.0, edges: Edges = None
 ) -> Light:
     """Return a clip of samples with its `motion`: linear interpolation between frames.
 

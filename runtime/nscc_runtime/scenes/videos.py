@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats, Floats32, Ints
 from nscc_runtime.scenes import pages as limits
 from nscc_runtime.scenes.file_colours import of_numbers
 from nscc_runtime.scenes.pages import Note, Pages
@@ -36,12 +36,12 @@ class _Timing:
     duration of the last frame in these units, 0 if the file does not state it. `declared`: number
     of frames in the header (0: none)."""
 
-    times: NDArray[np.int64]
+    times: Ints
     last: int
     unit_s: float
     declared: int
 
-    def durations_s(self) -> NDArray[np.float64]:
+    def durations_s(self) -> Floats:
         """Return how long each frame is shown (s).
 
         The last duration is replaced by the median of the others unless it lies between the
@@ -175,7 +175,7 @@ def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ..
     return tuple(notes)
 
 
-def _frames(path: Path, pixel: Fraction) -> Iterator[NDArray[Any]]:
+def _frames(path: Path, pixel: Fraction) -> Iterator[Array]:
     """Yield the pictures (R, C, 3) of the video `path` until decoding fails, rotated as it says.
 
     `pixel` is the width of a pixel over its height; columns are resampled to square pixels. Raises
@@ -202,7 +202,7 @@ def _frames(path: Path, pixel: Fraction) -> Iterator[NDArray[Any]]:
                 raise ValueError(str(error)) from error
 
 
-def picture_of(frame: Any) -> NDArray[Any]:
+def picture_of(frame: Any) -> Array:
     """Return red, green and blue (R, C, 3) of `frame`, a decoded frame of PyAV, by the matrix and
     the range that it names. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8
     bits."""
@@ -222,7 +222,7 @@ def picture_of(frame: Any) -> NDArray[Any]:
     return np.asarray(np.rint(np.clip(rgb, 0, 1) * np.float32(np.iinfo(kind).max)).astype(kind))
 
 
-def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
+def _planes(frame: Any, bits: int) -> list[Array]:
     """Return luma and, unless the frame is grey, both chromas (blue, red) as stored, each (rows,
     cols) of its own size. `bits` is the number of bits of a sample."""
     grey = frame.format.name.startswith("gray")
@@ -239,9 +239,7 @@ def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
     ]
 
 
-def _as_fractions(
-    planes: Sequence[NDArray[Any]], bits: int, full: bool
-) -> list[NDArray[np.float32]]:
+def _as_fractions(planes: Sequence[Array], bits: int, full: bool) -> list[Floats32]:
     """Return luma 0..1 and chroma -0.5..0.5 of `planes`: luma, then no or two chromas, each (rows,
     cols). `bits` is the number of bits of a sample. `full`: whether samples use the full range, not
     the limited one of television."""
@@ -259,9 +257,7 @@ def _as_fractions(
     ]
 
 
-def _red_green_blue(
-    luma: NDArray[np.float32], chroma: Sequence[NDArray[np.float32]], matrix: int
-) -> NDArray[np.float32]:
+def _red_green_blue(luma: Floats32, chroma: Sequence[Floats32], matrix: int) -> Floats32:
     """Return red, green and blue (rows, cols, 3) of `luma` (rows, cols), 0..1, and `chroma`, blue
     and red, each -0.5..0.5.
 

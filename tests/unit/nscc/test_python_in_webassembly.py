@@ -11,9 +11,10 @@ import pytest
 from checkout import ROOT
 
 import nscc
+from nscc.arrays import Floats, Ints
 from nscc.examples import examples
 from nscc.program.evaluate import Value, _chosen, guard
-from nscc_runtime.loop import Floats, Ints, Written
+from nscc_runtime.loop import Written
 from nscc_runtime.loop_given import parameter_of
 
 GUEST = """

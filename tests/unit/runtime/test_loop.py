@@ -14,11 +14,12 @@ import pytest
 from numpy.typing import NDArray
 from typing_extensions import TypeAliasType
 
+from nscc.arrays import Floats, Ints
 from nscc_runtime import loop as loops
 from nscc_runtime import machine_code
 from nscc_runtime.compile_ahead import modules
 from nscc_runtime.emulator.loops import expose_pixels
-from nscc_runtime.loop import Floats, Ints, Written, compiled, loop, object_file, record
+from nscc_runtime.loop import Written, compiled, loop, object_file, record
 from nscc_runtime.loop_given import LoopParameter
 
 

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools, Floats, Floats32
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
@@ -50,12 +51,12 @@ class CodedFrame:
     contains the shutters, `row` (rows, cols) the index of each pixel's shutter, `slot_us` (N,) the
     slot lengths in microseconds."""
 
-    value_e: NDArray[np.float32]
-    variance_e2: NDArray[np.float32]
-    saturated: NDArray[np.bool_]
-    opened: NDArray[np.bool_]
+    value_e: Floats32
+    variance_e2: Floats32
+    saturated: Bools
+    opened: Bools
     row: NDArray[np.integer]
-    slot_us: NDArray[np.float64]
+    slot_us: Floats
 
     @property
     def is_still(self) -> bool:
@@ -78,20 +79,20 @@ class CodedFrame:
             self.slot_us,
         )
 
-    def clip(self) -> Measured[NDArray[Any]]:
+    def clip(self) -> Measured[Array]:
         """Return the measurement for a clip decoder, with masks of N slots. Light is in electrons
         per slot of mean length; a mask is above 1 for a slot that is longer. Raises ValueError for
         too many slots times pixels."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
         return self._measured(weights)
 
-    def still(self) -> Measured[NDArray[Any]]:
+    def still(self) -> Measured[Array]:
         """Return the measurement for a still decoder, with masks of one slot: the open fraction of
         the frame. Light is in electrons over the whole frame."""
         share = self.opened @ (self.slot_us / self.slot_us.sum())
         return self._measured(share[..., None].astype(np.float32))
 
-    def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
+    def _measured(self, weights: Floats32) -> Measured[Array]:
         """Return the frame as a batch of one measurement. `weights` (shutters, buckets, slots) say
         how much of the light of a slot each shutter collects.
 
@@ -166,10 +167,10 @@ def read_coded_frames(
 
 def _dark_of(
     path: Path,
-    arrays: Mapping[str, NDArray[Any]],
+    arrays: Mapping[str, Array],
     meta: Mapping[str, Any],
     warn: Callable[[Diagnostic], None],
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return the dark value (B, rows, cols) of each pixel, in codes above the ADC's offset, from
     the dark frame in the file `path`.
 
@@ -222,9 +223,9 @@ def coded_capture(
 
 
 def coded_frame(
-    arrays: Mapping[str, NDArray[Any]],
+    arrays: Mapping[str, Array],
     meta: Mapping[str, Any],
-    dark: NDArray[np.float64] | None = None,
+    dark: Floats | None = None,
 ) -> CodedFrame:
     """Convert the arrays and `meta` of a frame file, which holds one frame or repeated frames
     (averaged).
@@ -275,7 +276,7 @@ def coded_frame(
     return CodedFrame(*arrays_e, saturated, opened, row, slot_us)
 
 
-def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
+def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, Array]:
     """Return the decode table that an older frame file at `path` lacks, computed from its `program`
     and its `meta`.
 
@@ -300,9 +301,9 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
 
 def _is_exposed_by(
     program: Path,
-    arrays: Mapping[str, NDArray[Any]],
+    arrays: Mapping[str, Array],
     meta: Mapping[str, Any],
-    table: Mapping[str, NDArray[Any]],
+    table: Mapping[str, Array],
 ) -> bool:
     """Return whether a frame was exposed with the shutters of a program, whose decode table is
     `table`.

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 from torch.utils.data import Dataset
 
+from nscc.arrays import Floats32
 from nscc_training.any_code.decode import white
 from nscc_training.code_choices import over_array
 from nscc_training.codes_files import load_codes
@@ -27,8 +27,8 @@ from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import searched_codes
 from nscc_training.settings import RunSettings
 
-Mask = NDArray[np.float32]
-Light = NDArray[np.float32]
+Mask = Floats32
+Light = Floats32
 
 _NOISE = (3 / 255, 40 / 255)
 """Limits of the standard deviation of noise in lessons of denoising; white is 1."""

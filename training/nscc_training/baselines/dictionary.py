@@ -7,8 +7,8 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32
 from nscc_training import made_scenes
 from nscc_training.baselines.tv_loop import Clip
 from nscc_training.least_squares import solve
@@ -22,7 +22,7 @@ SPARSITY = 8
 """A dictionary has `ATOMS` atoms, of which a block uses at most `SPARSITY`. Blocks have a side of
 `SIDE` pixels and begin every `STRIDE` pixels."""
 
-Matrix = NDArray[np.float64]
+Matrix = Floats
 
 _CLIPS = 24
 _BLOCKS = 4000
@@ -31,7 +31,7 @@ _ENOUGH = 0.02
 """The pursuit ends when the root mean square residual is below this, in units of white."""
 
 
-def dictionary_clip(measurement: NDArray[np.float32], mask: Clip, atoms: Matrix) -> Clip:
+def dictionary_clip(measurement: Floats32, mask: Clip, atoms: Matrix) -> Clip:
     """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), by sparse coding of
     overlapping blocks, which are averaged.
 
@@ -54,7 +54,7 @@ def dictionary_clip(measurement: NDArray[np.float32], mask: Clip, atoms: Matrix)
     return np.asarray(total / count, np.float32)
 
 
-def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArray[np.float64]:
+def pursued(matrix: Matrix, right: Floats, sparsity: int) -> Floats:
     """Solve matrix @ weights = right for a matrix (n, K), with at most `sparsity` nonzero weights.
     Return the weights (K,).
 

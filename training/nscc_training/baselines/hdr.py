@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc_training.baselines.tent_loop import tent_sums
 
-Picture = NDArray[np.float64]
+Picture = Floats
 
 _OWN = 8.0
 """Weight of a pixel's own measurement relative to that of a direct neighbour."""
@@ -17,7 +18,7 @@ def merged(
     frame: NDArray[np.floating],
     open_share: Picture,
     electrons_per_lsb: float,
-    saturated: NDArray[np.bool_],
+    saturated: Bools,
     read_noise_e: float,
 ) -> Picture:
     """Estimate the light over the whole frame in electrons (rows, cols), as if every pixel had
@@ -68,7 +69,7 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
     return np.maximum(result, least)
 
 
-def _from_first_to_last(marked: NDArray[np.bool_], margin: int) -> slice:
+def _from_first_to_last(marked: Bools, margin: int) -> slice:
     """Return the slice from the first to the last true element of `marked`, with `margin` more
     elements at both ends where the array has them. At least one element is true."""
     indices = np.flatnonzero(marked)

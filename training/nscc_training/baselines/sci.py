@@ -5,8 +5,8 @@ rows, cols), on 0..1 in the unit of the measurement."""
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32
 from nscc_training.baselines.dictionary import dictionary_clip, made_dictionary
 from nscc_training.baselines.gap_tv import INNER, TIME, WEIGHT, gap_tv_of
 from nscc_training.baselines.tent_loop import tent_sums
@@ -19,7 +19,7 @@ _RIDGE = 0.01
 
 
 def gap_tv(
-    measurement: NDArray[np.float32],
+    measurement: Floats32,
     mask: Clip,
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
@@ -36,7 +36,7 @@ def gap_tv(
 
 
 def admm_tv(
-    measurement: NDArray[np.float32],
+    measurement: Floats32,
     mask: Clip,
     iterations: int = ITERATIONS,
     weight: float = WEIGHT,
@@ -58,13 +58,13 @@ def admm_tv(
     return clip
 
 
-def from_dictionary(measurement: NDArray[np.float32], mask: Clip) -> Clip:
+def from_dictionary(measurement: Floats32, mask: Clip) -> Clip:
     """Reconstruct a clip by sparse coding (`nscc_training.baselines.dictionary`). The first call
     for a number of frames learns a dictionary."""
     return dictionary_clip(measurement, mask, made_dictionary(len(mask)))
 
 
-def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
+def adjoint(measurement: Floats32, mask: Clip) -> Clip:
     """Return the measurement shared among the frames in which a pixel was open: S^T E, divided by
     the sum of squares of its mask. Decoders start from it."""
     return np.asarray(mask * (measurement / _energy(mask)), np.float32)
@@ -92,16 +92,14 @@ def thin_out(clip: Clip) -> Clip:
     return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)
 
 
-def _energy(mask: Clip) -> NDArray[np.float32]:
+def _energy(mask: Clip) -> Floats32:
     """Return the sum over the frames of the squared `mask` (T, rows, cols), as (rows, cols). It is
     1 where a pixel never opens, so that one can divide by it."""
     energy = np.einsum("trc,trc->rc", mask, mask)
     return np.asarray(np.where(energy > 0, energy, 1), np.float32)
 
 
-def _inpainted(
-    values: NDArray[np.float32], sample_mask: NDArray[np.float32]
-) -> NDArray[np.float32]:
+def _inpainted(values: Floats32, sample_mask: Floats32) -> Floats32:
     """Return a picture (rows, cols) whose missing pixels are means of the known ones around them.
 
     `values` are light times `sample_mask`, which is the weight of each pixel and 0 where the pixel
@@ -124,7 +122,7 @@ def _inpainted(
     return picture
 
 
-def _between(length: int, step: int) -> NDArray[np.float64]:
+def _between(length: int, step: int) -> Floats:
     """Return the matrix (length, samples) that interpolates linearly between samples at every
     `step`-th of `length` places. After the last sample its value is repeated."""
     at = np.arange(0, length, step)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.nn import functional
 
+from nscc.arrays import Bools, Floats
 from nscc_training import made_scenes
 from nscc_training.baselines.dictionary import learned
 
@@ -23,7 +24,7 @@ FILTERS = 40
 WEIGHT = 0.03
 ITERATIONS = 60
 
-Picture = NDArray[np.float64]
+Picture = Floats
 
 _COARSE = 3.0
 """Standard deviation in pixels of the blur that gives the coarse picture."""
@@ -66,7 +67,7 @@ def coded_still(
     open_share: Picture,
     coarse_e: Picture,
     electrons_per_lsb: float,
-    saturated: NDArray[np.bool_],
+    saturated: Bools,
     full_well_e: float,
     iterations: int = ITERATIONS,
 ) -> Picture:

@@ -8,9 +8,9 @@ from __future__ import annotations
 from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nscc_runtime.loop import Floats, Written, inlined, loop, record
+from nscc.arrays import Floats
+from nscc_runtime.loop import Written, inlined, loop, record
 
 _LANES = 8
 """Columns that are summed together: a line of the processor's cache."""
@@ -87,7 +87,7 @@ def tent_lines(
             values[i] = 0.0
 
 
-def tent_sums(values: NDArray[np.float64], reach: int) -> NDArray[np.float64]:
+def tent_sums(values: Floats, reach: int) -> Floats:
     """Sum over square windows, with weights that fall linearly to 0 at `reach` pixels.
 
     Parameters

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nscc_runtime.loop import Floats32, Written, inlined, loop, record
+from nscc.arrays import Array, Floats32
+from nscc_runtime.loop import Written, inlined, loop, record
 
 _ONE = np.float32(1.0)
 
@@ -167,7 +167,7 @@ def denoise(
         _denoise_clip(volume, clip, image, later, down, right, out)
 
 
-Clip = NDArray[np.float32]
+Clip = Floats32
 
 
 def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) -> Clip:
@@ -184,7 +184,7 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
     return np.asarray(tv_denoised_arrays(clip[None], weight, iterations, time)[0])
 
 
-def tv_denoised_arrays(clips: NDArray[Any], weight: float, iterations: int, time: float) -> Clip:
+def tv_denoised_arrays(clips: Array, weight: float, iterations: int, time: float) -> Clip:
     """Return clips (batch, T, rows, cols), float32, each denoised by itself as `tv_denoise` does.
     The arguments, among them `weight` above 0, are not checked."""
     image = np.ascontiguousarray(clips, np.float32)

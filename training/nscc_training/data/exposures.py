@@ -9,10 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 from torch.utils.data import Dataset
 
+from nscc.arrays import Floats32
 from nscc_training.data.sources import Scenes, SourceScene
 from nscc_training.protocols import load_protocol
 from nscc_training.random_streams import DrawStream
@@ -198,7 +198,7 @@ class ExposureSet(Dataset[Exposures]):
 
     def _surroundings(
         self, scene: int, generator: np.random.Generator
-    ) -> tuple[NDArray[np.float32], float, str]:
+    ) -> tuple[Floats32, float, str]:
         """Return a random region of the light of scene number `scene`, of `self.side` rows and
         columns; the fraction of its pixels that will saturate; and its coordinates as text.
 
@@ -324,7 +324,7 @@ def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     return low + (high - low) * (rank - lower_index)
 
 
-def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:
+def _without_poles(scene: SourceScene, settings: DataSettings) -> Floats32:
     """Return the light of a scene, (rows, cols) or (T, rows, cols). A panorama, twice as wide as
     high, loses the distorted eighths at its top and bottom, if enough rows remain for a region."""
     light = scene.light

@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes, Floats, Floats32
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.picture_files import PICTURES, only_picture, open_pages
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb
 from nscc_training.scene_files import folders_of
 
-Picture = NDArray[np.uint8]
+Picture = Bytes
 Generator = np.random.Generator
 
 _SHORT = 1000
@@ -33,9 +33,7 @@ _BLURRED = 3
 """Number of moments that are averaged for a frame with motion blur."""
 
 
-def moving(
-    pictures: Sequence[Picture], generator: Generator, frames: int, size: int
-) -> NDArray[np.float32]:
+def moving(pictures: Sequence[Picture], generator: Generator, frames: int, size: int) -> Floats32:
     """Return a clip (frames, size, size), float32, with values from 0 to 1, composed of parts of
     `pictures`.
 
@@ -78,15 +76,15 @@ class _Layer:
     `middle`; it is None for a background."""
 
     picture: Picture
-    centre: NDArray[np.float64]
-    velocity: NDArray[np.float64]
+    centre: Floats
+    velocity: Floats
     scale: float
     zoom: float
     angle: float
     spin: float
-    waves: NDArray[np.float64]
-    middle: NDArray[np.float64]
-    outline: NDArray[np.float64] | None
+    waves: Floats
+    middle: Floats
+    outline: Floats | None
 
     @classmethod
     def drawn(
@@ -119,7 +117,7 @@ class _Layer:
         # Away from the borders, beyond which the picture is mirrored.
         points = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
-        def detail(point: NDArray[np.float64]) -> float:
+        def detail(point: Floats) -> float:
             """Return the standard deviation of the picture around a place (row, column): a measure
             of its detail."""
             row, col = (int(at) - size // 2 for at in point)
@@ -139,7 +137,7 @@ class _Layer:
             outline=outline,
         )
 
-    def picture_at(self, moment: float, size: int) -> NDArray[np.float32]:
+    def picture_at(self, moment: float, size: int) -> Floats32:
         """Return what the layer shows at time `moment`, in frames from the middle of the clip:
         (size, size), values 0 to 255. Beyond its border the picture is mirrored."""
         import cv2
@@ -167,7 +165,7 @@ class _Layer:
         )
         return np.asarray(warped, np.float32)
 
-    def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
+    def cover_at(self, moment: float, size: int) -> Floats32:
         """Return the fraction (0 to 1) of each pixel of (size, size) that the object covers at time
         `moment`, in frames from the middle of the clip. Its edge is one pixel wide. The layer must
         not be a background."""
@@ -203,7 +201,7 @@ def pictures_below(folder: Path) -> list[Path]:
     return files
 
 
-def light_of_picture(path: Path) -> NDArray[np.float32]:
+def light_of_picture(path: Path) -> Floats32:
     """Return the linear light of the picture file `path`, float32 (rows, cols), halved until its
     shorter side is below `_SHORT` pixels.
 
@@ -218,7 +216,7 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
     return light
 
 
-def shown_picture(light: NDArray[np.float32]) -> Picture:
+def shown_picture(light: Floats32) -> Picture:
     """Return the 8-bit display picture of linear light. White is the 98 % quantile of the light;
     brighter pixels are clipped. `light` is (rows, cols), and the result, uint8, too."""
     level = max(float(np.percentile(light, 98)), 1e-30)

@@ -7,11 +7,10 @@ from dataclasses import dataclass, replace
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats, Floats32
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256
 from nscc_runtime.scene_settings import Transfer
@@ -58,7 +57,7 @@ class SourceScene:
 
     name: str
     sha256: str
-    light: NDArray[np.float32]
+    light: Floats32
     label: str = ""
 
 
@@ -151,9 +150,7 @@ class _Kind:
     classes: tuple[str, ...] = ()
     tell: Callable[[str], object] = lambda _text: None
 
-    def light(
-        self, stored: NDArray[Any], colours: Transfer | Colours, name: str
-    ) -> NDArray[np.float64]:
+    def light(self, stored: Array, colours: Transfer | Colours, name: str) -> Floats:
         """Return the light (rows, cols) of a picture `stored` in a file, (rows, cols) or with
         colours last, converted as by `nscc run`. `colours` is its encoding, `name` names it in
         messages; warnings are passed to `tell`."""
@@ -252,9 +249,7 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
     return [_scene(path.name, still, kind, digest)]
 
 
-def _turned(
-    panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
-) -> list[SourceScene]:
+def _turned(panorama: Floats32, name: str, digest: str, kind: _Kind) -> list[SourceScene]:
     """Return clips of a camera that turns in `panorama` (rows, cols), as many as the setting
     `paths`. The scenes are called after `name`, that of the file. The file's `digest` and the seed
     determine its paths.
@@ -303,8 +298,8 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 
 
 def _clip_light(
-    path: Path, stored: Iterable[NDArray[Any]], colours: Transfer | Colours, kind: _Kind
-) -> NDArray[np.float32]:
+    path: Path, stored: Iterable[Array], colours: Transfer | Colours, kind: _Kind
+) -> Floats32:
     """Return the light of the first of the `stored` frames, (frames, rows, cols), cut to at most
     `_MOST_SIDE` rows and columns in their middle.
 
@@ -317,7 +312,7 @@ def _clip_light(
     return np.stack(frames, dtype=np.float32, casting="same_kind")
 
 
-def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
+def _scene(name: str, light: Array, kind: _Kind, digest: str | None = None) -> SourceScene:
     """Return the scene with this name and light, float32. Raise Rejected (NS0811), with the reason,
     if training cannot use it.
 

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
@@ -56,8 +55,8 @@ class Looked:
     [3]), the open time `open_us` of each pixel (rows, cols), in colours the mean of the three
     exposures, and the seconds of the simulation."""
 
-    light: NDArray[np.float64]
-    open_us: NDArray[np.float64]
+    light: Floats
+    open_us: Floats
     seconds: float
 
 
@@ -95,7 +94,7 @@ class Exposed:
         """Whether the scene is a still."""
         return self.laid[0].light.kind == "still"
 
-    def truth(self) -> NDArray[Any]:
+    def truth(self) -> Array:
         """Return the true light in electrons: over the frame (rows, cols), or per slot (T, rows,
         cols). Colours are the last axis. Parts of the array that the scene does not cover are cut
         off."""
@@ -116,7 +115,7 @@ class Exposed:
         """The number of readouts of the coded frame."""
         return len(self.container.table.shutters[0])
 
-    def codes(self, capture: Taken, readout: int = 0) -> NDArray[np.uint8]:
+    def codes(self, capture: Taken, readout: int = 0) -> Bytes:
         """Return the converter codes of readout number `readout` (0 is the first) of a capture,
         (rows, cols) or with colours (rows, cols, 3). Raises IndexError for a readout that the
         capture does not have."""

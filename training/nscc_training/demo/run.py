@@ -6,9 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from shlex import quote
 
-import numpy as np
-from numpy.typing import NDArray
-
+from nscc.arrays import Floats32
 from nscc.files import Product, write_together
 from nscc_runtime.formats import Content, file_of
 from nscc_runtime.pictures.sheet import png_of
@@ -110,7 +108,7 @@ def demo(
 
 def _reconstructed(
     exposed_scene: Exposed, frames: tuple[Path, Path], settings: DemoSettings, progress: Progress
-) -> tuple[NDArray[np.float32], float, str]:
+) -> tuple[Floats32, float, str]:
     """Return the reconstructed light in the shape of the truth, the seconds it took, and the name
     of the method.
 

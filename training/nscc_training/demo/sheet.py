@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
 from nscc_runtime.pieces import Taken
@@ -49,7 +49,7 @@ class Shown:
     exposed_scene: Exposed
     display: bool
     tone: str | None
-    light: NDArray[Any]
+    light: Array
     how: str
     decode_s: float
 
@@ -59,7 +59,7 @@ class Shown:
         return self.exposed_scene.still
 
     @cached_property
-    def truth(self) -> NDArray[Any]:
+    def truth(self) -> Array:
         """The ground truth in electrons: over the frame (rows, cols, [3]) for a still, per slot (T,
         rows, cols, [3]) for a clip."""
         return self.exposed_scene.truth()
@@ -83,19 +83,19 @@ class Shown:
         return fitted(self.curve, self.truth, self.white_e)
 
     @cached_property
-    def usual_light(self) -> NDArray[np.float64]:
+    def usual_light(self) -> Floats:
         """The light estimated from always open pixels, in electrons, in the shape of the ground
         truth."""
         return self._camera_light(self.exposed_scene.usual, self.exposed_scene.usual_dark)
 
     @cached_property
-    def fair_light(self) -> NDArray[np.float64] | None:
+    def fair_light(self) -> Floats | None:
         """The light of an ordinary camera at its best, in electrons, in the shape of the ground
         truth; None for a clip with one readout, for which it would be the always open camera."""
         fair = self.exposed_scene.fair
         return None if fair is None else self._camera_light(*fair)
 
-    def _camera_light(self, capture: Taken, dark: Taken) -> NDArray[np.float64]:
+    def _camera_light(self, capture: Taken, dark: Taken) -> Floats:
         """Return the light that an ordinary camera measured, in electrons: over the frame for a
         still, per slot for a clip. Each frame of a clip fills the slots in which it was open.
 
@@ -103,7 +103,7 @@ class Shown:
         frames of this camera."""
         # All pixels of an ordinary camera have one shutter, (readouts, slots).
         shutters = capture.container.table.shutters[0]
-        frames: list[NDArray[np.float64]] = []
+        frames: list[Floats] = []
         for open_slots, exposure_e in zip(
             shutters.sum(axis=-1), self._exposures_e(capture, dark), strict=True
         ):
@@ -112,7 +112,7 @@ class Shown:
         # frame.
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
-    def _exposures_e(self, capture: Taken, dark: Taken) -> list[NDArray[np.float64]]:
+    def _exposures_e(self, capture: Taken, dark: Taken) -> list[Floats]:
         """Return the electrons of each readout of `capture` above the mean of its dark frames
         `dark`, one array (rows, cols, [3]) a readout. Noise can make them negative.
 
@@ -127,7 +127,7 @@ class Shown:
         return exposures_e
 
     @cached_property
-    def bracket_light(self) -> NDArray[np.float64] | None:
+    def bracket_light(self) -> Floats | None:
         """The light that an ordinary bracket (readouts of different exposure times in one frame)
         measured, in electrons over the frame, (rows, cols, [3]). It is merged without a network.
         None if there is no bracket: for a clip, or if the chip has too few registers."""
@@ -180,7 +180,7 @@ class Shown:
         """The score of an ordinary camera: the better one of always open and automatic exposure."""
         return self.open_db if self.fair_db is None else max(self.open_db, self.fair_db)
 
-    def decibels(self, light: NDArray[Any]) -> float:
+    def decibels(self, light: Array) -> float:
         """Return the score of `light`, which has the shape of the truth, in dB.
 
         Clips and display scenes are compared in display encoding, averaged over the frames that
@@ -318,7 +318,7 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
     return rows
 
 
-def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
+def _of_looks(shown: Shown, looked: Looked, truth: Bytes) -> list[Image]:
     """Return the three panels for pixels that look at their light: what they measured (`looked`),
     its error, and when they closed. `truth` (rows, cols, [3]) is the true light as shown, 0 to 255.
     """
@@ -352,7 +352,7 @@ def _time(seconds: float) -> str:
     return f"{seconds:.2g}\N{NO-BREAK SPACE}s"
 
 
-def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
+def _row(frames: Bytes, titles: Sequence[str], note: str) -> list[Image]:
     """Return one row of panels: `frames` (count, rows, cols, [3]), each below its title of
     `titles`, which has as many. `note` is written below the first panel only."""
     return [
@@ -361,7 +361,7 @@ def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Im
     ]
 
 
-def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
+def _error(truth: Bytes, light: Bytes, quiet: bool = False) -> Image:
     """Return a panel that shows the absolute differences between `truth` and `light` (rows, cols,
     [3]) in colours. Both are grey levels or colours as shown, 0 to 255; differences of colours are
     averaged.
@@ -404,7 +404,7 @@ def _shutters(shown: Shown) -> Image:
     return Image(_fit(_coloured(mean_open_us / slot_us.sum())), "shutters", note)
 
 
-def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
+def _coloured(scale: Floats) -> Bytes:
     """Return `scale`, values from 0 to 1, as colours of the scale viridis from dark blue to yellow:
     uint8, with RGB as the last axis. Values beyond 0 or 1 get the first or last colour."""
     from matplotlib import colormaps
@@ -413,7 +413,7 @@ def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
     return np.asarray(np.rint(255 * colours), np.uint8)
 
 
-def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
+def _fit(image: Bytes) -> Bytes:
     """Return an image (rows, cols, [3]), scaled so that its longer side is about `_SIDE_PIXELS`. A
     small one is magnified by a whole number, by repeating pixels; a large one is reduced by
     averaging."""

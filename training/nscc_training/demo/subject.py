@@ -6,11 +6,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import islice
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats32
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import Scene
 from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, read_light, read_mat
@@ -83,7 +82,7 @@ def _transfer(scene: Scene, pages: Pages) -> Transfer:
 
 
 def _of_clip(
-    scene: Scene, frames: Iterator[NDArray[Any]], transfer: Transfer, slots: int, frame_s: float
+    scene: Scene, frames: Iterator[Array], transfer: Transfer, slots: int, frame_s: float
 ) -> Subject:
     """Return how to use a scene with these `frames`. A single frame is a still. Fewer frames than
     `slots` are spread over the slots; of more frames, the part with the most motion is used.
@@ -105,7 +104,7 @@ def _of_clip(
     return Subject(replace(scene, first=first), False, transfer, text)
 
 
-def liveliest(frames: NDArray[np.float32], count: int) -> int:
+def liveliest(frames: Floats32, count: int) -> int:
     """Return the number of the first of `count` successive frames with the most motion. Parts with
     a cut are used only if all parts have one; of equal parts, the first is chosen.
 
@@ -121,7 +120,7 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
     return max(uncut or windows, key=lambda k: (moved[k], -k))
 
 
-def _reduced(frame: NDArray[Any]) -> NDArray[np.float32]:
+def _reduced(frame: Array) -> Floats32:
     """Return the picture `frame` (rows, cols, [3]) as grey values (the mean of its colours) of
     `_SIDE` x `_SIDE` pixels, whatever its shape, in which motion is measured."""
     import cv2

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.options import Options
@@ -18,7 +19,7 @@ from nscc.words.container import Container
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.text import frame_text
 
-Picture = NDArray[np.float64]
+Picture = Floats
 
 _BRACKET = (4, 36, 216)
 """Slots of the readouts of an ordinary bracket, of 256: exposure times with ratios of 9 and 6.
@@ -67,7 +68,7 @@ def camera(
 def merged_bracket(
     exposure_e: NDArray[np.floating],
     open_share: NDArray[np.floating],
-    saturated: NDArray[np.bool_],
+    saturated: Bools,
     chip: DesignChip,
 ) -> Picture:
     """Estimate the light over the frame from a bracket: several readouts with different exposure

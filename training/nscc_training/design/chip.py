@@ -8,8 +8,8 @@ from functools import cached_property
 from typing import Literal, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints
 from nscc.chips.target import Target
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import CountedLight, Soft, WordGain
@@ -18,7 +18,6 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.response import converter_e2, gain_spread
 from nscc_training.curves import MU, mu_law
 
-Values = NDArray[np.float64]
 Curve = Literal["mu", "linear", "log"]
 CURVES: tuple[Curve, ...] = get_args(Curve)
 PERCENTILE = 99.9
@@ -73,7 +72,7 @@ class DesignChip:
         soft = self.effects.find_part(Soft)
         return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
-    def exposed_sd_e(self, electrons: Values) -> Values:
+    def exposed_sd_e(self, electrons: Floats) -> Floats:
         """Return the standard deviation of the measured value of exposures of `electrons`, in
         electrons of the photodiode and in their shape. It includes readout, words, photons and
         differences between pixels."""
@@ -95,7 +94,7 @@ class DesignChip:
             for _, errors in self.effects.errors()
         )
 
-    def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
+    def errors(self, light_e: Floats, peak_e: Floats, share: Floats, curve: Curve) -> Floats:
         """Return the mean square error (groups, shares) on `curve` of light that is estimated from
         one exposure.
 
@@ -120,7 +119,7 @@ class DesignChip:
         """The standard deviation over pixels of the comparator offset, in electrons."""
         return self.sensor.comparator_offset_fraction * self.sensor.full_well_e
 
-    def compared_sd_e(self, electrons: Values) -> Values:
+    def compared_sd_e(self, electrons: Floats) -> Floats:
         """Return the standard deviation of one comparison with an exposure of `electrons`, in
         electrons: photons, comparator noise and copies. The comparator's fixed offset is not
         included. `electrons` are 0 or more, of any shape, which the result has."""
@@ -129,7 +128,7 @@ class DesignChip:
         return np.sqrt(noise_e**2 + copies_e2 + electrons)
 
     @cached_property
-    def levels(self) -> NDArray[np.int64]:
+    def levels(self) -> Ints:
         """The levels to try, int64, in steps of IN (the level sent to all pixels), increasing from
         1: at most `_MOST_LEVELS`, evenly spaced."""
         most = most_steps(self.target, self.sensor.full_well_e)
@@ -148,7 +147,7 @@ _MOST_LEVELS = 64
 """Most levels that are tried; comparators have a noise of 1 % of a full well or more."""
 
 
-def on_curve(light_e: Values, peak_e: Values, curve: Curve, dark_e: float) -> Values:
+def on_curve(light_e: Floats, peak_e: Floats, curve: Curve, dark_e: float) -> Floats:
     """Return light on the curve on which errors are measured: relative to the peak and clipped to
     0..1, on a linear or mu-law scale; or for "log" the natural logarithm of light, at least
     `dark_e`. `light_e` and `peak_e` (above 0) are in electrons and broadcast."""

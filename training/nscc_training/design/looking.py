@@ -13,13 +13,11 @@ from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.special import ndtr
 
+from nscc.arrays import Floats, Floats32
 from nscc_training.design.chip import CURVES, Curve, DesignChip
 from nscc_training.design.scene import Histogram
-
-Values = NDArray[np.float64]
 
 _OFFSETS = 5
 """Number of comparator offsets in the sum over pixels."""
@@ -69,10 +67,10 @@ class LookModel:
         deviations, weights = np.polynomial.hermite_e.hermegauss(_OFFSETS)
         self._offset_e = deviations * chip.offset_e
         self._start = scene.weight[:, None] * (weights / weights.sum())
-        self._exposure_errors: dict[Curve, Values] = {}
-        self._closed: dict[int, NDArray[np.float32]] = {}
+        self._exposure_errors: dict[Curve, Floats] = {}
+        self._closed: dict[int, Floats32] = {}
 
-    def exposure_errors(self, curve: Curve) -> Values:
+    def exposure_errors(self, curve: Curve) -> Floats:
         """Return the mean square errors on a curve of exposures that end at each boundary, (groups,
         slots + 1): row g for pixels of the histogram's group g of equal light, column k for the
         boundary after k slots.
@@ -85,7 +83,7 @@ class LookModel:
             self._exposure_errors[curve] = errors
         return self._exposure_errors[curve]
 
-    def closed(self, at: int) -> NDArray[np.float32]:
+    def closed(self, at: int) -> Floats32:
         """Return the fraction of open pixels that a look at boundary `at` closes: float32 (levels,
         groups, offsets), for each level that is tried, each group of pixels with equal light, and
         each offset of a pixel's comparator.
@@ -114,7 +112,7 @@ class LookModel:
                 errors[curve] += float(pixels.sum(axis=1) @ self.exposure_errors(curve)[:, at])
         return Expected(errors, tuple(closing))
 
-    def _closing(self, at: Sequence[int], rows: Sequence[int]) -> Iterator[tuple[int, Values]]:
+    def _closing(self, at: Sequence[int], rows: Sequence[int]) -> Iterator[tuple[int, Floats]]:
         """Yield the boundary of each look and the weights (groups, offsets) of the pixels that it
         closes; last, the frame's end with the pixels that stay open. The sum of all weights is 1.
 
@@ -221,7 +219,7 @@ class LookModel:
         steps = tuple(int(self.chip.levels[row]) for row in rows)
         return LookSchedule(tuple(at), steps), worth
 
-    def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
+    def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Floats:
         """Return the expected error (groups, offsets) on a curve of a pixel that is still open
         after look number `k`; -1 means before the first look.
 
@@ -247,7 +245,7 @@ class LookModel:
         return sorted({*moments, *(m for m in range(at[k] - 1, at[k] + 2) if low <= m <= high)})
 
 
-def _spread(moments: Values, slots: int) -> tuple[int, ...]:
+def _spread(moments: Floats, slots: int) -> tuple[int, ...]:
     """Return different whole boundaries from 1 to `slots` - 1, increasing, one for each of the
     increasing numbers `moments` and close to it. The caller ensures fewer moments than slots. Each
     boundary leaves room for the later ones."""

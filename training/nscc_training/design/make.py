@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Floats32
 from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.options import Options
@@ -24,8 +25,6 @@ from nscc_training.design.scene import histogram, peak_of, stops_tried
 from nscc_training.design.stop_patterns import Pattern, Progress, cheapest, judged
 from nscc_training.design.text import level_text, looking_text, tile_text
 from nscc_training.metrics import psnr_of_mse
-
-Values = NDArray[np.float64]
 
 _PLACES = 4
 """Pixels of a 2 x 2 tile."""
@@ -80,8 +79,8 @@ def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def _tables(
-    chip: DesignChip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
-) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    chip: DesignChip, scene: Floats, number: int, stops: Sequence[int], slots: int, curve: Curve
+) -> tuple[Floats32, Floats32]:
     """Return two tables from which the risk of every 2 x 2 tile of stops is computed, for squares
     of 2 x 2 pixels of a scene.
 

@@ -8,10 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Floats, Ints
 from nscc.diagnostics.rejection import rejected
 from nscc_training.design.chip import PERCENTILE, Curve, DesignChip
-
-Values = NDArray[np.float64]
 
 _GROUPS = 256
 """Number of histogram groups for all scenes together: a tenth of a stop each, over 25 stops."""
@@ -27,12 +26,12 @@ class Histogram:
     as white in its scene, `weight` its fraction of all pixels, with equal weight for every scene.
     `scene` is the index of its scene."""
 
-    light_e: Values
-    peak_e: Values
-    weight: Values
-    scene: NDArray[np.int64]
+    light_e: Floats
+    peak_e: Floats
+    weight: Floats
+    scene: Ints
 
-    def weighed(self, by: Values) -> Histogram:
+    def weighed(self, by: Floats) -> Histogram:
         """Return the histogram in which the weights of each scene are multiplied by its factor in
         `by` (scenes,). The sum of all weights is 1."""
         weight = self.weight * by[self.scene]
@@ -84,7 +83,7 @@ def stops_tried(slots: int) -> list[int]:
     return sorted({slots, *(round(2 ** (k / 2)) for k in range(count))})
 
 
-def peak_of(light: Values, number: int = 0) -> float:
+def peak_of(light: Floats, number: int = 0) -> float:
     """Return the light that counts as white: the percentile `PERCENTILE`, or if that is dark, the
     maximum.
 

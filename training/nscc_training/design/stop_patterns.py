@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
@@ -25,8 +25,7 @@ from nscc_training.design.chip import DesignChip
 from nscc_training.design.scene import peak_of, stops_tried
 from nscc_training.metrics import mu_psnr, psnr
 
-Values = NDArray[np.float64]
-Levels = NDArray[np.int64]
+Levels = Ints
 Progress = Callable[[Sequence[int]], Iterable[int]]
 """A function that passes on the numbers of tasks, and may show a bar."""
 
@@ -88,7 +87,7 @@ def patterns(slots: int) -> list[Pattern]:
 
 def judged(
     chip: DesignChip,
-    scenes: Sequence[Values],
+    scenes: Sequence[Floats],
     slots: int,
     slot_us: float,
     compiled: Callable[[int], Container],
@@ -126,12 +125,12 @@ def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
 
 def _frames(
     chip: DesignChip,
-    light_e: Values,
+    light_e: Floats,
     slots: int,
     slot_us: float,
     compiled: Callable[[int], Container],
     number: int,
-) -> dict[int, tuple[Values, NDArray[np.bool_]]]:
+) -> dict[int, tuple[Floats, Bools]]:
     """Return the frames of a still whose pixels all have the same exposure time, by this time in
     slots: electrons (rows, cols) and which pixels are saturated.
 
@@ -156,10 +155,10 @@ def _frames(
 
 def _merged(
     chip: DesignChip,
-    frames: dict[int, tuple[Values, NDArray[np.bool_]]],
+    frames: dict[int, tuple[Floats, Bools]],
     pattern: Pattern,
     slots: int,
-) -> Values:
+) -> Floats:
     """Return the light over the frame in electrons (rows, cols) that merging reconstructs from a
     pattern of stops.
 

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from nscc.arrays import Ints
 from nscc_training.code_choices import RELAXATIONS
 from nscc_training.code_choices import ShutterSpec as ShutterSpec
 from nscc_training.draws import normal, uniform
@@ -68,7 +68,7 @@ def decided(
     return first, second, spread * mean * (first.to(mean.dtype) - second.to(mean.dtype))
 
 
-Codes = dict[str, NDArray[np.int64]]
+Codes = dict[str, Ints]
 """Field values at every pixel of the tile, by field name, each (rows, cols)."""
 
 
@@ -122,7 +122,7 @@ class Encoder(nn.Module, ABC):
                 )
 
     @abstractmethod
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the parameters to codes.
 
         Parameters
@@ -279,7 +279,7 @@ class Encoder(nn.Module, ABC):
         return parameter + self.noise * normal(parameter, generator)
 
     def checked(
-        self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]
+        self, codes: Mapping[str, Ints], limits: Mapping[str, tuple[int, int]]
     ) -> list[Tensor]:
         """Check codes and return them as tensors.
 
@@ -313,7 +313,7 @@ class Encoder(nn.Module, ABC):
             tensors.append(torch.tensor(values.astype(np.float64)))
         return tensors
 
-    def quad_ranks(self) -> NDArray[np.int64]:
+    def quad_ranks(self) -> Ints:
         """Return the rank of every pixel in the 2 x 2 pattern.
 
         Returns

@@ -7,9 +7,9 @@ from collections.abc import Mapping
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from nscc.arrays import Floats, Ints
 from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
@@ -36,7 +36,7 @@ class AlwaysOpen(Encoder):
         """Return no fields."""
         return {}
 
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Accept codes without fields, and raise ValueError for any field."""
         if codes:
             raise ValueError(f"class a has no fields, and not {sorted(codes)}")
@@ -97,9 +97,7 @@ class Bump(Encoder):
             lowest = torch.full(spec.tile, float(low), dtype=torch.float64)
             self.register_parameter(name, nn.Parameter(self.parameter_of(lowest)))
 
-    def restrict(
-        self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
-    ) -> None:
+    def restrict(self, legal: Ints, generator: np.random.Generator | None = None) -> None:
         """Allow only the codes `legal` (codes, fields in the order of `limits`), which `require` of
         a program permits; there is at least one.
 
@@ -234,7 +232,7 @@ class Bump(Encoder):
             values = self.snapped(self.fields(None)).to("cpu", torch.int64).numpy()
         return dict(zip(self.limits, values, strict=True))
 
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the parameters to these codes, (rows, cols) by field. Raise ValueError if they are
         out of range, or not legal."""
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
@@ -242,7 +240,7 @@ class Bump(Encoder):
         if any((values != codes[name]).any() for name, values in self.codes().items()):
             raise ValueError("some of its codes are not allowed by `require`")
 
-    def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
+    def fill(self, *fields: Floats | Ints) -> None:
         """Set the values (rows, cols) of all fields in slots, given in the order of `limits`. They
         are not checked, and may be fractions of a slot."""
         with torch.no_grad():
@@ -355,7 +353,7 @@ class StartStop(Bump):
         codes["stop"] = np.maximum(codes["stop"], codes["start"] + 1)
         return codes
 
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the parameters to these codes. Raise ValueError if they are out of range or not
         legal, or if a stop is not after its start."""
         start, stop = self.checked(codes, self.limits)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Ints
 from nscc.diagnostics.arguments import require_type
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import Integer
@@ -21,7 +21,7 @@ _SIXTEENTHS = {"rows": 8, "checker": 8, "overlapping-rows": 11}
 _SIDE = 4
 """Rows and columns of the repeating tile."""
 
-Places = NDArray[np.int64]
+Places = Ints
 
 
 def ordered(name: str, spec: ShutterSpec) -> Codes:
@@ -76,7 +76,7 @@ def _first(name: str, spec: ShutterSpec, length: int) -> Places:
     return np.asarray(first, np.int64)
 
 
-def _opened(spec: ShutterSpec, first: Places, length: int) -> NDArray[np.bool_]:
+def _opened(spec: ShutterSpec, first: Places, length: int) -> Bools:
     """Return the shutters (N, rows, cols) of bumps that open in the slots `first` for `length`
     slots. A bump that reaches the end of the frame continues at its start."""
     n = np.arange(spec.slots).reshape(-1, 1, 1)
@@ -202,7 +202,7 @@ def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> No
     encoder.load_codes({name: scattered(start, levels, encoder.spec.tile, generator)})
 
 
-Tile = NDArray[np.int64]
+Tile = Ints
 
 
 def scattered(
@@ -265,7 +265,7 @@ def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Genera
     return chosen
 
 
-def _around(distance: NDArray[np.float64], length: int) -> NDArray[np.float64]:
+def _around(distance: Floats, length: int) -> Floats:
     """Return the distances along an axis of `length` pixels that wraps around: at most half of
     `length`."""
     away = np.abs(distance) % length

@@ -9,6 +9,7 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from nscc.arrays import Ints
 from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
 from nscc_training.gradients import replaced, rounded
 
@@ -104,7 +105,7 @@ class LooksEncoder(Encoder):
             for name, values in (("at", at), ("level", level))
         }
 
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the boundaries `at` and the levels `level`, both (1, looks). Raise ValueError if one
         is missing, has another shape or is out of range, or if boundaries do not increase."""
         limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}

@@ -7,10 +7,10 @@ from collections.abc import Mapping
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor, nn
 from torch.nn import functional
 
+from nscc.arrays import Bools, Ints
 from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, decided
 from nscc_training.gradients import replaced, signed
 
@@ -45,7 +45,7 @@ class _Digits(Encoder):
         training, at least `_LEAST_TRIED`."""
         return torch.full_like(logits, max(self.noise, _LEAST_TRIED))
 
-    def set_digits(self, logits: Tensor, digits: NDArray[np.bool_]) -> None:
+    def set_digits(self, logits: Tensor, digits: Bools) -> None:
         """Set logits in place to 0.5 for a true digit, and to -0.5 for a false one: half of their
         range."""
         with torch.no_grad():
@@ -100,7 +100,7 @@ class Bits(_Digits):
         weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
         return {"bits": np.einsum("n,nrc->rc", weights, opened)}
 
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the bits of each pixel from one integer of `bits` (rows, cols), bit n for slot n.
         Raise ValueError if `bits` is missing, of another shape or out of range."""
         self.checked(codes, {"bits": (0, (1 << self.spec.slots) - 1)})
@@ -213,7 +213,7 @@ class Codebook(_Digits):
         """Return the fraction of shapes, 0 to below 1, that no pixel chooses."""
         return 1 - len(torch.unique(self.choice.argmax(dim=-1))) / self.rows
 
-    def book(self) -> NDArray[np.int64]:
+    def book(self) -> Ints:
         """Return the shapes (K, N) as digits 0 and 1."""
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
@@ -223,7 +223,7 @@ class Codebook(_Digits):
         self.check_finite()
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
-    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+    def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the row of each pixel from `id` (rows, cols), and the digits of the shapes if `book`
         (K, N) is given.
 
@@ -258,12 +258,12 @@ class Codebook(_Digits):
         again = self.spread() // 4 * 4 + rank
         self.choose(np.where(again < self.rows, again, rank % self.rows))
 
-    def spread(self) -> NDArray[np.int64]:
+    def spread(self) -> Ints:
         """Return a shape index for each pixel, int64 (rows, cols), using all shapes in turn, row by
         row."""
         return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
 
-    def choose(self, rows: NDArray[np.int64]) -> None:
+    def choose(self, rows: Ints) -> None:
         """Set the scores so that each pixel chooses the shape whose index is in `rows` (rows,
         cols), by a margin of 1 that training can overcome."""
         with torch.no_grad():
@@ -271,7 +271,7 @@ class Codebook(_Digits):
             self.choice.copy_(chosen.to(self.choice.dtype))
 
 
-def quarters(slots: int) -> NDArray[np.bool_]:
+def quarters(slots: int) -> Bools:
     """Return four shutters (slots, 4), each open in one quarter of the frame in turn, and for at
     least one slot; in frames of fewer than four slots some are equal."""
     n = np.arange(slots)[:, None]

@@ -9,8 +9,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bools
 from nscc.diagnostics.rejection import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.command_settings import EvaluationSettings
@@ -60,7 +60,7 @@ class Baseline:
     side: int = _TILE[0]
     takes_codes: bool = False
     best_in: str = ""
-    tiles: Callable[[Protocol, int], NDArray[np.bool_]] | None = None
+    tiles: Callable[[Protocol, int], Bools] | None = None
     alone: bool = False
 
     def decode(self, frames: CapturedScene) -> Light:
@@ -74,7 +74,7 @@ class Baseline:
         return np.concatenate(frame_lights)
 
 
-def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> NDArray[np.bool_]:
+def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> Bools:
     """Return random shutters (buckets, slots, rows, cols) for a tile (rows, cols), with as many
     slots as a clip of the protocol has frames; a second bucket is open where the first is closed.
     `seed` determines them."""
@@ -82,7 +82,7 @@ def _bits(protocol: Protocol, seed: int, tile: Sequence[int], buckets: int) -> N
     return first if buckets == 1 else np.concatenate([first, ~first])
 
 
-def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
+def _film(protocol: Protocol, *, staggered: bool) -> Bools:
     """Return shutters for a film of several frames, as a tile: (frames, slots of the whole film,
     rows, cols). Frame k is open only in its own slots. `protocol` gives the numbers of frames
     (`film`), of slots of the whole film (`frames`), and of open slots in a frame (`length`).
@@ -148,7 +148,7 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 
 def evaluate_baseline(
     protocol: Protocol, wanted: EvaluationSettings, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of the baseline `wanted.subject` on the folder of scenes `wanted.data`, as
     JSON values, and the arrays of `--save` by name.
 
@@ -289,7 +289,7 @@ def evaluate_sci8(
     iterations: int,
     weight: float,
     scorer: Scorer | None = None,
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of `method` on the benchmark clips in the files `paths`, as JSON values,
     and the arrays of `--save` by name.
 

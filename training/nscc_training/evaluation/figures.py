@@ -13,8 +13,8 @@ from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bytes, Floats
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
@@ -48,8 +48,6 @@ _GREY = 0.18
 _ZOOM = 16
 """Side in pixels of a place of a tile in mosaics."""
 
-Field = NDArray[np.float64]
-
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
@@ -61,8 +59,8 @@ class _Shot:
     coded pixels, "coded", and of always open ones, "always-open", as uint8 for the screen."""
 
     name: str
-    light: Mapping[str, Field]
-    frames: Mapping[str, NDArray[np.uint8]]
+    light: Mapping[str, Floats]
+    frames: Mapping[str, Bytes]
 
     def image(self, shown: str) -> Image:
         """Return the picture that a layout in `figures.toml` calls `shown`: the name of a frame, or
@@ -86,7 +84,7 @@ class _Shot:
         note = "" if light is truth or k else self._score(light)
         return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
 
-    def _score(self, light: Field) -> str:
+    def _score(self, light: Floats) -> str:
         """Return the PSNR of reconstructed light, of the shape of the truth, as text: mu-law PSNR
         for a still, the mean over frames in display encoding for a clip."""
         truth = self.light["truth"]
@@ -207,7 +205,7 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Protocol
     return shown, scene
 
 
-def _worth(light_e: Field) -> float:
+def _worth(light_e: Floats) -> float:
     """Return how suitable a scene is for a figure: the ratio of the brightest light to the median
     for a still, and the mean change between frames, relative to the mean light, for a clip (T,
     rows, cols). Larger is better."""

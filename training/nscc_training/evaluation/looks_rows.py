@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.chips.load import builtin_target
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
@@ -72,7 +72,7 @@ def row_of(name: str, target: Target) -> LookSchedule:
 
 def evaluate_looks(
     wanted: EvaluationSettings, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of `wanted.subject`, a method of UNDECODED, on a folder of panoramas, as
     JSON values, and the arrays of `--save` by name.
 
@@ -106,7 +106,7 @@ def evaluate_looks(
         """Return the scores of the scenes `shown`, which are exposed on the emulator. The light is
         what the pixels measure, without a decoder."""
 
-        def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
+        def decode(crop: ProtocolScene, index: int) -> tuple[Floats, float]:
             """Return the light that the pixels measure of a scene; nothing is decoded, so the
             time is 0."""
             # Each scene has its own noise; all are exposed on the same chip, number 0.
@@ -139,11 +139,11 @@ def evaluate_looks(
 
 def looked_light(
     container: Container,
-    light_e: NDArray[Any],
+    light_e: Array,
     sensor: Sensor,
     effects: Selection | str,
     seeds: tuple[int, int],
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return the light over the frame in electrons (rows, cols) that pixels which look measure of
     the constant light `light_e`, of this shape.
 
@@ -156,11 +156,11 @@ def looked_light(
 
 def bracket_light(
     container: Container,
-    light_e: NDArray[Any],
+    light_e: Array,
     sensor: Sensor,
     effects: Selection,
     seeds: tuple[int, int],
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return the light over the frame in electrons (rows, cols) that an ordinary bracket measures
     of the constant light `light_e`, of this shape.
 
@@ -176,7 +176,7 @@ def bracket_light(
 
 def _still_capture(
     container: Container,
-    light_e: NDArray[Any],
+    light_e: Array,
     sensor: Sensor,
     effects: Selection | str,
     seeds: tuple[int, int],

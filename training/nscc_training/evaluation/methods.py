@@ -8,8 +8,8 @@ from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats, Floats32
 from nscc_training.baselines import sci
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.hdr import merged
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from nscc_training.sensor_model import SensorModel
 
 
-Frames = NDArray[np.float32]
+Frames = Floats32
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,7 +40,7 @@ class CapturedScene:
     scene: ProtocolScene
     codes: Frames
     tile: Frames
-    saturated: NDArray[np.bool_]
+    saturated: Bools
     model: SensorModel | None
 
     @classmethod
@@ -60,7 +60,7 @@ class CapturedScene:
         return over_array(self.tile, *self.codes.shape[-2:])
 
     @cached_property
-    def share(self) -> NDArray[np.float64]:
+    def share(self) -> Floats:
         """The fraction of the first frame for which each pixel is open, (rows, cols)."""
         share = self.tile[0].mean(axis=0, dtype=np.float64)
         return over_array(share, *self.codes.shape[-2:])
@@ -120,7 +120,7 @@ def captured(scene: ProtocolScene, tile: Tensor, model: SensorModel, seed: int) 
     return CapturedScene(scene, codes, tiles.float().numpy(), codes >= model.full_code, model)
 
 
-Light = NDArray[np.float64]
+Light = Floats
 
 
 @dataclass(frozen=True)
@@ -136,9 +136,7 @@ class Method:
     settings: Mapping[str, Mapping[str, Any]] | None = None
 
 
-def _clip(
-    loop: Callable[..., NDArray[np.float32]], captured: CapturedScene, **options: Any
-) -> Light:
+def _clip(loop: Callable[..., Floats32], captured: CapturedScene, **options: Any) -> Light:
     """Return the clip, in electrons per slot, that `loop` reconstructs from the first frame of a
     capture.
 
@@ -149,7 +147,7 @@ def _clip(
     return np.asarray(loop(measurement, captured.masks[0], **options), np.float64) * white_e
 
 
-def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene) -> Light:
+def _of_truth(loop: Callable[..., Floats32], captured: CapturedScene) -> Light:
     """Return the clip (N, rows, cols), in electrons per slot, that `loop`, a reference method,
     computes from the true clip and the mask of the first frame."""
     truth = captured.scene.light_e.astype(np.float32)

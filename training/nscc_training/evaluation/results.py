@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import Any, NamedTuple, Self
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.experiment_store import ExperimentStore
@@ -35,8 +35,6 @@ _MEANS = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
 """Metrics of hdr-v1 that are also reported at other fractions of saturated pixels."""
 _MOST_REASONS = 5
 """Most reasons in the message that no scene can be used."""
-
-Array = NDArray[Any]
 
 
 class Scored(NamedTuple):
@@ -424,7 +422,7 @@ def result_json(result: Any) -> str:
     return json.dumps(result, indent=2, allow_nan=False) + "\n"
 
 
-def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Product]:
+def arrays_in(folder: Path, arrays: Mapping[str, Array]) -> dict[Path, Product]:
     """Return the content of the files of the option --save by path: one NAME.npy in `folder` for
     each of `arrays`. The folder is created; files are not written."""
     folder.mkdir(parents=True, exist_ok=True)

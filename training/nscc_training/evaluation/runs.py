@@ -10,8 +10,8 @@ from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import file_sha256
@@ -42,7 +42,7 @@ from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.run_files import run_path
 from nscc_training.run_folder import RunFolder, load_run
 
-DecodeScene = Callable[[ProtocolScene, int], tuple[NDArray[Any], float]]
+DecodeScene = Callable[[ProtocolScene, int], tuple[Array, float]]
 _SIZE = (256, 256)
 """Rows and columns of the scenes of protocols."""
 
@@ -52,7 +52,7 @@ def evaluate_run(
     protocol: Protocol,
     wanted: EvaluationSettings,
     scorer: Scorer | None = None,
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of a run with its hard shutters on the scenes in the folder `wanted.data`,
     as JSON values, and the arrays of `--save` by name.
 
@@ -102,7 +102,7 @@ def evaluate_run(
 
 def evaluate_validation(
     folder: RunFolder, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of a run on its validation scenes, with the run's effects, as JSON values,
     and the arrays of `--save` by name.
 
@@ -155,7 +155,7 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
     setup = folder.setup
 
     @torch.no_grad()
-    def decode(scene: ProtocolScene, _index: int) -> tuple[NDArray[Any], float]:
+    def decode(scene: ProtocolScene, _index: int) -> tuple[Array, float]:
         """Return the light of a benchmark clip on 0..1, and the seconds of decoding it."""
         assert isinstance(scene, SciClip)
         share = scene.mask.mean(axis=0)
@@ -179,7 +179,7 @@ def _run_result(
     scored_scenes: Sequence[Scored],
     left_out: list[dict[str, Any]],
     extra_keys: dict[str, Any],
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of scored scenes, with the settings of the run, as JSON values, and the
     arrays of `--save` by name.
 
@@ -290,7 +290,7 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 
 def evaluate(
     wanted: EvaluationSettings, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+) -> tuple[dict[str, Any], dict[str, Array]]:
     """Return the result of a baseline or of a run, as JSON values, and the arrays of `--save` by
     name. `wanted` names subject, protocol, data and options; `scorer` keeps scores (None: in
     memory).

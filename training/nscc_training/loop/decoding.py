@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc.arrays import Array, Bools, Bytes, Floats, Floats32
 from nscc.words.container import Container
 from nscc_runtime import capture
 from nscc_runtime.emulator import expose
@@ -29,7 +28,7 @@ _BLOCK, _MARGIN = 256, 32
 
 The margin is larger than the receptive field of decoders."""
 
-Arrays = NDArray[Any]
+Arrays = Array
 
 
 def container_of(setup: TrainingSetup) -> Container:
@@ -49,7 +48,7 @@ def scene_by_model(
     seed: int,
     tile: Tensor | None = None,
     model: SensorModel | None = None,
-) -> tuple[NDArray[np.float64], float]:
+) -> tuple[Floats, float]:
     """Capture a scene with the sensor model and decode it. Return the light in electrons, over the
     frame or per slot, and the seconds that the decoder took.
 
@@ -81,7 +80,7 @@ def scene_by_chip(
     light_e: Arrays,
     effects: str,
     seeds: tuple[int, int],
-) -> tuple[NDArray[np.float64], float]:
+) -> tuple[Floats, float]:
     """Capture a scene with the emulated chip and decode it. Return the light in electrons, over the
     frame or per slot, and the seconds that the decoder took.
 
@@ -111,7 +110,7 @@ def scene_by_chip(
 @torch.no_grad()
 def scene_by_words(
     setup: TrainingSetup, container: Container, light_e: Arrays
-) -> tuple[NDArray[np.float64], float]:
+) -> tuple[Floats, float]:
     """Capture a scene as the words of a program expose it, without noise, and decode it. Return the
     light in electrons and the seconds of both.
 
@@ -139,11 +138,11 @@ def scene_by_words(
 
 def decoded_frame(
     setup: TrainingSetup,
-    frame: NDArray[np.uint8] | NDArray[np.float32],
-    saturated: NDArray[np.bool_],
-    share: NDArray[np.float32] | None = None,
+    frame: Bytes | Floats32,
+    saturated: Bools,
+    share: Floats32 | None = None,
     corner: tuple[int, int] = (0, 0),
-) -> NDArray[np.float32]:
+) -> Floats32:
     """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
     cols), or to a number for each class.
 
@@ -156,7 +155,7 @@ def decoded_frame(
     if setup.classes:
         opened = shutters_at(setup, (rows, cols), corner)
         return _decoded_block(setup, frame, saturated, opened)
-    light: NDArray[np.float32] | None = None
+    light: Floats32 | None = None
     array = (setup.target.rows, setup.target.cols)
     for block_row in range(0, rows, _BLOCK):
         for block_col in range(0, cols, _BLOCK):
@@ -185,10 +184,10 @@ def decoded_frame(
 @torch.no_grad()
 def _decoded_block(
     setup: TrainingSetup,
-    frame: NDArray[np.uint8] | NDArray[np.float32],
-    saturated: NDArray[np.bool_],
+    frame: Bytes | Floats32,
+    saturated: Bools,
     shutters: Tensor,
-) -> NDArray[np.float32]:
+) -> Floats32:
     """Return the decoded light in electrons (or scores of classes) of one block of a frame.
 
     `frame` ([2,] rows, cols) holds converter codes, `saturated`, of the same shape, marks the
@@ -204,9 +203,7 @@ def _decoded_block(
     return np.asarray(_decoder_output(setup, relative, shutters) * setup.unit_e, np.float32)
 
 
-def _decoder_output(
-    setup: TrainingSetup, relative: Tensor, shutters: Tensor
-) -> NDArray[np.float32]:
+def _decoder_output(setup: TrainingSetup, relative: Tensor, shutters: Tensor) -> Floats32:
     """Return the decoder's output, float32, for one frame `relative` to a full well ([2,] rows,
     cols) with its `shutters` (N, r, c), or the open fractions (1, rows, cols) of pixels that look:
     light (rows, cols) or (N, rows, cols), or (classes,)."""

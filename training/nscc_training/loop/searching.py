@@ -13,9 +13,9 @@ from itertools import islice
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc.arrays import Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
@@ -139,9 +139,7 @@ def _words(setup: TrainingSetup, codes: Codes) -> float | None:
 
 
 @torch.no_grad()
-def _losses(
-    setup: TrainingSetup, codes: Codes, batches: Sequence[Batch], step: int
-) -> NDArray[np.float64]:
+def _losses(setup: TrainingSetup, codes: Codes, batches: Sequence[Batch], step: int) -> Floats:
     """Load codes into the encoder and return the loss of each patch of `batches`, float64
     (patches,), plus the weighted number of their words.
 

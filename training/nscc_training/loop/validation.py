@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc.arrays import Array, Floats
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
@@ -25,7 +24,7 @@ from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.statistics import summary
 
-Decode = Callable[[NDArray[Any], int], tuple[NDArray[np.float64], float]]
+Decode = Callable[[Array, int], tuple[Floats, float]]
 """A function that captures and decodes a scene, given its light in electrons and its index.
 
 Returns electrons and seconds."""
@@ -142,7 +141,7 @@ def by_chip(
     )
 
 
-def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
+def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: Array) -> float:
     """Return the loss of a decoder's result for a scene: light in electrons, or the scores of
     classes. The light is relative to the scene's peak; results above it are clipped where the truth
     reaches it, as in training."""

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats32
 from nscc.diagnostics.rejection import rejected
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
@@ -28,11 +28,11 @@ class ClassWindow(ClipWindow):
     classes: tuple[str, ...]
 
     @property
-    def truth_e(self) -> NDArray[Any]:
+    def truth_e(self) -> Array:
         """The truth: 1 for the class of the clip, 0 for the others."""
         return np.array([float(name == self.label) for name in self.classes])
 
-    def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
+    def scores(self, result_e: Array) -> dict[str, Any]:
         """Return whether the class with the highest score (of equal ones the first) is right
         (`correct`, 1 or 0), the `cross_entropy` in nats, and the names of both classes.
 
@@ -103,7 +103,7 @@ def moving_texture(
     frames: int,
     size: int,
     protocol: Protocol,
-) -> tuple[str, NDArray[np.float32]]:
+) -> tuple[str, Floats32]:
     """Return the class of procedural scene number `index`, and its light (frames, size, size) on
     0..1. The classes, names of `made_scenes.DIRECTIONS`, alternate, and the protocol limits the
     speed, which is drawn from `generator`."""

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc_training import metrics
 from nscc_training.measures import decibels, frame_scores
 from nscc_training.protocol_scenes.hdr import light_of
@@ -17,7 +17,7 @@ from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
 from nscc_training.turning_camera import turned
 
-Picture = NDArray[np.float64]
+Picture = Floats
 
 
 class DeblurMoment(ProtocolScene):

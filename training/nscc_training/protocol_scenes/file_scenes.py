@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training import made_scenes
@@ -163,7 +163,7 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
 
 
 def exposed_arrays(
-    lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
+    lights: Iterable[tuple[str, Array]], srgb: bool, protocol: Protocol, count: int
 ) -> list[ProtocolScene]:
     """Return at most `count` scenes of `lights`, pairs of name and light: the first scene of each
     array, then the second of each, and so on.
@@ -176,7 +176,7 @@ def exposed_arrays(
 
 
 def _of_array(
-    name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
+    name: Path, light: Array, srgb: bool, protocol: Protocol
 ) -> Iterator[ProtocolScene | Unusable]:
     """Yield the scenes of one array of light: crops of a still (rows, cols), or windows of a clip
     (T, rows, cols).

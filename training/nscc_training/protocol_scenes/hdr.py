@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Floats
 from nscc_runtime.scenes.colour import linear
 from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training import metrics
@@ -16,7 +16,7 @@ from nscc_training.measures import decibels, frame_scores
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, on_unit_range
 from nscc_training.protocols import Protocol
 
-Picture = NDArray[np.float64]
+Picture = Floats
 ENDINGS = (".hdr", ".exr", ".pfm")
 """Endings of panorama files."""
 

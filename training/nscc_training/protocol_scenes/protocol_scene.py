@@ -9,13 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_training.protocols import Protocol
-
-Array = NDArray[Any]
-
 
 Item = dict[str, Any]
 """A scored picture or frame as JSON values: its file, its place in the file, and its metrics."""

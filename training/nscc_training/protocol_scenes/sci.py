@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Bytes, Floats, Floats32
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_training.measures import frame_scores
@@ -17,7 +17,7 @@ from nscc_training.problems import one_line
 from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene
 from nscc_training.protocols import Protocol
 
-Clip = NDArray[np.float32]
+Clip = Floats32
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,21 +34,21 @@ class SciClip(ProtocolScene):
         return 1.0
 
     @property
-    def truth_e(self) -> NDArray[np.uint8]:
+    def truth_e(self) -> Bytes:
         """The frames as the benchmark stores them, 0..255."""
         return np.asarray(np.rint(self.light_e * self.protocol["data_range"]), np.uint8)
 
-    def result(self, clip: NDArray[Any]) -> NDArray[np.float64]:
+    def result(self, clip: Array) -> Floats:
         """Return the reconstruction `clip`, on 0..1, as it is scored: clipped and scaled to 0..255,
         but as in the benchmark not rounded."""
         top = float(self.protocol["data_range"])
         return np.clip(clip.astype(np.float64), 0, 1) * top
 
-    def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
+    def scores(self, result_e: Array) -> dict[str, Any]:
         """Raise NotImplementedError: `items` scores frame by frame."""
         raise NotImplementedError("frames of this protocol are scored one by one")
 
-    def items(self, result_e: NDArray[Any]) -> list[Item]:
+    def items(self, result_e: Array) -> list[Item]:
         """Return the scores of each frame of the reconstruction `result_e` (8, rows, cols), on
         0..1, as JSON values, with file and number of the frame."""
         top = float(self.protocol["data_range"])

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc_training import curves, metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics import mean_square_error
@@ -18,7 +18,7 @@ from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import centre_of, frames_in, light_in
 
-Clip = NDArray[np.float64]
+Clip = Floats
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +58,7 @@ def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
     known = protocol["transfer"]
     srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
     size = int(protocol["size"])
-    frames: Iterable[NDArray[Any]] = frames_in(path)
+    frames: Iterable[Array] = frames_in(path)
     # A frame that is too small stays whole, because the reason names its size.
     cut = (centre_of(f, size) if min(f.shape[:2]) >= size else f for f in frames)
     lights = (light_in(frame, "srgb" if srgb else "linear") for frame in cut)
@@ -67,7 +67,7 @@ def windows(path: Path, protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
 
 
 def windows_of(
-    path: Path, lights: Iterable[NDArray[Any]], srgb: bool, protocol: Protocol
+    path: Path, lights: Iterable[Array], srgb: bool, protocol: Protocol
 ) -> Iterator[ClipWindow | Unusable]:
     """Yield the windows of one clip from the light of its frames, each (rows, cols). A window
     begins where the one before ends.
@@ -75,7 +75,7 @@ def windows_of(
     `path` names the clip. With `srgb`, errors are measured in display encoding. A clip that is too
     small or too short gives one `Unusable`; frames after the last whole window are left out."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"frame": 0}
-    window: list[NDArray[Any]] = []
+    window: list[Array] = []
     number = -1
     for number, light in enumerate(lights):
         rows, cols = light.shape

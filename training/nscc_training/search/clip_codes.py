@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.source import Source
 from nscc.syntax.format import format_source
@@ -56,7 +57,7 @@ class ClipCode:
     With `long`, pixels have a second readout that is always open."""
 
     name: str
-    opened: NDArray[np.bool_]
+    opened: Bools
     long: bool = False
     mean_db: float = 0.0
 

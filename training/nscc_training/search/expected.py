@@ -16,6 +16,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
+
 _WINDOW, _STEP = 8, 4
 """Side of a window of measurements, and side of its middle, whose light is estimated, in places."""
 _MOST_WINDOWS = 4
@@ -27,7 +29,6 @@ _HEADINGS = 0.3 + np.arange(8) * np.pi / 4
 coincide."""
 
 Opened = NDArray[np.floating]
-Values = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ def told_db(opened: Opened, motion: Motion) -> float:
     return float(np.mean(decibels))
 
 
-def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
+def _unknown_share(opened: Floats, alike: Floats, motion: Motion) -> float:
     """Return the variance of the light in a window's middle that remains after the measurement, as
     a fraction of its variance before.
 
@@ -82,7 +83,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 
 
 @cache
-def _alike(slots: int, speed: float, length: float) -> Values:
+def _alike(slots: int, speed: float, length: float) -> Floats:
     """Return the correlation of light between the pixels of a window in all pairs of slots, (slots,
     slots, pixels, pixels). The light moves at `speed` (pixels per frame time) in one of eight
     directions.
@@ -97,7 +98,7 @@ def _alike(slots: int, speed: float, length: float) -> Values:
     return correlation / len(_HEADINGS)
 
 
-def _windows(opened: Values) -> Sequence[Values]:
+def _windows(opened: Floats) -> Sequence[Floats]:
     """Return at most `_MOST_WINDOWS` windows of the shutters, each (N, pixels), evenly spaced over
     the repeating tile `opened` (N, rows, cols). Pixels are row by row, and windows continue beyond
     the edge of the tile with its repetition."""
@@ -170,7 +171,7 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
     return float(np.clip(-1 / log(np.clip(alike, 0.1, 0.99)), 0.5, 50)), max(contrast, 0.1)
 
 
-def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
+def _speed(cv2: Any, block: Floats, window: Array) -> float:
     """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames;
     0 for a single frame.
 

@@ -7,11 +7,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Ints
 from nscc_training.encoders.base import Codes, ShutterSpec
 
 Generator = np.random.Generator
-Where = NDArray[np.bool_]
-Values = NDArray[np.int64]
+Where = Bools
 
 _PERIODS = (1, 2, 4, 8)
 """Sides of blocks, and distances of pixels that change together."""
@@ -178,7 +178,7 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
     return {"id": codes["id"], "book": book}
 
 
-def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
+def _reshaped(opened: Bools, generator: Generator) -> Bools:
     """Return shutters (N, rows, cols) that are all changed in the same random way: shifted in time,
     lengthened or shortened by a slot, or with one slot flipped.
 
@@ -197,7 +197,7 @@ def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.boo
     return np.asarray(np.where(reshaped.any(axis=0), reshaped, opened))
 
 
-def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+def _shorter(spec: ShutterSpec, codes: Codes, lag: Ints) -> Codes:
     """Return codes of class b whose exposure times are halved `lag` (rows, cols) times; after one
     slot, the longest exposure follows."""
     octaves = np.log2(spec.slots)
@@ -205,14 +205,14 @@ def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
     return {"stop": _clipped(np.rint(stops), 1, spec.slots)}
 
 
-def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+def _starts_later(spec: ShutterSpec, codes: Codes, lag: Ints) -> Codes:
     """Return codes of class c whose bumps are shifted by `lag` (rows, cols) slots, around the range
     of legal starts."""
     assert spec.length is not None
     return {"start": (codes["start"] + lag) % (spec.slots - spec.length + 1)}
 
 
-def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+def _edges_later(spec: ShutterSpec, codes: Codes, lag: Ints) -> Codes:
     """Return codes of class d whose bumps are shifted by `lag` (rows, cols) slots, around the
     frame. A bump that crosses the end of the frame is cut there."""
     # Starts wrap from the last slot to -`before`, so that a bump is cut at either end of the frame.
@@ -222,7 +222,7 @@ def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
     return {"start": _clipped(start, 0, spec.slots), "stop": _clipped(stop, 0, spec.slots)}
 
 
-def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+def _bits_later(spec: ShutterSpec, codes: Codes, lag: Ints) -> Codes:
     """Return codes of class e whose shutters are shifted by `lag` (rows, cols) slots, around the
     frame."""
     lag = lag % spec.slots
@@ -230,13 +230,13 @@ def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
     return {"bits": (bits << lag & all_bits) | bits >> (spec.slots - lag)}
 
 
-def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Ints) -> Codes:
     """Return codes of a codebook in which each pixel uses the row that follows its own by `lag`
     (rows, cols). The rows stay."""
     return {"id": (codes["id"] + lag) % len(codes["book"]), "book": codes["book"]}
 
 
-def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
+def _clipped(values: NDArray[np.number], low: int, high: int) -> Ints:
     """Return `values` limited to `low` and `high`, as int64. Fractions are cut off, so the caller
     rounds."""
     return np.asarray(np.clip(values, low, high), np.int64)
@@ -251,7 +251,7 @@ MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
 }
 """The function that changes shutters at some pixels, by class."""
 
-_LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
+_LATER: dict[str, Callable[[ShutterSpec, Codes, Ints], Codes]] = {
     "b": _shorter,
     "c": _starts_later,
     "d": _edges_later,

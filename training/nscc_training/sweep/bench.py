@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc.chips.load import load_target
 from nscc.chips.target import Target
 from nscc.options import Options
@@ -195,7 +195,7 @@ def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
     return BenchScenes(scenes, target, sensor, model, values["effects"], values["seed"])
 
 
-def _decoded(frames: CapturedScene) -> NDArray[Any]:
+def _decoded(frames: CapturedScene) -> Array:
     """Return the light of frames in electrons: neighbours are merged for stills, clips are decoded
     by GAP-TV. A decoded clip with fewer slots than the truth has frames repeats each slot, whose
     light is shared among its frames, so that it has as many."""

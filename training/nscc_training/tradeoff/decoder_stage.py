@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
@@ -17,8 +16,6 @@ from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.study import StudyPoint
 from nscc_training.reconstruct_any import gap_tv_clip
 from nscc_training.tradeoff.joint_bench import PERCENT, Bench, rms_percent
-
-Values = NDArray[Any]
 
 CLIP_VALUES = 1 << 18
 """Most slots times pixels of a decoded clip; of larger clips the middle of the array is decoded."""
@@ -42,14 +39,14 @@ def decoding(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def _point(
-    method: str, setting: str, run: Callable[[], Values], truth: Values, loads: str = ""
+    method: str, setting: str, run: Callable[[], Array], truth: Array, loads: str = ""
 ) -> StudyPoint:
     """Return the point of a decoder, called `method` with `setting`. `run` returns an estimate of
     `truth` (T, rows, cols); its error is a percentage of the mean light.
 
     `loads` differs with what the first run loads, which is not timed."""
 
-    def figures(light: Values) -> Figures:
+    def figures(light: Array) -> Figures:
         """Return the RMS error of decoded light as a percentage of the mean light, over pixels
         whose light is known (finite)."""
         light_e, truth_e = np.asarray(light, np.float64), np.asarray(truth, np.float64)
@@ -67,7 +64,7 @@ def _of_looks(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     arrays = capture.frame.told
     truth = np.asarray(bench.light.total_e())[None]
 
-    def run() -> Values:
+    def run() -> Array:
         """Return the light that the pixels measured, in electrons over the frame."""
         return merged_image(arrays[LIGHT], arrays[DEVIATION])[None] * frame_s
 
@@ -103,12 +100,12 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     measured = cropped.clip()
     tensors = measured.tensors()
 
-    def by_tv(iterations: int) -> Values:
+    def by_tv(iterations: int) -> Array:
         """Return the clip in electrons per slot, reconstructed by this number of iterations of
         GAP-TV."""
         return np.asarray(gap_tv_clip(measured, iterations) * slots)
 
-    def by_any(stages: int) -> Values:
+    def by_any(stages: int) -> Array:
         """Return the clip in electrons per slot, reconstructed by this number of stages of the
         decoder for any code."""
         return np.asarray(decoded_clip(tensors, stages)[0].numpy() * slots)
@@ -120,7 +117,7 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     yield from _of_run(bench, capture, clip, middle)
 
 
-def _merged(bench: Bench, capture: Simulated) -> Values:
+def _merged(bench: Bench, capture: Simulated) -> Array:
     """Return the light over the frame in electrons (1, rows, cols): the mean of the readouts of the
     frame in `capture`, in each of which neighbours are merged. It is NaN where no readout has an
     estimate."""
@@ -142,7 +139,7 @@ def _stages(count: int) -> str:
 def _of_run(
     bench: Bench,
     capture: Simulated,
-    truth: Values,
+    truth: Array,
     region: tuple[slice, slice] = (slice(None), slice(None)),
 ) -> Iterator[StudyPoint]:
     """Yield the points of the decoder of the program's run in both number formats; none if the
@@ -163,7 +160,7 @@ def _of_run(
     share = None if opened is None else (opened[0] / bench.container.slots).astype(np.float32)
     chosen = folder.setup.settings.decoder
 
-    def run(dtype: str) -> Values:
+    def run(dtype: str) -> Array:
         """Return the light that the run's network decodes in `dtype`, "bf16" or float32."""
         with torch.autocast(folder.setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
             decoded = decoded_frame(

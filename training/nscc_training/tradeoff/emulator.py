@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats32
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.execution.program import AnalysedProgram
@@ -87,7 +88,7 @@ class Naive:
         exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
         return read_out(exposure, self.program.container.target, self.program.sensor)
 
-    def _slots(self) -> Iterator[tuple[NDArray[np.float32], NDArray[np.bool_]]]:
+    def _slots(self) -> Iterator[tuple[Floats32, Bools]]:
         """Yield, slot by slot, the light (rows, cols) in electrons and which pixels are open
         (buckets, rows, cols)."""
         if self._ready is not None:
@@ -97,7 +98,7 @@ class Naive:
                 yield self.light.slot(n), self._opened(n)
 
     @cached_property
-    def _ready(self) -> tuple[NDArray[np.float32], NDArray[np.bool_]] | None:
+    def _ready(self) -> tuple[Floats32, Bools] | None:
         """The light (slots, rows, cols) and the open pixels (slots, buckets, rows, cols) of all
         slots as dense arrays, prepared once; None if they take more than `_MOST_BYTES`."""
         buckets, slots = len(self.program.container.buckets), self.light.slots
@@ -105,7 +106,7 @@ class Naive:
             return None
         return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
 
-    def _opened(self, n: int) -> NDArray[np.bool_]:
+    def _opened(self, n: int) -> Bools:
         """Return which pixels are open in slot `n` (0 is the first), bool (buckets, rows, cols)."""
         return np.moveaxis(self.program.opened[n][self.program.lane], -1, 0)
 

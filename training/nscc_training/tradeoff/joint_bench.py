@@ -11,8 +11,8 @@ from hashlib import sha256
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Bools, Floats
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
@@ -33,8 +33,6 @@ from nscc_runtime.scenes import scene_light
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Simulated, simulate
 from nscc_training.command_settings import JointRequest
-
-Values = NDArray[np.float64]
 
 _CAPTURED_TO = 0.5
 """Tolerance of simulated frames, as a fraction of the target error."""
@@ -102,7 +100,7 @@ class Bench:
         )
 
     @cached_property
-    def ideal_e(self) -> Values:
+    def ideal_e(self) -> Floats:
         """The exposures (buckets, rows, cols) in electrons without effects; for pixels that look,
         the light of the whole frame."""
         return self._ideal_e(self.container, self.light)
@@ -244,7 +242,7 @@ class Bench:
         )
         return simulate(container, light, self.sensor, request)
 
-    def _ideal_e(self, container: Container, light: Light) -> Values:
+    def _ideal_e(self, container: Container, light: Light) -> Floats:
         """Return the exposures of a program without effects (buckets, rows, cols) in electrons; for
         pixels that look, the light of the whole frame."""
         if not KINDS.of(container).open_times_known:
@@ -255,9 +253,7 @@ class Bench:
         return np.asarray((exact.exposure_e - response.zero_e) / response.gain)
 
 
-def rms_percent(
-    seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
-) -> float:
+def rms_percent(seen_e: Floats, ideal_e: Floats, counted: Bools, signal_e: float) -> float:
     """Return the root mean square difference of `seen_e` from `ideal_e`, both (buckets, rows,
     cols), in percent of the signal, for the worst bucket.
 

@@ -7,8 +7,8 @@ from dataclasses import replace
 from functools import cache, partial
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Ints32
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import KINDS, Compiled
@@ -129,7 +129,7 @@ def slots(bench: Bench) -> Iterator[StudyPoint]:
 
 
 def _joined(
-    bench: Bench, source: Source, codes: dict[str, NDArray[np.int32]] | None, timed: Container
+    bench: Bench, source: Source, codes: dict[str, Ints32] | None, timed: Container
 ) -> Figures:
     """Return the error of the program `source` and the time of its frame in ms.
 

@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import groupby, product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Array, Floats
 from nscc.chips.load import load_target
 from nscc.compiler import compile_file
 from nscc.examples import examples
@@ -196,8 +196,8 @@ def _readouts(method: str, count: int, values: Values) -> Figures:
 
 
 def _clip(
-    method: str, container: Container, light_e: NDArray[Any], scenes: BenchScenes, index: int
-) -> NDArray[np.float64]:
+    method: str, container: Container, light_e: Array, scenes: BenchScenes, index: int
+) -> Floats:
     """Return the reconstruction (N, rows, cols) of a clip, in electrons in each of its N frames.
 
     The clip is scene number `index`, with the light `light_e` (N, rows, cols). With the `method`

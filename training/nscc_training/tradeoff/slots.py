@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from decimal import Decimal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from nscc.arrays import Ints32
 from nscc.limits.families import MOST_DIGITS, book_text
 from nscc.pipeline import KINDS
 from nscc.source import Source
@@ -33,9 +33,7 @@ def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
     return Source(source.name, text[: spans[0].start] + frame + text[spans[0].end :])
 
 
-def in_fewer(
-    container: Container, join: int, source: Source
-) -> tuple[Source, dict[str, NDArray[np.int32]]]:
+def in_fewer(container: Container, join: int, source: Source) -> tuple[Source, dict[str, Ints32]]:
     """Return a program in which each slot joins `join` successive slots of a program, and the codes
     of its pixels: `id`, int32 (rows, cols).
 
