@@ -7,8 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from nscc.arrays import Array, Bools
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.pipeline import KINDS
 from nscc.prove.proof import Proof, unproved_error
 from nscc.words.container import Container, fields_at_pixels, packed_shutters

@@ -13,8 +13,7 @@ import numpy as np
 from nscc.arrays import Array
 from nscc.compiler import compile_file
 from nscc.diagnostics.arguments import path_of, shown, wrong_argument
-from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.options import Options
 from nscc.pipeline import KINDS
 from nscc.program.analyse import ranges_of

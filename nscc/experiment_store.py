@@ -16,8 +16,7 @@ from time import monotonic, time
 from types import TracebackType
 from typing import Any, Self
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 
 STORE = "store.sqlite"
 """The file name of the store in a folder of results."""

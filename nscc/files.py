@@ -12,8 +12,7 @@ from itertools import count
 from pathlib import Path
 from typing import BinaryIO
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 
 Product = bytes | Callable[[BinaryIO], object]
 """The content of a file: its bytes, or a function that writes them to the open file."""

@@ -14,8 +14,7 @@ from nscc import checks
 from nscc.arrays import Bools
 from nscc.cache.results import Results, results_of_user
 from nscc.chips.load import load_target
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 from nscc.kinds import KindTable
 from nscc.lazy import LazyFunctions
 from nscc.lower import fit

@@ -14,8 +14,7 @@ from collections.abc import Collection
 from functools import cache
 from typing import Any, Literal
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 
 Group = Literal[
     "nscc.commands",

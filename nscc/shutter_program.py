@@ -31,8 +31,7 @@ from nscc.diagnostics.arguments import (
     warn,
     wrong_argument,
 )
-from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LoweringOption
 from nscc.options import Options

@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from nscc.containers import SUFFIX
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.emit.products import SUFFIXES, emitted
 from nscc.files import refuse_inputs, write_together
 from nscc.pipeline import KINDS, PASSES, Observer, Pass

@@ -7,8 +7,7 @@ from typing import Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import TARGET

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nscc.diagnostics.rejection import rejected, unknown_name
+from nscc.diagnostics.diagnostic import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.options import values_given
 from nscc_cli.support import progress, refuse_ignored

@@ -14,7 +14,7 @@ from typing import Any
 import click
 
 from nscc.containers import is_compiled
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.syntax.parse import read_source
 from nscc_cli.options import PATH
 from nscc_cli.playground import PAGE

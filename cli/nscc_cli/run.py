@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Severity, rejected
 from nscc_cli import options as shared
 from nscc_cli.completion import KEPT, RUN
 from nscc_cli.frames import (

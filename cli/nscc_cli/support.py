@@ -15,8 +15,7 @@ from typing import Any, Literal, TypeVar
 import click
 
 from nscc.cache.folder import forget_refusal, refusal
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import inputs_kept, reads
 from nscc.toml.kinds import LARGEST_INTEGER

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of

@@ -15,8 +15,7 @@ from typing import Any
 
 from nscc.chips.target import SCHEMA, Target, schema_of
 from nscc.chips.words import words_toml
-from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.plugins import added, unusable

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest, did_you_mean
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.pipeline import KINDS, Compiled, ProgramKind
 
 SUFFIXES = {

@@ -9,8 +9,7 @@ from io import BytesIO
 from pathlib import Path
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import InvalidArrays, UnsuitableArray, npz_arrays

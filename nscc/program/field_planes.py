@@ -11,8 +11,7 @@ import numpy as np
 
 from nscc.arrays import Array, Bools, Ints
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Label, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Label, Rejected, rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant, constants_scope, pixels_scope
 from nscc.program.evaluate import Value, values_of

@@ -10,8 +10,7 @@ from typing import assert_never
 import numpy as np
 
 from nscc.arrays import Bools
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant
 from nscc.program.expressions import Meaning, Scope

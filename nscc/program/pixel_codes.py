@@ -9,8 +9,7 @@ import numpy as np
 
 from nscc.arrays import Array, Bools, Ints, Ints32
 from nscc.diagnostics.arguments import as_array
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.field_planes import (

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any, ClassVar
 
 from nscc.arrays import Bools
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.emit.products import SUFFIXES
 from nscc.emit.summary import share_text
 from nscc.operations import Op

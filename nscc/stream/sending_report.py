@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.emit.report import subject
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted

@@ -12,8 +12,7 @@ from lark import Token, Tree
 from lark.tree import Meta
 from lark.visitors import Transformer_NonRecursive
 
-from nscc.diagnostics.diagnostic import Label, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Label, Rejected, rejected
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.lexer import span_of

@@ -12,9 +12,8 @@ from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
-from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected, rejected
 from nscc.diagnostics.message import MOST_ERRORS, more_errors
-from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import did_you_mean
 from nscc.source import Source, Span
 from nscc.syntax import tree

@@ -11,8 +11,7 @@ from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from nscc.diagnostics.diagnostic import Diagnostic, Label
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, rejected
 from nscc.diagnostics.suggest import closest, did_you_mean, meant
 from nscc.files import reads
 from nscc.source import Source

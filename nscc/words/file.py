@@ -31,8 +31,7 @@ from nscc.arrays import Array, Bools, Floats, Ints32
 from nscc.chips.load import target_dict, target_from_dict
 from nscc.chips.target import Target
 from nscc.codec import LATER, from_json, to_json
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.record import Record
 from nscc.words.container import Container, DecodeTable, Launch, Readout, StoredKernel
 from nscc.words.machine import NO_LOOKS, Length

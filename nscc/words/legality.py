@@ -10,8 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from types import MappingProxyType
 
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.operations import NEIGHBOURS, STEERING, Op, Phase, Word, WordEffect
 from nscc.words.container import Container, kept_starts
 from nscc.words.encoding import matching, no_operation

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Floats32
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import reads
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_runtime.frame_file import SCHEMA

@@ -42,7 +42,7 @@ import numpy as np
 
 from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.chips.target import Target
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.frame_file import Frame
 
 MOST_BYTES = 1 << 28

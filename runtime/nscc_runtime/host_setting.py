@@ -12,8 +12,7 @@ import numpy as np
 from nscc.arrays import Array, Bools
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import shown
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.record import Record
 from nscc.words.container import Container
 from nscc.words.picture_launches import HostParam

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.reach import Reach, RegisterReaches, reaches_of_frames

@@ -7,8 +7,7 @@ from math import inf
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.toml.kinds import SEED, FilePath, Flag, Instance, Integer, TextKind
 from nscc.toml.schema import key
 

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from nscc.arrays import Bytes
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 from nscc.words.container import Container
 from nscc.words.pictures import Pictures
 from nscc_runtime.effects import marks

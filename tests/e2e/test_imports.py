@@ -29,7 +29,7 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("record",),
+    ("arrays", "record"),
     ("codec",),
     (
         "columns",

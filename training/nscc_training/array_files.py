@@ -9,8 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Floats
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import MOST_BYTES, InvalidArrays, check_size, npy_array, npz_arrays

@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.arrays import Ints
 from nscc.diagnostics.arguments import as_array, path_of, shown, wrong_argument
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import write_whole
 from nscc.npy import npz_arrays
 from nscc_runtime.scenes.light_arrays import mat_arrays

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Bools, Bytes, Floats, Floats32, Ints
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 from nscc.files import reads
 from nscc.npy import InvalidArrays
 from nscc.program.problems import counted

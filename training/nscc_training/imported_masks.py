@@ -11,8 +11,7 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats, Ints
 from nscc.chips.load import load_target
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.program.problems import counted
 from nscc.words.container import Container
 from nscc_training.array_files import ambiguous_axes, is_square_tile, read_mask

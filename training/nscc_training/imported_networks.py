@@ -14,8 +14,7 @@ import torch
 from torch import Tensor
 
 from nscc.chips.load import load_target
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import read_whole
 from nscc_training.cell_programs import cell_files, compiled_cell, level_on_chip
 from nscc_training.cells import MOST_KERNEL, MOST_OUTPUTS, MOST_STATES, PixelCell

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import file_sha256
 from nscc.program.problems import counted
 from nscc_training import metrics

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.program.problems import counted
 from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, PICTURES
 from nscc_training.config import settings_of

@@ -9,7 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.rejection import unknown_name
+from nscc.diagnostics.diagnostic import unknown_name
 
 TRAINED = (
     "hdr-v1",

@@ -12,8 +12,7 @@ import numpy as np
 
 from nscc.arrays import Floats32
 from nscc.compiler import compile_source
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 from nscc.options import Options
 from nscc.pipeline import LEVELS
 from nscc.program.problems import counted

@@ -12,8 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Bools, Floats, Floats32
-from nscc.diagnostics.diagnostic import Diagnostic, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Severity, rejected
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc.program.problems import counted
 from nscc_runtime.formats import Content

@@ -10,7 +10,7 @@ from typing import Any
 import torch
 
 from nscc.chips.load import load_target
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import file_sha256, read_whole, reads
 from nscc.npy import check_size
 from nscc_training.codes_files import load_codes

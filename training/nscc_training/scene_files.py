@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Floats
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import picture_files
 from nscc_runtime.scenes.colour import Colours, grey

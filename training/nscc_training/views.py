@@ -15,8 +15,7 @@ import numpy as np
 
 from nscc.arrays import Array
 from nscc.chips.load import DEFAULT_NAME, load_target
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import read_whole, reads
 from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.effects import selected

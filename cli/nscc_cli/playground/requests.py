@@ -20,8 +20,7 @@ import numpy as np
 from nscc.arrays import Array, Floats32
 from nscc.codec import InvalidRecord, from_plain
 from nscc.compiler import CHECK
-from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected, rejected
 from nscc.diagnostics.render import render
 from nscc.editing.document import Document
 from nscc.emit.notebook import container_chart

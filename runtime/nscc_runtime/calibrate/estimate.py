@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from nscc.chips.target import Target
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.calibrate.dark_fit import DarkFit, dark_of
 from nscc_runtime.calibrate.frame_stacks import Stack, grouped, load_stack
 from nscc_runtime.calibrate.levels import QUIET, LevelMoments, Mask, level_of, moments

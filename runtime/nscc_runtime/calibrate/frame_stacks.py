@@ -20,8 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.arrays import Array, Bools
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import reads
 from nscc.npy import npy_header, npz_arrays
 from nscc_runtime.frame_arrays import checked_meta, frame_meta

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.arrays import Bools, Floats, Ints
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.calibrate.frame_stacks import Stack
 
 Map = Floats

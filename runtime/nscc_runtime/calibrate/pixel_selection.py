@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.calibrate.levels import Level, Mask, moments
 from nscc_runtime.calibrate.line_fit import surface
 from nscc_runtime.scenes.errors import size

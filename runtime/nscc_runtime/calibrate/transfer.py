@@ -13,8 +13,7 @@ from math import sqrt
 
 import numpy as np
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_runtime.calibrate.levels import QUIET, LevelMoments
 from nscc_runtime.calibrate.line_fit import Line, Vector, line
 

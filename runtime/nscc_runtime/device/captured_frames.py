@@ -14,7 +14,7 @@ import numpy as np
 
 from nscc.chips.load import load_target, target_names
 from nscc.chips.target import Target
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import write_whole
 from nscc.words.container import Container
 from nscc.words.readout import converter_of

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import Any
 
 from nscc.chips.target import Target
-from nscc.diagnostics import rejection
+from nscc.diagnostics import diagnostic
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Info, LoaderFault, frame_bytes
@@ -30,8 +30,8 @@ _STAND_IN = "`nscc device serve --scene SCENE` starts a simulated device and pri
 
 def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
     """Return a device failure (exit status 3) with an error `code` such as NS0760. `helps` are
-    remedies. `options`: notes and data, see `nscc.diagnostics.rejection`."""
-    return rejection.rejected(code, message, helps=helps, status=FAILED, **options)
+    remedies. `options`: notes and data, see `nscc.diagnostics.diagnostic`."""
+    return diagnostic.rejected(code, message, helps=helps, status=FAILED, **options)
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:

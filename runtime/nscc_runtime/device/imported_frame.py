@@ -16,8 +16,7 @@ from typing import Any, Literal
 import numpy as np
 
 from nscc.arrays import Array, Bools, Bytes
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import read_whole
 from nscc.npy import InvalidArrays, npy_array
 from nscc.words.container import Container, state_registers

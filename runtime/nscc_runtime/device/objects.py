@@ -40,7 +40,7 @@ import numpy as np
 from nscc.arrays import Bools
 from nscc.chips.load import target_dict
 from nscc.chips.target import Target
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.record import Record
 from nscc.words.container import (
     Container,

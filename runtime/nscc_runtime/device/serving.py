@@ -16,8 +16,7 @@ from random import Random
 from time import monotonic, sleep
 from typing import TYPE_CHECKING, Any
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.diagnostics.suggest import meant
 
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")

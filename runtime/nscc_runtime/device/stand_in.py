@@ -8,8 +8,7 @@ from pathlib import Path
 from typing import Literal
 
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware

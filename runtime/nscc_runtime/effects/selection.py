@@ -8,8 +8,7 @@ from functools import cache, cached_property, lru_cache
 from math import hypot
 from typing import Any, TypeVar
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected, unknown_name
+from nscc.diagnostics.diagnostic import Rejected, rejected, unknown_name
 from nscc.diagnostics.suggest import meant
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.effect import RESERVED, Effect, Mark

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.words.legality import decoded
 from nscc.words.soundness import faults
 from nscc_runtime.caches import OfContainer

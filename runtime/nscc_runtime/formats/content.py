@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nscc.arrays import Array, Bools, Bytes, Floats
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.words.container import Container
 from nscc_runtime.frame_file import Frame, FrameFile
 from nscc_runtime.light import Light

@@ -12,7 +12,7 @@ from typing import IO
 
 import numpy as np
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import Product
 from nscc_runtime.formats import pictures
 from nscc_runtime.formats.content import Arrays, Content

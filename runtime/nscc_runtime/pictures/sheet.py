@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 
 MARKERS = "osD^vP"
 """Markers of series. Their number is coprime with that of the series colours, so 42 series differ

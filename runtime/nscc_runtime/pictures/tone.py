@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats
-from nscc.diagnostics.rejection import unknown_name
+from nscc.diagnostics.diagnostic import unknown_name
 
 WHITE_PERCENTILE = 99.8
 """Percentile of light shown as white: a few bright lights must not darken the picture."""

@@ -6,7 +6,7 @@ from dataclasses import dataclass, fields
 from pathlib import Path
 
 from nscc.codec import from_json, from_plain, to_json
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import read_whole
 from nscc.npy import InvalidArrays
 from nscc_runtime.effects.registry import by_name

@@ -10,8 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Codes, Well

@@ -13,8 +13,7 @@ from math import inf
 import numpy as np
 
 from nscc.arrays import Bools, Floats
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.operations import Op, WordEffect
 from nscc.words.container import Container
 from nscc.words.cost import word_us

@@ -11,8 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Floats32
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import reads
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes.colour import Colours

@@ -9,7 +9,7 @@ from contextlib import suppress
 import numpy as np
 
 from nscc.arrays import Floats, Floats32
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import exposure as exposures

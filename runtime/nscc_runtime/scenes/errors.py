@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 
 Path_or_name = Path | str
 

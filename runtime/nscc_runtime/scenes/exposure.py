@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.scenes.errors import Path_or_name
 
 DEFAULT_PERCENTILE = 99.0

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.scenes import pages as limits
 from nscc_runtime.scenes.colour import LUMINANCE, Weights
 from nscc_runtime.scenes.file_colours import of_primaries

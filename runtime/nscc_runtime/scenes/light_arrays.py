@@ -14,8 +14,7 @@ from typing import IO, Any
 import numpy as np
 
 from nscc.arrays import Array, Floats32
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.npy import MOST_BYTES, check_size, npy_header, npy_values
 from nscc_runtime.scenes.errors import damaged, refuse_no_light, size
 

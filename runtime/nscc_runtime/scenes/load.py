@@ -13,8 +13,7 @@ import numpy as np
 
 from nscc.arrays import Array, Floats, Floats32
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.files import reads
 from nscc.toml.schema import declared

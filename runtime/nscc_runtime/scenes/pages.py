@@ -10,7 +10,7 @@ from math import prod
 from pathlib import Path
 
 from nscc.arrays import Array, Floats
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.scenes.colour import Colours
 
 MOST_PIXELS = 1 << 26

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import reads
 from nscc_runtime.scenes import (
     exr_pictures,

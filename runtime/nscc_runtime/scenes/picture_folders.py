@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc_runtime.scenes.errors import damaged
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages

@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Floats, Floats32
-from nscc.diagnostics.diagnostic import Diagnostic, Severity
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Severity, rejected
 from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.scene_settings import Fit

@@ -13,8 +13,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Floats, Floats32, Ints, Ints32
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
 from nscc_runtime.scenes.pages import Edges

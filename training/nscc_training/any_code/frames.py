@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.arrays import Array, Bools, Floats, Floats32
 from nscc.containers import is_compiled, load_container, with_pixels
-from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.npy import InvalidArrays
 from nscc.options import Options
 from nscc.words.container import Container
@@ -262,7 +261,7 @@ def coded_frame(
     read = codes.mean(axis=0) - number_of(meta, "adc_offset")
     if dark is not None:
         # A dark frame went through the same words, so it contains their bias.
-        read, bias_e = undarkened(read, dark), 0
+        read, bias_e = undarkened(read, dark), np.zeros_like(bias_e)
     exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain
     plan = meta.get("plan")

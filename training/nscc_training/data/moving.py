@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Bytes, Floats, Floats32
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.scenes.picture_files import PICTURES, only_picture, open_pages
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb

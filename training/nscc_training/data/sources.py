@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Floats, Floats32
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import file_sha256
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes.colour import Colours, linear

@@ -11,8 +11,7 @@ import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats
 from nscc.compiler import compile_file
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.examples import examples
 from nscc.options import Options
 from nscc.words.container import Container

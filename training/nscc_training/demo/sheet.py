@@ -119,7 +119,7 @@ class Shown:
         A scene larger than the array is exposed in parts, and the dark frame is repeated over them.
         """
         exposures_e = []
-        for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0)):
+        for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0, dtype=np.float64)):
             codes = self.exposed_scene.codes(capture, k)
             offset = over_array(dark_codes, *codes.shape[:2])
             offset = offset if codes.ndim == 2 else offset[..., None]

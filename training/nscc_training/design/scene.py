@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.arrays import Floats, Ints
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_training.design.chip import PERCENTILE, Curve, DesignChip
 
 _GROUPS = 256

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nscc.arrays import Array, Bools
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.command_settings import EvaluationSettings
 from nscc_training.evaluation import methods

@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Bytes, Floats
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted

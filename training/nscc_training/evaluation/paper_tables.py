@@ -12,7 +12,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_training.evaluation.results import mean_of, read_result
 from nscc_training.run_files import WEIGHTS, shipped_evaluations
 

@@ -15,8 +15,7 @@ from typing import Any, NamedTuple, Self
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.experiment_store import ExperimentStore
 from nscc.files import Product, read_whole
 from nscc.program.problems import counted

@@ -12,7 +12,7 @@ import numpy as np
 import torch
 
 from nscc.arrays import Array
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import file_sha256
 from nscc.program.problems import counted

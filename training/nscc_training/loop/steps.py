@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_training.code_choices import LOOKS
 from nscc_training.data import Batch
 from nscc_training.looking_model import looked

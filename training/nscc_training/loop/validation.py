@@ -10,7 +10,7 @@ import torch
 from torch import Tensor
 
 from nscc.arrays import Array, Floats
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
 from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Floats32
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
 from nscc_training.protocol_scenes.video import ClipWindow, exposed_window, windows

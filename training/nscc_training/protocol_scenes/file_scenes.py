@@ -10,8 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.classes import class_folders
 from nscc_training.protocol_scenes.deblur import exposed_moment, moments

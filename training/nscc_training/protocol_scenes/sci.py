@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats, Floats32
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.scenes.light_arrays import mat_arrays
 from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW

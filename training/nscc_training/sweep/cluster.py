@@ -11,7 +11,7 @@ from multiprocessing import resource_tracker
 from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_training.experiments.engine import Done, Executor
 from nscc_training.sweep.point import PointTask
 from nscc_training.sweep.work import failure, work

@@ -20,8 +20,7 @@ from math import prod
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
 from nscc.toml.kinds import Axis, Several, TextKind

@@ -9,8 +9,7 @@ from contextlib import AbstractContextManager, chdir, nullcontext, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.experiment_store import STORE, ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted

@@ -7,7 +7,7 @@ from math import isfinite
 from typing import Any
 
 from nscc import html
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.program.problems import counted
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram

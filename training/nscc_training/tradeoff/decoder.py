@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import torch
 
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
 from nscc_training.command_settings import DecoderStudySettings
 from nscc_training.decoders.blocks import BlockNet

@@ -14,8 +14,7 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats
 from nscc.containers import is_compiled, load_container, with_pixels
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
@@ -206,7 +205,7 @@ class Bench:
         frame = self._captured(container, light).frame
         if LIGHT in frame.told:
             light_e_per_s, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
-            counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).any(axis=0)[None]
+            counted = (np.isfinite(sure) & np.isfinite(light_e_per_s)).max(axis=0)[None]
             seen_e = merged_image(light_e_per_s, sure)[None] * (sum(container.slot_us) * 1e-6)
         else:
             counted = frame.valid & ~frame.saturated
