@@ -112,14 +112,14 @@ class Shown:
         # frame.
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
-    def _exposures_e(self, capture: Taken, dark: Taken) -> list[Floats]:
+    def _exposures_e(self, capture: Taken, dark: Taken) -> list[Array]:
         """Return the electrons of each readout of `capture` above the mean of its dark frames
         `dark`, one array (rows, cols, [3]) a readout. Noise can make them negative.
 
         A scene larger than the array is exposed in parts, and the dark frame is repeated over them.
         """
         exposures_e = []
-        for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0, dtype=np.float64)):
+        for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0)):
             codes = self.exposed_scene.codes(capture, k)
             offset = over_array(dark_codes, *codes.shape[:2])
             offset = offset if codes.ndim == 2 else offset[..., None]
