@@ -9,7 +9,6 @@ from typing import NamedTuple
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.source import Source, Span
 from nscc.words.container import Container, steered_launches, with_picture_words
-from nscc_runtime.device.objects import schedule_rows
 
 
 class Loader(NamedTuple):
@@ -38,10 +37,16 @@ def loader_notes(container: Container, source: Source, frame: Span) -> list[Diag
     if not container.target.has_logic:
         return []
     sent = with_picture_words(container)
+    # A launch takes at most two rows, so that the rows of few launches need not be counted.
+    rows = 2 * len(sent.launches)
+    if rows > min(loader.rows for loader in LOADERS):
+        from nscc_runtime.device.objects import schedule_rows  # `nscc check` loads no device
+
+        rows = sum(1 for _ in schedule_rows(sent, steered_launches(container)))
     # What the program needs is compared with the room of each loader, by the same names.
     needed = {
         "kernels": len(sent.kernels),
-        "rows of its schedule": sum(1 for _ in schedule_rows(sent, steered_launches(container))),
+        "rows of its schedule": rows,
         "runs of equal slots": sum(1 for _ in groupby(container.slot_us)),
     }
     notes = []
