@@ -28,7 +28,10 @@ STARTS = ("random", "uniform", "quad", *ORDERED, *YARDSTICKS, *SCATTERED)
 SLOPED = ("straight-through", "sigmoid", "gumbel")
 """Relaxations that pass gradients through the quantisation."""
 
-RELAXATIONS = (*SLOPED, "tried", "search")
+ARRANGE = "arrange"
+SEARCHED = ("search", ARRANGE)
+"""Relaxations that propose codes and accept one by its measured loss."""
+RELAXATIONS = (*SLOPED, "tried", *SEARCHED)
 """Methods of learning codes.
 
 `straight-through` uses hard shutters in the forward pass and a surrogate slope in the backward
@@ -36,7 +39,8 @@ pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that 
 `gumbel` (codebooks; `sigmoid` for other classes) uses soft shapes and a random soft choice of them.
 `tried` uses hard shutters without a gradient; the loop tries other codes around them
 (`nscc_training.loop.step_loss`). `search` moves many places of a code together; the decoder, which
-is not trained meanwhile, compares the results (`nscc_training.loop.searching`)."""
+is not trained meanwhile, compares the results (`nscc_training.loop.searching`). `arrange` is a
+search that gives the initial shutters other places, and changes none of them."""
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ of the readout are alike in neighbouring pixels, so they are cut from whole fram
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -161,6 +161,25 @@ class MeasuredTables:
         self._recent[key] = self.table
         if len(self._recent) > _RECENT:
             self._recent.pop(next(iter(self._recent)))
+
+    def arrange(self, shutters: Tensor, measure: Callable[[], EmulatedSensor]) -> None:
+        """Set `table` to the emulated sensor of a tile that has the present shutters at other
+        places. Only the first call calls `measure`, for the tile as it is.
+
+        The response depends on the words of a program, and so on its shutters, but not on their
+        places: pixels with equal shutters have the response of the first of them."""
+        if self.table is None or self._shutters is None:
+            self.use(shutters, measure)
+        assert self.table is not None
+        assert self._shutters is not None
+        known, self._shutters = self._shutters, shutters.detach().cpu().to(torch.uint8)
+        equal = self._shutters.flatten(1).T[:, None] == known.flatten(1).T
+        places = equal.all(dim=2).int().argmax(dim=1).reshape(shutters.shape[1:])
+        tables = {
+            name: getattr(self.table, name).flatten(-2)[..., places]
+            for name in ("share", "code", "spread", "full")
+        }
+        self.table = replace(self.table, **tables)
 
     def tensors(self) -> dict[str, Tensor]:
         """Return the tensors that a checkpoint stores, by name: `shutters` and the fields of

@@ -258,7 +258,7 @@ class Run:
             return html.Html()  # the open time of a pixel depends on the light
         opened = self.encoder.hard().cpu().numpy().astype(bool).reshape(spec.slots, -1).T
         rows, first = np.unique(opened, axis=0, return_index=True)
-        flat = {name: values.reshape(-1) for name, values in codes.items()}
+        flat = {name: values.reshape(-1) for name, values in codes.items() if name != "book"}
         labels = [
             ", ".join(f"{name} {values[at]}" for name, values in flat.items()) or "all pixels"
             for at in first

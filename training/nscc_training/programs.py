@@ -106,7 +106,7 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
     require_type("program_of", "encoder", encoder, Encoder, "nscc_training.make_encoder")
     require_type("program_of", "chip", chip, Chip, "nscc_training.Chip()")
-    codes: dict[str, Ints] = encoder.codes()
+    codes = encoder.codes()
     if encoder.spec.kind == "looks":
         target = chip.table or load_target(chip.target, Path())
         schedule = LookSchedule(*(tuple(codes[name][0].tolist()) for name in ("at", "level")))
@@ -114,9 +114,6 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
         slots, slot_us = encoder.spec.slots, chip.slot_us
         text = looking_text(schedule, slots, slot_us, target, named, remark)
         return ProgramFiles(text, codes_bytes(codes))
-    book = getattr(encoder, "book", None)
-    if book is not None:
-        codes["book"] = book()
     return program(encoder.spec, codes, chip, remark)
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Schema, key, keys_of
-from nscc_training.code_choices import LOOKS, RELAXATIONS, STARTS
+from nscc_training.code_choices import LOOKS, RELAXATIONS, SEARCHED, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.import_paths import is_import_path
 from nscc_training.made_scenes import DIRECTIONS
@@ -108,7 +108,7 @@ class ShutterSettings:
         checks=(
             lambda run: (
                 run.shutter.most_words
-                and run.shutter.relaxation != "search"
+                and run.shutter.relaxation not in SEARCHED
                 and "only a search stays within a limit of words: use the relaxation `search`, "
                 "or add words to the loss with `words_weight`"
             ),

@@ -30,7 +30,7 @@ from nscc_runtime.simulate import simulate  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.command_settings import EvaluationSettings  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
+from nscc_training.emulated import EmulatedSensor, MeasuredTables, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.runs import evaluate  # noqa: E402
 from nscc_training.frame_reading import Dark, FrameRead  # noqa: E402
@@ -123,6 +123,35 @@ def test_codes_of_the_model_have_the_moments_of_the_emulators(
     # Photons and the readout alone vary much less.
     photons = level * sensor.full_well_e / sensor.electrons_per_lsb**2
     assert wanted[:, ::2, ::2].var() > 1.3 * (photons + sensor.adc_noise_lsb**2)
+
+
+def test_a_shutter_has_its_response_at_every_place(table: EmulatedSensor) -> None:
+    """Beside a measurement of the same shutters at other places, which is not needed."""
+    turned = PROGRAM.replace("[[0, 2], [0, 3]]", "[[3, 0], [2, 0]]")
+    turned = turned.replace("[[8, 5], [4, 8]]", "[[8, 8], [5, 4]]")
+    other = compile_source(Source("p.nsl", turned), Path(), Options(level=1)).container
+    assert other is not None
+    measured = emulated_sensor(other, TILE, sensor_of(other), "all")
+    shutters = torch.eye(4).reshape(4, 2, 2)
+
+    def unneeded() -> EmulatedSensor:
+        raise AssertionError("measured again")
+
+    tables = MeasuredTables()
+    tables.arrange(shutters, lambda: table)
+    tables.arrange(shutters.flatten(1)[:, [3, 0, 1, 2]].reshape(4, 2, 2), unneeded)
+    assert tables.table is not None
+    assert torch.equal(tables.table.share, measured.share)
+    assert torch.allclose(tables.table.code, measured.code, atol=0.4)
+    assert torch.allclose(tables.table.spread, measured.spread, atol=0.2)
+    assert not torch.allclose(table.code[0, 0, 0], table.code[0, 0, 1], atol=3)
+
+
+def test_places_of_one_shutter_have_one_response(table: EmulatedSensor) -> None:
+    tables = MeasuredTables()
+    tables.arrange(torch.tensor([[[1, 0], [1, 0]], [[0, 1], [0, 1]]]), lambda: table)
+    assert tables.table is not None
+    assert torch.equal(tables.table.code, table.code[:, :1].expand(-1, 2, 2))
 
 
 def test_errors_of_the_readout_are_alike_in_neighbouring_pixels() -> None:

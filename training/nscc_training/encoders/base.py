@@ -12,7 +12,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc.arrays import Ints
-from nscc_training.code_choices import RELAXATIONS
+from nscc_training.code_choices import RELAXATIONS, SEARCHED
 from nscc_training.code_choices import ShutterSpec as ShutterSpec
 from nscc_training.draws import normal, uniform
 
@@ -69,7 +69,8 @@ def decided(
 
 
 Codes = dict[str, Ints]
-"""Field values at every pixel of the tile, by field name, each (rows, cols)."""
+"""Field values at every pixel of the tile, by field name, each (rows, cols). A codebook also has
+its rows of N digits, `book`."""
 
 
 class Encoder(nn.Module, ABC):
@@ -108,7 +109,7 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def codes(self) -> Codes:
-        """Return the legal codes of the current parameters, int64 (rows, cols) by field."""
+        """Return the legal codes of the current parameters, int64, by field."""
 
     def check_finite(self) -> None:
         """Raise ValueError if any parameter has a value that is not finite, with the name of the
@@ -200,7 +201,7 @@ class Encoder(nn.Module, ABC):
         Tensor
             (N, rows, cols), values 0..1.
         """
-        if self.relaxation in ("tried", "search"):
+        if self.relaxation in ("tried", *SEARCHED):
             return self.hard()
         return self.shutters(generator, soft=self.relaxation != "straight-through")
 

@@ -213,15 +213,12 @@ class Codebook(_Digits):
         """Return the fraction of shapes, 0 to below 1, that no pixel chooses."""
         return 1 - len(torch.unique(self.choice.argmax(dim=-1))) / self.rows
 
-    def book(self) -> Ints:
-        """Return the shapes (K, N) as digits 0 and 1."""
-        return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
-
     def codes(self) -> Codes:
-        """Return the row of each pixel, `id`, int64 (rows, cols). The shapes are not included: see
-        `book`. Raise ValueError if a parameter is not finite."""
+        """Return the row of each pixel, `id`, int64 (rows, cols), and the digits 0 and 1 of the
+        rows, `book`, int64 (K, N). Raise ValueError if a parameter is not finite."""
         self.check_finite()
-        return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
+        codes = {"id": self.choice.argmax(dim=-1), "book": self.shapes > 0}
+        return {name: values.to("cpu", torch.int64).numpy() for name, values in codes.items()}
 
     def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the row of each pixel from `id` (rows, cols), and the digits of the shapes if `book`

@@ -17,6 +17,7 @@ from torch import Tensor
 
 from nscc.arrays import Floats
 from nscc.diagnostics.diagnostic import Rejected
+from nscc_training.code_choices import ARRANGE
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
 from nscc_training.encoders.base import Codes
@@ -24,7 +25,7 @@ from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.random_streams import DrawStream
-from nscc_training.search.moves import SINGLE_SHARE, moved
+from nscc_training.search.moves import MOST_AT_ONCE, SINGLE_SHARE, arranged, moved
 from nscc_training.settings import ShutterSettings
 
 _FEWER = 0.9
@@ -47,7 +48,7 @@ def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     chosen = setup.settings.shutter
     setup.decoder.eval()
     generator = np.random.default_rng([setup.settings.train.seed, DrawStream.SEARCH_MOVES, step])
-    current = setup.codes()
+    current = setup.encoder.codes()
     first, words = _losses(setup, current, batches, step), _words(setup, current)
     setup.encoder.load_codes(current)
     gain = expected_gain(setup, batches, step)
@@ -58,7 +59,10 @@ def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     # A single place hardly changes the number of words.
     single_share = 0.0 if over else SINGLE_SHARE
     candidates = [
-        moved(setup.encoder.spec, current, generator, single_share) for _ in range(chosen.moves)
+        arranged(current, generator, int(generator.integers(1, MOST_AT_ONCE + 1)))
+        if setup.encoder.relaxation == ARRANGE
+        else moved(setup.encoder.spec, current, generator, single_share)
+        for _ in range(chosen.moves)
     ]
     best = None if over else (current, first)
     fitting = (

@@ -18,7 +18,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
 from nscc_training.any_code.decoder import AnyCode
-from nscc_training.code_choices import LOOKS, SLOPED, STARTS
+from nscc_training.code_choices import ARRANGE, LOOKS, SLOPED, STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
@@ -39,13 +39,15 @@ from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import WEIGHTS, run_path
-from nscc_training.search.moves import moved
+from nscc_training.search.moves import MOST_AT_ONCE, arranged, moved
 from nscc_training.sensor_model import SensorModel, shared_out
 from nscc_training.settings import RunSettings, ShutterSettings
 
 _STARTS = (*STARTS, "learned")
 _MEASURED_CODES = 48
 """Number of random codes that a decoder learns under effects."""
+_MIXING = 4
+"""Exchanges of two places, for each place of a tile, that mix an arrangement well."""
 _MOST_DRAWS = 8
 """Most draws of random codes until one compiles."""
 
@@ -109,24 +111,22 @@ class TrainingSetup:
             self.follow_codes()
         return self.tables.table
 
-    def codes(self) -> Codes:
-        """Return the codes of the tile, int64 (rows, cols) by field; a codebook also has its shapes
-        as `book`."""
-        book = getattr(self.encoder, "book", None)
-        return self.encoder.codes() | ({} if book is None else {"book": book()})
-
     def start_random(self, *numbers: int, near: Codes | None = None) -> None:
         """Set the encoder to random codes that compile for the chip, drawn with the run's seed and
         `numbers`.
 
         The first draw moves the codes `near` (None: there are none) at many places; later draws are
-        independent of them. Raises Rejected with the compiler's errors if none of `_MOST_DRAWS`
-        draws compiles. The encoder then has the last ones."""
+        independent of them. With the relaxation `arrange`, all draws give the present codes other
+        places. Raises Rejected with the compiler's errors if none of `_MOST_DRAWS` draws compiles.
+        The encoder then has the last ones."""
         for attempt in range(_MOST_DRAWS):
             seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
             generator = np.random.default_rng(seeds)
             try:
-                if near is None or attempt > 0:
+                if self.encoder.relaxation == ARRANGE:
+                    exchanges = MOST_AT_ONCE if near else _MIXING * self.encoder.spec.places
+                    self.encoder.load_codes(arranged(self.encoder.codes(), generator, exchanges))
+                elif near is None or attempt > 0:
                     self.encoder.start_random(generator)
                 else:
                     # No move of a single pixel: these codes shall differ clearly from `near`.
@@ -146,10 +146,11 @@ class TrainingSetup:
         A decoder that learns random codes can judge codes before it is trained for one of them.
         Codes of odd numbers are the present ones after some moves, because a search begins there.
         With effects there are only `_MEASURED_CODES` different codes, because each needs a
-        measurement."""
+        measurement; arrangements of the same shutters need none."""
         present = {key: value.clone() for key, value in self.encoder.state_dict().items()}
-        number = number % _MEASURED_CODES if self.settings.sensor.effects else number
-        self.start_random(number, near=self.codes() if number % 2 else None)
+        if self.settings.sensor.effects and self.encoder.relaxation != ARRANGE:
+            number %= _MEASURED_CODES
+        self.start_random(number, near=self.encoder.codes() if number % 2 else None)
         self.follow_codes()
         tile = self.encoder.hard()
         self.encoder.load_state_dict(present)
@@ -175,7 +176,9 @@ class TrainingSetup:
                 build.container, self.encoder.spec.tile, self.sensor, effects, self.chips
             )
 
-        self.tables.use(self.encoder.hard(), measure)
+        arranges = self.encoder.relaxation == ARRANGE
+        follow = self.tables.arrange if arranges else self.tables.use
+        follow(self.encoder.hard(), measure)
 
 
 def make_setup(settings: RunSettings) -> TrainingSetup:

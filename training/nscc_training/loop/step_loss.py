@@ -14,6 +14,7 @@ from nscc_training.any_code.lessons import Lesson, measured_lesson, noisy
 from nscc_training.any_code.network import SEEN
 from nscc_training.any_code.stages import coded_light, schedule, stage, started_still, still_stages
 from nscc_training.baselines.gap_tv import gap_tv_of
+from nscc_training.code_choices import SEARCHED
 from nscc_training.curves import MU, srgb
 from nscc_training.data import Batch
 from nscc_training.data.exposures import quantiles
@@ -60,7 +61,7 @@ class StepLoss(nn.Module):
             tile = setup.encoder(generator_of(device, seed, DrawStream.RELAXED_CODES, step))
             shutters = window(tile, rows, cols, window_seed)
         else:
-            searched = settings.shutter.learn and setup.encoder.relaxation == "search"
+            searched = settings.shutter.learn and setup.encoder.relaxation in SEARCHED
             waits = searched and step < settling_step(settings)
             tile = setup.random_tile(step) if waits else setup.encoder.hard()
             shutters = window(tile, rows, cols, window_seed)

@@ -22,6 +22,7 @@ from nscc.program.problems import counted
 from nscc_runtime.progress import Progress as Track
 from nscc_runtime.progress import unseen
 from nscc_training.any_code.lessons import Lesson, LessonSet
+from nscc_training.code_choices import SEARCHED
 from nscc_training.config import config_toml
 from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch, load_scenes
 from nscc_training.data.moving import shown_picture
@@ -291,7 +292,7 @@ def _settles_with_best(settings: RunSettings) -> bool:
     """Return whether the codes settle in the best validated state instead of the last one: in a
     search, and after restarts."""
     shutter = settings.shutter
-    return shutter.learn and (shutter.relaxation == "search" or shutter.restarts > 0)
+    return shutter.learn and (shutter.relaxation in SEARCHED or shutter.restarts > 0)
 
 
 def _checkpoint(out: Path, resume: str) -> Path | None:
@@ -393,7 +394,7 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
     learns = codes_learn(settings, step)
     if step % _FOLLOW_EVERY == 0 or step == first or learns != codes_learn(settings, step - 1):
         setup.follow_codes()
-    if learns and setup.encoder.relaxation == "search":
+    if learns and setup.encoder.relaxation in SEARCHED:
         batches = [batch_of(run, run.dataset[k]) for k in range(settings.shutter.batches)]
         return torch.tensor(search(setup, batches, step))
     if not isinstance(drawn, Lesson):

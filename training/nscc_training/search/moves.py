@@ -15,7 +15,7 @@ Where = Bools
 
 _PERIODS = (1, 2, 4, 8)
 """Sides of blocks, and distances of pixels that change together."""
-_MOST_AT_ONCE = 4
+MOST_AT_ONCE = 4
 """Most moves that a candidate combines."""
 SINGLE_SHARE = 0.5
 """Probability that only the shutter of one pixel changes."""
@@ -40,7 +40,7 @@ def moved(
         place.flat[generator.integers(place.size)] = True
         return MOVING[spec.kind](spec, codes, place, generator)
     changed_codes = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
-    for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
+    for _ in range(int(generator.integers(1, MOST_AT_ONCE + 1))):
         places = _somewhere(spec.tile, generator)
         kind = generator.random()
         # Half of the changes move codes. A quarter exchange codes with other pixels, a quarter copy
@@ -50,6 +50,18 @@ def moved(
         else:
             changed_codes = _from_beside(changed_codes, places, generator, exchange=kind < 0.75)
     return changed_codes
+
+
+def arranged(codes: Codes, generator: Generator, exchanges: int) -> Codes:
+    """Return codes after this number of exchanges, each between two random places of the tile. No
+    place gets another shutter than one of the tile; the rows of a codebook (`book`) stay."""
+    order = np.arange(next(values.size for name, values in codes.items() if name != "book"))
+    for pair in generator.integers(len(order), size=(exchanges, 2)):
+        order[pair] = order[pair[::-1]]
+    return {
+        name: values if name == "book" else values.flat[order].reshape(values.shape)
+        for name, values in codes.items()
+    }
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:

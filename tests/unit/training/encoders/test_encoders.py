@@ -15,7 +15,7 @@ torch = pytest.importorskip("torch")
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.code_choices import SLOPED  # noqa: E402
 from nscc_training.codes_files import codes_bytes, load_codes, save_codes  # noqa: E402
-from nscc_training.encoders import Encoder, ShutterSpec, make_encoder  # noqa: E402
+from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.programs import Chip, compiled, legal_codes, program_of  # noqa: E402
 from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
 
@@ -36,23 +36,16 @@ def name_of(spec: ShutterSpec) -> str:
     return f"{spec.kind}{spec.slots}"
 
 
-def all_codes(encoder: Encoder) -> dict[str, np.ndarray]:
-    found = encoder.codes()
-    if encoder.spec.kind == "codebook":
-        found["book"] = encoder.book()  # type: ignore[operator]
-    return found
-
-
 @pytest.mark.parametrize("start", STARTS)
 @pytest.mark.parametrize("spec", SPECS, ids=name_of)
 def test_shutters_are_those_of_the_codes(spec: ShutterSpec, start: str) -> None:
     encoder = make_encoder(spec, start, seed=3)
     hard = encoder.hard().numpy()
-    wanted = shutters_of(spec.kind, spec.slots, all_codes(encoder), spec.length)
+    wanted = shutters_of(spec.kind, spec.slots, encoder.codes(), spec.length)
     assert (hard == wanted).all()
     assert (encoder(torch.Generator()).detach().numpy() == wanted).all()
     again = make_encoder(spec, "uniform")
-    again.load_codes(all_codes(encoder))
+    again.load_codes(encoder.codes())
     assert torch.equal(again.hard(), encoder.hard())
 
 
@@ -105,7 +98,7 @@ def test_a_large_tile_goes_into_a_file_with_its_digest(tmp_path: Path) -> None:
 def test_codes_survive_a_file(spec: ShutterSpec, ending: str, tmp_path: Path) -> None:
     encoder = make_encoder(spec, "random", seed=9)
     path = tmp_path / f"codes{ending}"
-    save_codes(str(path), all_codes(encoder))
+    save_codes(str(path), encoder.codes())
     other = make_encoder(spec, "quad")
     other.load_codes(load_codes(path))
     assert torch.equal(other.hard(), encoder.hard())
@@ -263,8 +256,7 @@ def test_projection_keeps_parameters_where_gradients_live(
         assert parameter.max() <= high
     assert not torch.equal(encoder.hard(), before)
     assert (
-        encoder.hard().numpy()
-        == shutters_of(spec.kind, spec.slots, all_codes(encoder), spec.length)
+        encoder.hard().numpy() == shutters_of(spec.kind, spec.slots, encoder.codes(), spec.length)
     ).all()
 
 
@@ -330,7 +322,7 @@ def test_exposure_times_are_learned_in_octaves() -> None:
 @pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
 def test_jitter_makes_equal_places_unequal_and_keeps_codes_legal(spec: ShutterSpec) -> None:
     encoder = make_encoder(spec, "uniform")
-    start = all_codes(encoder)
+    start = encoder.codes()
     encoder.jitter(1.0, np.random.default_rng(1))
     for parameter, (low, high) in encoder.ranges():
         values = parameter.detach()
@@ -338,4 +330,4 @@ def test_jitter_makes_equal_places_unequal_and_keeps_codes_legal(spec: ShutterSp
         assert low <= values.min()
         assert values.max() <= high
     if spec.kind in ("e", "codebook"):  # digits are as they were
-        assert all((values == start[name]).all() for name, values in all_codes(encoder).items())
+        assert all((values == start[name]).all() for name, values in encoder.codes().items())

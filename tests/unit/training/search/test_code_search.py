@@ -26,7 +26,7 @@ from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.search.choose import design_motion  # noqa: E402
 from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db  # noqa: E402
-from nscc_training.search.moves import MOVING, moved, repeated  # noqa: E402
+from nscc_training.search.moves import MOVING, arranged, moved, repeated  # noqa: E402
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),
@@ -114,7 +114,7 @@ def test_faster_motion_prefers_more_moments() -> None:
 def test_moves_stay_legal_and_are_of_many_places(kind: str) -> None:
     spec = SPECS[kind]
     encoder = make_encoder(spec, "random", 3)
-    codes = encoder.codes() | ({"book": encoder.book()} if kind == "codebook" else {})
+    codes = encoder.codes()
     before = {name: values.copy() for name, values in codes.items()}
     start, many = encoder.hard(), []
     for seed in range(60):
@@ -129,12 +129,31 @@ def test_moves_stay_legal_and_are_of_many_places(kind: str) -> None:
     assert max(many) >= spec.places // 2
 
 
+@pytest.mark.parametrize("kind", [*MOVING])
+def test_an_arrangement_gives_every_shutter_a_place(kind: str) -> None:
+    spec = SPECS[kind]
+    encoder = make_encoder(spec, "random", 3)
+    codes = encoder.codes()
+    start = columns(encoder.hard())
+    for exchanges, least, most in ((0, 0, 0), (1, 0, 2), (200, 16, 32)):
+        encoder.load_codes(arranged(codes, np.random.default_rng(5), exchanges))
+        found = columns(encoder.hard())
+        assert sorted(found) == sorted(start)
+        moves = sum(a != b for a, b in zip(found, start, strict=True))
+        assert least <= moves <= most
+
+
+def columns(shutters: torch.Tensor) -> list[tuple[int, ...]]:
+    """The slots in which each place is open, as a tuple of 0 and 1, row by row."""
+    return [tuple(column) for column in shutters.flatten(1).T.int().tolist()]
+
+
 @pytest.mark.parametrize("kind", ["c", "d", "e", "codebook"])
 def test_a_tile_of_copies_has_its_block_later_every_time(kind: str) -> None:
     """Beside shutters rolled around the frame; of a bump at its end only a part may be left."""
     spec = SPECS[kind]
     encoder = make_encoder(spec, "staggered" if kind in "cd" else "cyclic")
-    codes = encoder.codes() | ({"book": encoder.book()} if kind == "codebook" else {})
+    codes = encoder.codes()
     many = 0
     for seed in range(40):
         encoder.load_codes(repeated(spec, codes, np.random.default_rng(seed)))
@@ -220,6 +239,15 @@ def test_a_decoder_learns_random_codes_before_a_search() -> None:
     assert kept[1::2].mean() > 0.25 > kept[::2].mean()
 
 
+def test_a_decoder_learns_arrangements_before_they_are_searched() -> None:
+    parts = parts_of(relaxation="arrange", warm_up=0.5)
+    own = columns(parts.encoder.hard())
+    found = [columns(parts.random_tile(number)) for number in range(0, 100, 2)]
+    assert all(sorted(tile) == sorted(own) for tile in found)
+    assert len(set(map(tuple, found))) > 45
+    assert columns(parts.encoder.hard()) == own
+
+
 def parts_of(**shutter: object) -> searching.TrainingSetup:
     search = {"class": "c", "slots": 8, "length": 2, "tile": [4, 4], "init": "random"}
     return make_setup(
@@ -257,7 +285,7 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
     """However good what takes more may be."""
     parts = parts_of(moves=12, judged=12, most_words=3.0)
     before = parts.encoder.codes()["start"]
-    own = parts.codes()
+    own = parts.encoder.codes()
     words = {"of others": 3.5}
 
     def counted(_parts: object, codes: dict[str, np.ndarray]) -> float:
@@ -278,14 +306,14 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
 def test_random_bits_come_down_to_their_words_and_then_get_better() -> None:
     """With the compiler's own count, and losses that want every place to be open for long."""
     parts = parts_of(**{"class": "e"}, moves=24, judged=4, most_words=3.0)
-    first = searching._words(parts, parts.codes())
+    first = searching._words(parts, parts.encoder.codes())
     assert first is not None
     counts, losses = [first], []
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(searching, "_losses", lambda p, codes, *_: _closed(p, codes))
         for step in range(16):
             losses.append(searching.search(parts, None, step))  # type: ignore[arg-type]
-            counts.append(searching._words(parts, parts.codes()) or np.inf)
+            counts.append(searching._words(parts, parts.encoder.codes()) or np.inf)
     under = next(k for k, words in enumerate(counts) if words <= 3)
     assert first > 6
     assert all(
