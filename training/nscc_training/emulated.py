@@ -168,18 +168,14 @@ class MeasuredTables:
 
         The response depends on the words of a program, and so on its shutters, but not on their
         places: pixels with equal shutters have the response of the first of them."""
-        if self.table is None or self._shutters is None:
-            self.use(shutters, measure)
-        assert self.table is not None
-        assert self._shutters is not None
-        known, self._shutters = self._shutters, shutters.detach().cpu().to(torch.uint8)
-        equal = self._shutters.flatten(1).T[:, None] == known.flatten(1).T
-        places = equal.all(dim=2).int().argmax(dim=1).reshape(shutters.shape[1:])
-        tables = {
-            name: getattr(self.table, name).flatten(-2)[..., places]
-            for name in ("share", "code", "spread", "full")
-        }
-        self.table = replace(self.table, **tables)
+        table = self.table or measure()
+        wanted = shutters.detach().cpu().to(torch.uint8)
+        known, self._shutters = wanted if self._shutters is None else self._shutters, wanted
+        equal = wanted.flatten(1).T[:, None] == known.flatten(1).T
+        places = equal.all(dim=2).int().argmax(dim=1).reshape(wanted.shape[1:])
+        names = "share", "code", "spread", "full"
+        tables = {name: getattr(table, name).flatten(-2)[..., places] for name in names}
+        self.table = replace(table, **tables)
 
     def tensors(self) -> dict[str, Tensor]:
         """Return the tensors that a checkpoint stores, by name: `shutters` and the fields of

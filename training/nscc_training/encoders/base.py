@@ -12,7 +12,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc.arrays import Ints
-from nscc_training.code_choices import RELAXATIONS, SEARCHED
+from nscc_training.code_choices import RELAXATIONS, SLOPED
 from nscc_training.code_choices import ShutterSpec as ShutterSpec
 from nscc_training.draws import normal, uniform
 
@@ -201,7 +201,7 @@ class Encoder(nn.Module, ABC):
         Tensor
             (N, rows, cols), values 0..1.
         """
-        if self.relaxation in ("tried", *SEARCHED):
+        if self.relaxation not in SLOPED:
             return self.hard()
         return self.shutters(generator, soft=self.relaxation != "straight-through")
 

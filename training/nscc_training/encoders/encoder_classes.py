@@ -10,15 +10,7 @@ from nscc.arrays import Bools, Floats, Ints
 from nscc.diagnostics.arguments import require_type
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import Integer
-from nscc_training.code_choices import (
-    LOOKS,
-    ORDERED,
-    RANKS,
-    SCATTERED,
-    SEARCHED,
-    STARTS,
-    YARDSTICKS,
-)
+from nscc_training.code_choices import LOOKS, ORDERED, RANKS, SCATTERED, SLOPED, STARTS, YARDSTICKS
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks_encoder import LooksEncoder
@@ -177,9 +169,9 @@ def make_encoder(
     for side in spec.tile if pair else (str(spec.tile),):
         argument("ShutterSpec", "each of the two sides of the tile", Integer(1, inf), side)
     encoder = CLASSES[spec.kind](spec, relaxation)
-    if relaxation in ("tried", *SEARCHED) and spec.kind == "a":
+    if relaxation not in SLOPED and spec.kind == "a":
         raise ValueError("class a is always open and has no parameters to try")
-    if relaxation in SEARCHED and spec.kind == LOOKS:
+    if relaxation not in (*SLOPED, "tried") and spec.kind == LOOKS:
         raise ValueError("a search changes the codes of places, but pixels that look have levels")
     if start not in STARTS:
         raise ValueError(f"{start!r} is not one of {', '.join(STARTS)}")

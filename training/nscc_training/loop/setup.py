@@ -23,12 +23,7 @@ from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
 from nscc_training.design.chip import most_steps
-from nscc_training.emulated import (
-    CHIPS,
-    EmulatedSensor,
-    MeasuredTables,
-    emulated_sensor,
-)
+from nscc_training.emulated import CHIPS, EmulatedSensor, MeasuredTables, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.base import Codes
 from nscc_training.encoders.bumps import Bump
@@ -147,13 +142,13 @@ class TrainingSetup:
         Codes of odd numbers are the present ones after some moves, because a search begins there.
         With effects there are only `_MEASURED_CODES` different codes, because each needs a
         measurement; arrangements of the same shutters need none."""
-        present = {key: value.clone() for key, value in self.encoder.state_dict().items()}
+        present = self.encoder.codes()
         if self.settings.sensor.effects and self.encoder.relaxation != ARRANGE:
             number %= _MEASURED_CODES
-        self.start_random(number, near=self.encoder.codes() if number % 2 else None)
+        self.start_random(number, near=present if number % 2 else None)
         self.follow_codes()
         tile = self.encoder.hard()
-        self.encoder.load_state_dict(present)
+        self.encoder.load_codes(present)
         return tile
 
     def follow_codes(self) -> None:
@@ -176,8 +171,8 @@ class TrainingSetup:
                 build.container, self.encoder.spec.tile, self.sensor, effects, self.chips
             )
 
-        arranges = self.encoder.relaxation == ARRANGE
-        follow = self.tables.arrange if arranges else self.tables.use
+        tables = self.tables
+        follow = tables.arrange if self.encoder.relaxation == ARRANGE else tables.use
         follow(self.encoder.hard(), measure)
 
 
