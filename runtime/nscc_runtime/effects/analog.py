@@ -28,7 +28,7 @@ GAIN = parameter("analog_gain", "analog", 0.977, "1/word", 0.5, 1.5, "gain of an
 MOVE_LOSS = parameter(
     "analog_move_loss",
     "analog",
-    None,
+    lambda target, _values: target.analog_move_loss,
     "1",
     0,
     1,
@@ -48,7 +48,7 @@ NOISE = parameter(
 MOVE_NOISE = parameter(
     "analog_move_noise",
     "analog",
-    None,
+    lambda target, _values: target.analog_move_noise,
     "1",
     0,
     1,

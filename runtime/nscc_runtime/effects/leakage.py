@@ -16,7 +16,7 @@ from nscc_runtime.noise import key, normals
 TAU = parameter(
     "leakage_tau_s",
     "memory",
-    None,
+    lambda target, _values: target.leakage_tau_s,
     "s",
     0,
     1e9,
