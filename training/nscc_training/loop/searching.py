@@ -59,7 +59,9 @@ def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     # A single place hardly changes the number of words.
     single_share = 0.0 if over else SINGLE_SHARE
     candidates = [
-        arranged(current, generator, int(generator.integers(1, MOST_AT_ONCE + 1)))
+        arranged(
+            setup.encoder.spec, current, generator, int(generator.integers(1, MOST_AT_ONCE + 1))
+        )
         if setup.encoder.relaxation == ARRANGE
         else moved(setup.encoder.spec, current, generator, single_share)
         for _ in range(chosen.moves)

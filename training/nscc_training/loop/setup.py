@@ -119,8 +119,9 @@ class TrainingSetup:
             generator = np.random.default_rng(seeds)
             try:
                 if self.encoder.relaxation == ARRANGE:
-                    exchanges = MOST_AT_ONCE if near else _MIXING * self.encoder.spec.places
-                    self.encoder.load_codes(arranged(self.encoder.codes(), generator, exchanges))
+                    spec, codes = self.encoder.spec, self.encoder.codes()
+                    exchanges = MOST_AT_ONCE if near else _MIXING * spec.places
+                    self.encoder.load_codes(arranged(spec, codes, generator, exchanges))
                 elif near is None or attempt > 0:
                     self.encoder.start_random(generator)
                 else:

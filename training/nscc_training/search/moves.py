@@ -52,16 +52,14 @@ def moved(
     return changed_codes
 
 
-def arranged(codes: Codes, generator: Generator, exchanges: int) -> Codes:
+def arranged(spec: ShutterSpec, codes: Codes, generator: Generator, exchanges: int) -> Codes:
     """Return codes after this number of exchanges, each between two random places of the tile. No
     place gets another shutter than one of the tile; the rows of a codebook (`book`) stay."""
-    order = np.arange(next(values.size for name, values in codes.items() if name != "book"))
-    for pair in generator.integers(len(order), size=(exchanges, 2)):
+    order = np.arange(spec.places)
+    for pair in generator.integers(spec.places, size=(exchanges, 2)):
         order[pair] = order[pair[::-1]]
-    return {
-        name: values if name == "book" else values.flat[order].reshape(values.shape)
-        for name, values in codes.items()
-    }
+    order = order.reshape(spec.tile)
+    return codes | {name: np.take(codes[name], order) for name in codes if name != "book"}
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:

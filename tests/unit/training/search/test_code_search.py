@@ -136,7 +136,7 @@ def test_an_arrangement_gives_every_shutter_a_place(kind: str) -> None:
     codes = encoder.codes()
     start = columns(encoder.hard())
     for exchanges, least, most in ((0, 0, 0), (1, 0, 2), (200, 16, 32)):
-        encoder.load_codes(arranged(codes, np.random.default_rng(5), exchanges))
+        encoder.load_codes(arranged(spec, codes, np.random.default_rng(5), exchanges))
         found = columns(encoder.hard())
         assert sorted(found) == sorted(start)
         moves = sum(a != b for a, b in zip(found, start, strict=True))
