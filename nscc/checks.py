@@ -61,7 +61,7 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
 
     `first` are the shutters that are open in slot 0. Raises Inconsistent if the light of a shutter
     is never read."""
-    at = {
+    shutters_at = {
         (s.boundary, s.role): plan.everywhere if s.predicate is None else s.predicate
         for s in plan.steps
         if s.bucket == bucket
@@ -69,22 +69,26 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
     slots = range(plan.slots)
     match plan.lowering:
         case "accumulate":
-            return [at.get((n + 1, "open"), 0) for n in slots]
+            return [shutters_at.get((n + 1, "open"), 0) for n in slots]
         case "latch":
             # The last copy remains, and holds the light of all slots before it.
             # Backwards in time: `copied` are the shutters with a copy after slot n.
             copied = 0
-            from_the_end = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
+            from_the_end = [
+                copied := copied | shutters_at.get((n + 1, "open"), 0) for n in reversed(slots)
+            ]
             return from_the_end[::-1]
         case "edges":
             # PIX starts at the reset level, so pixels open from slot 0 on need no rise.
             is_open = first
             collected = []
             for n in slots:
-                is_open = is_open & ~at.get((n, "fall"), 0) | at.get((n, "rise"), 0)
+                is_open = is_open & ~shutters_at.get((n, "fall"), 0) | shutters_at.get(
+                    (n, "rise"), 0
+                )
                 collected.append(is_open)
             # A shutter that is open in the last slot closes at the end of the frame.
-            require(at.get((plan.slots, "fall"), 0) == is_open, "a shutter is never read")
+            require(shutters_at.get((plan.slots, "fall"), 0) == is_open, "a shutter is never read")
             return collected
 
 

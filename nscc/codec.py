@@ -457,14 +457,16 @@ def _split(row: Sequence[_Field], items: list[Any]) -> Iterator[Any]:
     length = sum(field.codec.width or 1 for field in row)
     if len(items) != length:
         raise InvalidRecord(f"has {len(items)} items, not {length}")
-    at = 0
+    position = 0
     for field in row:
         width = field.codec.width or 1
         try:
-            yield field.codec.read(items[at : at + 2] if width == 2 else items[at])
+            yield field.codec.read(
+                items[position : position + 2] if width == 2 else items[position]
+            )
         except InvalidRecord as error:
             raise error.inside(field.place) from None
-        at += width
+        position += width
 
 
 @cache

@@ -43,9 +43,11 @@ def findings() -> Iterator[Finding]:
     python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
     yield Finding(GOOD, f"Python {python} on {system}")
     # The required packages and those of every extra.
-    of = extras()
-    for extra in sorted({*of.values()}.difference(_OWN_WORK)):
-        version_of = {name: installed_version(name) for name in sorted(of) if of[name] == extra}
+    extra_of = extras()
+    for extra in sorted({*extra_of.values()}.difference(_OWN_WORK)):
+        version_of = {
+            name: installed_version(name) for name in sorted(extra_of) if extra_of[name] == extra
+        }
         label = f"[{extra}] " if extra else ""
         missing = [name for name, version in version_of.items() if not version]
         broken = {

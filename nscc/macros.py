@@ -147,8 +147,8 @@ def _native(row: Operation) -> Mnemonic:
 
     def write(operands: Sequence[str]) -> Ops:
         """Return the one word of an instruction that the chip has."""
-        at = len(operands) if split is None else split
-        return (_word(row, operands[:at], operands[at:]),)
+        split_at = len(operands) if split is None else split
+        return (_word(row, operands[:split_at], operands[split_at:]),)
 
     most = None
     if most_destinations is not None and most_sources is not None:

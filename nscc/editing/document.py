@@ -168,9 +168,11 @@ def outline(document: Document) -> list[OutlineEntry]:
             continue
         span, name = statement.span, getattr(statement, "name", None)
         kind = document.text[span.start : span.end].split(None, 1)[0]
-        at = Span(span.start, span.start + len(kind)) if name is None else name.span
-        detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
+        name_span = Span(span.start, span.start + len(kind)) if name is None else name.span
+        detail = " ".join(document.text[name_span.end : span.end].split()).lstrip(" :=")
         if len(detail) > _LONGEST:
             detail = detail[: _LONGEST - 3] + "..."
-        entries.append(OutlineEntry(kind if name is None else name.text, detail, kind, span, at))
+        entries.append(
+            OutlineEntry(kind if name is None else name.text, detail, kind, span, name_span)
+        )
     return entries

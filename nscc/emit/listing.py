@@ -186,10 +186,10 @@ def schedule_text(lowered: Lowered) -> str:
     ]
     for i, kernel in enumerate(schedule.kernels):
         lines.append(f"k{i}: " + "; ".join(str(word) for word in kernel))
-    at: dict[int, list[str]] = {}
+    names_at: dict[int, list[str]] = {}
     for boundary, number in schedule.launches:
-        at.setdefault(boundary, []).append(f"k{number}")
-    lines += [f"boundary {boundary:>4}: {' '.join(names)}" for boundary, names in at.items()]
+        names_at.setdefault(boundary, []).append(f"k{number}")
+    lines += [f"boundary {boundary:>4}: {' '.join(names)}" for boundary, names in names_at.items()]
     return "\n".join(lines) + "\n"
 
 

@@ -208,13 +208,13 @@ class KernelFinder:
 
         Must be called in the order of gates. Raises ValueError if the boundary does not run these
         words."""
-        run, at = self._run[boundary], self._next[boundary]
-        while tuple(word for word, _ in run[at : at + len(gate)]) != gate:
-            if at >= len(run):
+        run, position = self._run[boundary], self._next[boundary]
+        while tuple(word for word, _ in run[position : position + len(gate)]) != gate:
+            if position >= len(run):
                 raise ValueError(f"boundary {boundary} does not launch its gates")
-            at += 1
-        self._next[boundary] = at + len(gate)
-        return run[at][1]
+            position += 1
+        self._next[boundary] = position + len(gate)
+        return run[position][1]
 
 
 def depth(network: nx.DiGraph) -> int:

@@ -123,11 +123,11 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
-    at = [0] * (slots + 1)
+    words_at = [0] * (slots + 1)
     pairs = sum(per_kernel[kernel][1] for _, kernel in schedule.launches)
     for boundary, kernel in schedule.launches:
-        at[boundary] += per_kernel[kernel][0]
-    words = sum(at)
+        words_at[boundary] += per_kernel[kernel][0]
+    words = sum(words_at)
     bound = None
     # The bound holds for this lowering, and for all shutters of a class.
     if lowered.plan.lowering == "accumulate" and len(program.table.codes) == program.legal_codes:
@@ -137,7 +137,7 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
         "ops": words - pairs,
         "words": words,
         "in_place": pairs,
-        "max_slot_words": max(at),
+        "max_slot_words": max(words_at),
         "registers": len(schedule.allocation.holders),
         "bound": bound,
         "bound_assumes": ASSUMES if bound is not None else None,

@@ -151,9 +151,9 @@ class Covers(NamedTuple):
         while True:
             spent += (len(free) + len(required)) * steps
             covered, again = once, twice  # by at least one literal, and by at least two
-            for v, _ in free:
-                again |= covered & v
-                covered |= v
+            for vector, _ in free:
+                again |= covered & vector
+                covered |= vector
             # Shutters that a single literal keeps out of the cube: those in `outside` need it, and
             # those in `uncovered` are gained if it is dropped.
             alone = covered & ~again
@@ -161,13 +161,13 @@ class Covers(NamedTuple):
             may_go: list[tuple[int, int]] = []
             most, gone = -1, 0
             for literal in free:
-                v = literal[0]
-                if v & needed:
+                vector = literal[0]
+                if vector & needed:
                     required.append(literal[1])
-                    twice |= once & v
-                    once |= v
+                    twice |= once & vector
+                    once |= vector
                     continue
-                count = (v & gained).bit_count()
+                count = (vector & gained).bit_count()
                 if count > most:
                     most, gone = count, len(may_go)
                 may_go.append(literal)

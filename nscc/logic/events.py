@@ -159,13 +159,13 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
     tests. Of an empty list the result is empty. No vector may be 0."""
     atoms: list[int] = []
     covered = 0
-    for v in sorted(set(vectors), key=int.bit_count):
-        if v & covered:
-            if union(atom for atom in atoms if not atom & ~v) != v:
+    for shutters in sorted(set(vectors), key=int.bit_count):
+        if shutters & covered:
+            if union(atom for atom in atoms if not atom & ~shutters) != shutters:
                 return None
         else:
-            atoms.append(v)
-        covered |= v
+            atoms.append(shutters)
+        covered |= shutters
     return sorted(atoms, key=vectors.index)
 
 

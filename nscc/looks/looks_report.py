@@ -88,11 +88,13 @@ def looks_lines(program: Program) -> list[str]:
 
     A line lists at most `_MOST_SHOWN` boundaries, and says how many more there are."""
     machine, target = program.machine, program.target
-    at: dict[tuple[int, int], list[int]] = {}
+    boundaries_of: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:
-        at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
+        boundaries_of.setdefault((comparison.signal, comparison.level), []).append(
+            comparison.boundary
+        )
     lines = []
-    for (signal, level), boundaries in at.items():
+    for (signal, level), boundaries in boundaries_of.items():
         electrons = level * target.electrons_per_step
         signal_text = "light" if signal == LIGHT else f"exposure of {program.buckets[signal].name}"
         shown = ", ".join(map(str, boundaries[:_MOST_SHOWN]))

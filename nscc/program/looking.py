@@ -146,18 +146,18 @@ class _Maker:
                 f"this is `{sense.comparison}`",
                 notes=("a comparator cannot test whether two charges are equal",),
             )
-        at = self._boundaries(sense)
-        if at is None or signal is None or self.target is None:
+        boundaries = self._boundaries(sense)
+        if boundaries is None or signal is None or self.target is None:
             return None
         name, above = sense.name.text, sense.comparison == ">"
         if isinstance(sense.level, tree.Name) and sense.level.text in self.declared.codes:
             return CheckedSense(
-                name, signal, above, at, steps=None, field=sense.level.text, span=sense.span
+                name, signal, above, boundaries, steps=None, field=sense.level.text, span=sense.span
             )
-        steps = self._levels(sense, len(at), self.target)
+        steps = self._levels(sense, len(boundaries), self.target)
         if steps is None:
             return None
-        return CheckedSense(name, signal, above, at, steps, field=None, span=sense.span)
+        return CheckedSense(name, signal, above, boundaries, steps, field=None, span=sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
         """Return what a sense compares, as `signal` names it: `machine.LIGHT` (the light since the
@@ -207,8 +207,8 @@ class _Maker:
             message = "the boundaries of this sense cannot be computed"
             self.problems.error("NS0322", message, sense.at.span, text)
             return None
-        at = numbers[np.broadcast_to(np.asarray(evaluated.data, np.bool_), numbers.shape)]
-        if not at.size:
+        boundaries = numbers[np.broadcast_to(np.asarray(evaluated.data, np.bool_), numbers.shape)]
+        if not boundaries.size:
             self.problems.error(
                 "NS0322",
                 f"the sense `{sense.name.text}` never looks",
@@ -218,7 +218,7 @@ class _Maker:
             )
             return None
         judge_values([checked], {"n": (1, self.slots)}, self.problems)
-        return tuple(at.tolist())
+        return tuple(boundaries.tolist())
 
     def _levels(self, sense: tree.Sense, looks: int, target: Target) -> tuple[int, ...] | None:
         """Return the level of a sense at each of its `looks` boundaries, in steps of IN (the level

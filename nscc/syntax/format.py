@@ -132,9 +132,9 @@ class _Writer:
         """Append the comments and empty lines between two statements: of the text from character
         `begin` to character `end` - 1."""
         gap = self.source.text[begin:end]
-        at = 0
+        position = 0
         for comment in _COMMENT.finditer(gap):
-            line_ends = _line_ends(gap[at : comment.start()])
+            line_ends = _line_ends(gap[position : comment.start()])
             text = comment.group().rstrip()
             # The end of a tile includes the comment of its last row.
             if line_ends == 0 and self.lines and not self.lines[-1].comment:
@@ -142,8 +142,8 @@ class _Writer:
             else:
                 self._separate(line_ends)
                 self.lines.append(_Line("", text))
-            at = comment.end()
-        self._separate(_line_ends(gap[at:]))
+            position = comment.end()
+        self._separate(_line_ends(gap[position:]))
 
     def _separate(self, line_ends: int) -> None:
         """Append one empty line if the text had any (`line_ends` above 1), but never two in a row,

@@ -315,16 +315,16 @@ def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
 
     These are spellings of units and comparisons, and a tile without its word. Parsing stopped at
     `stuck`, and the statement ends before token number `last`."""
-    at = stuck.token
-    text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
+    token = stuck.token
+    text, span, after = tokens.text(token), tokens.span(token), _text(tokens, token + 1, last)
     if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
         yield Fix(f"units are ns, us, ms and s: `{time}`", span, time)
     elif "TIME" in stuck.expected and (time := _time(text, after)) is not None:
-        yield Fix(f"no blank before the unit: `{time}`", span.to(tokens.span(at + 1)), time)
+        yield Fix(f"no blank before the unit: `{time}`", span.to(tokens.span(token + 1)), time)
     elif text == "[" and "tile" in stuck.expected and after == "[":
         yield Fix("write `tile` before the rows", Span(span.start, span.start), "tile ")
     # `=<` is read as two signs; the parser stops at the first or at the second.
-    for begin in (at - 1, at):
+    for begin in (token - 1, token):
         pair = _text(tokens, begin, last) + _text(tokens, begin + 1, last)
         if pair in _COMPARISONS and tokens.span(begin).end == tokens.span(begin + 1).start:
             right = _COMPARISONS[pair]
@@ -335,10 +335,10 @@ def _habit_fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
 def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
     """Yield hints about what is usual in other languages, in the statement of tokens `first` to
     `last` - 1, at the token where parsing stopped (`stuck`)."""
-    at, statement = stuck.token, tokens.kinds[first]
+    token, statement = stuck.token, tokens.kinds[first]
     if statement == "code" and ".." in stuck.expected:
         # The tokens are `code`, the name, `:` and then the kind.
-        code_kind, follows = _text(tokens, first + 3, at), _text(tokens, first + 4, at)
+        code_kind, follows = _text(tokens, first + 3, token), _text(tokens, first + 4, token)
         nearest = closest(code_kind, ("bit", "row")) if follows in ("[", "of") else None
         if nearest is not None and code_kind != nearest:
             yield did_you_mean(nearest)
@@ -346,14 +346,14 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
             low, dash, high = (_text(tokens, first + k, last) for k in (3, 4, 5))
             example = f"{low}..{high}" if dash in ("-", "to", ":", ",") else "1..8"
             yield f"a range is two values with two dots between them, both included: `{example}`"
-    if at >= last:
+    if token >= last:
         return
-    kind, text, before = tokens.kinds[at], tokens.text(at), tokens.text(at - 1)
+    kind, text, before = tokens.kinds[token], tokens.text(token), tokens.text(token - 1)
     if kind == "INTEGER" and "TIME" in stuck.expected:
-        if _time(text, _text(tokens, at + 1, last)) is None:
+        if _time(text, _text(tokens, token + 1, last)) is None:
             yield f"every time has a unit: {text[:20]}us, {text[:20]}ms"
     elif kind == "if" and "INTEGER" in stuck.expected:
-        yield _choice(tokens, at, last)
+        yield _choice(tokens, token, last)
     elif text == "then":
         yield _CHOICE
     elif kind == "row" and "INTEGER" in stuck.expected:

@@ -189,23 +189,23 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
     for begin, last in pairwise([*starts, len(tokens.kinds)]):
         first: int | None = begin
         while first is not None:
-            at, first = first, None
+            start, first = first, None
             try:
-                parsed, stuck = read(tokens, at, last)
+                parsed, stuck = read(tokens, start, last)
                 misspelt = None
                 if stuck is not None and not errors.are_many:
-                    misspelt = misspelt_statement(tokens, at, last, stuck)
+                    misspelt = misspelt_statement(tokens, start, last, stuck)
                 if misspelt is not None:  # parsing continues at the misspelt keyword
                     first, word = misspelt
                     errors.add(partial(unknown_statement, tokens, first))
                     tokens.read_as(first, word)
-                    parsed, stuck = read(tokens, at, first)
+                    parsed, stuck = read(tokens, start, first)
                 statement = builder.build(parsed) if parsed is not None else None
             except Rejected as wrong:
                 errors.add(partial(replace, wrong.diagnostics[0], source=tokens.source))
             else:
                 if stuck is not None:
-                    errors.add(partial(mistake, tokens, at, first or last, stuck))
+                    errors.add(partial(mistake, tokens, start, first or last, stuck))
                 if statement is not None:
                     yield statement
 

@@ -193,11 +193,11 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     try:
         pieces = _parsed(text)
     except UnexpectedInput as error:
-        at = error.pos_in_stream or 0
+        fault_at = error.pos_in_stream or 0
         ends = isinstance(error, UnexpectedToken) and error.token.type == "$END"
-        match = None if ends else _PIECE.match(text, at)
-        misplaced = "" if ends else match[0] if match else text[at]
-        span = head.span if ends else Span(begin + at, begin + at + len(misplaced))
+        match = None if ends else _PIECE.match(text, fault_at)
+        misplaced = "" if ends else match[0] if match else text[fault_at]
+        span = head.span if ends else Span(begin + fault_at, begin + fault_at + len(misplaced))
         _misplaced(misplaced, span, head, code, faults)
         return None
     tokens = []

@@ -74,19 +74,19 @@ def ranges_text(values: Sequence[int]) -> str:
 
     Both ends of a range are included."""
     texts: list[str] = []
-    at = 0
-    while at < len(values):
-        step = values[at + 1] - values[at] if at + 1 < len(values) else 1
-        end = at
+    begin = 0
+    while begin < len(values):
+        step = values[begin + 1] - values[begin] if begin + 1 < len(values) else 1
+        end = begin
         while end + 1 < len(values) and values[end + 1] - values[end] == step:
             end += 1
-        if end - at < 2 and step > 1:  # two values with a gap are shorter one by one
-            end = at
-        if end == at:
-            texts.append(str(values[at]))
+        if end - begin < 2 and step > 1:  # two values with a gap are shorter one by one
+            end = begin
+        if end == begin:
+            texts.append(str(values[begin]))
         else:
-            texts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
-        at = end + 1
+            texts.append(f"{values[begin]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
+        begin = end + 1
     return ",".join(texts)
 
 

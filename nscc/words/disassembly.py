@@ -78,11 +78,11 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
-    at = 0
-    while at < len(words):
-        operation = ops[at]
-        following = ops[at + 1] if at + 1 < len(words) else None
-        text, comment, count = f".word {word_text(words[at])}", "", 1
+    index = 0
+    while index < len(words):
+        operation = ops[index]
+        following = ops[index + 1] if index + 1 < len(words) else None
+        text, comment, count = f".word {word_text(words[index])}", "", 1
         if operation is None:
             comment = "matches no operation"
         elif faults[operation] is not None:
@@ -93,8 +93,8 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
             text, count = in_place, 2
         else:
             comment = f"half of a pair: {operation}"
-        lines.append((at, text, comment))
-        at += count
+        lines.append((index, text, comment))
+        index += count
     return lines
 
 
@@ -156,16 +156,18 @@ def _counted(count: int, word: str, plural: str = "") -> str:
 def _times(slot_us: Sequence[float]) -> Iterator[str]:
     """Yield the `.wait` lines of the slots' lengths; equal slots in a row are written as `125us
     x64`."""
-    at, pending = 0, ""
+    first, pending = 0, ""
     for index in range(1, len(slot_us) + 1):
-        if index < len(slot_us) and slot_us[index] == slot_us[at]:
+        if index < len(slot_us) and slot_us[index] == slot_us[first]:
             continue
-        item = f"{number_text(slot_us[at])}us" + (f" x{index - at}" if index - at > 1 else "")
+        item = f"{number_text(slot_us[first])}us" + (
+            f" x{index - first}" if index - first > 1 else ""
+        )
         pending = f"{pending} {item}" if pending else f".wait {item}"
         if pending.count(" ") >= _TIMES_A_LINE or index == len(slot_us):
             yield pending
             pending = ""
-        at = index
+        first = index
 
 
 def _kernel(container: Container, number: int) -> Iterator[str]:

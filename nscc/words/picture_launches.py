@@ -132,23 +132,23 @@ def every_step(
     `levels_of` names the launches (starts of kernels) whose level is that of a parameter. `params`
     has values of parameters by name; None stands for the largest number of steps of each loop. A
     kernel is a list of words."""
-    # `at` is the first launch that is not yielded yet.
-    level_of, at = {level.launch: level for level in levels_of}, 0
+    # `next_launch` is the first launch that is not yielded yet.
+    level_of, next_launch = {level.launch: level for level in levels_of}, 0
 
     def run(end: int, times: Times | None, step: int) -> Iterator[SteeredLaunch]:
-        """Yield the launches from number `at` on up to `end`, without it, as step number `step` of
-        a loop of `times` steps (None for no loop). A launch is the start of a kernel, a list of
-        words."""
-        for number, launch in enumerate(launches[at:end], at):
+        """Yield the launches from number `next_launch` on up to `end`, without it, as step number
+        `step` of a loop of `times` steps (None for no loop). A launch is the start of a kernel, a
+        list of words."""
+        for number, launch in enumerate(launches[next_launch:end], next_launch):
             level = level_of.get(number)
             yield SteeredLaunch(launch.kernel, launch.level, level, times, step)
 
     for loop in loops:
         yield from run(loop.first, None, 0)
-        at, times = loop.first, loop.times
+        next_launch, times = loop.first, loop.times
         # Without a parameter, the number of steps is constant, and no step can be left out.
         is_set = bool(times.param)
         for step in range(times.most if is_set and params is None else times.at(params or {})):
-            yield from run(at + loop.launches, times if is_set else None, step)
-        at += loop.launches
+            yield from run(next_launch + loop.launches, times if is_set else None, step)
+        next_launch += loop.launches
     yield from run(len(launches), None, 0)

@@ -104,10 +104,10 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
     is read, then those of images, planes and reports."""
     width = max((len(name) for name in container.buckets_read), default=0)
     lines, first = [], frame.first
-    for b, name in enumerate(container.buckets_read):
-        values = first.exposure_e[b][first.valid[b]]
-        invalid = first.valid[b].size - values.size
-        text = f"{name:<{width}}  {saturation_text(first.saturated_by[b])}"
+    for bucket, name in enumerate(container.buckets_read):
+        values = first.exposure_e[bucket][first.valid[bucket]]
+        invalid = first.valid[bucket].size - values.size
+        text = f"{name:<{width}}  {saturation_text(first.saturated_by[bucket])}"
         if values.size:
             text += f", electrons {values.min():.6g} to {values.max():.6g}"
             text += f", mean {values.mean():.6g}"
@@ -121,9 +121,11 @@ def picture_lines(pictures: Pictures, frame: Frame) -> list[str]:
     told_arrays, lines = frame.told, []
     for name in pictures.reads:
         if f"image_{name}" in told_arrays:
-            values, by = told_arrays[f"image_{name}"], told_arrays[f"image_saturated_by_{name}"]
+            values, causes = told_arrays[f"image_{name}"], told_arrays[f"image_saturated_by_{name}"]
             text = f"electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
-            lines.append(f"image {name}  {np.count_nonzero(by)} of {by.size} pixels marked, {text}")
+            lines.append(
+                f"image {name}  {np.count_nonzero(causes)} of {causes.size} pixels marked, {text}"
+            )
         elif f"plane_{name}" in told_arrays:
             bits = told_arrays[f"plane_{name}"]
             lines.append(f"plane {name}  {np.count_nonzero(bits)} of {bits.size} pixels are 1")

@@ -32,8 +32,8 @@ def looked(
     two captures with equal generators differ only by the fields. Without a generator there is no
     noise. If fields have gradients, the exposure of a pixel is the drawn one, with the gradient of
     its probability. IN is the level sent to all pixels."""
-    at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
-    share = torch.cat([at / slots, torch.ones_like(at[:1])])
+    boundary, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
+    share = torch.cat([boundary / slots, torch.ones_like(boundary[:1])])
     light = light.double()
     charge = light[:, None] * share
     if generator is not None and sensor.shot_noise:

@@ -118,13 +118,13 @@ class Measured(Generic[Array]):
             shares = gap / (self.energy + noise).clip(min=1e-6)
         else:
             # The covariance (batch, rows, cols, B, B) of each pixel's frames, over sigma squared.
-            of = namespace(gap)
-            noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
+            library = namespace(gap)
+            noise = library.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
             # Avoid a division by 0 for pixels that never open in a frame.
-            identity = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
+            identity = library.diagflat(library.ones_like(self.variance[0, :, 0, 0]))
             joint = self.overlap + (noise + 1e-4)[..., None] * identity
-            last = of.moveaxis(gap, 1, -1)[..., None]
-            shares = of.moveaxis(of.linalg.solve(joint, last)[..., 0], -1, 1)
+            last = library.moveaxis(gap, 1, -1)[..., None]
+            shares = library.moveaxis(library.linalg.solve(joint, last)[..., 0], -1, 1)
         update: Array = (self.mask * shares[:, :, None]).sum(1)
         return update
 

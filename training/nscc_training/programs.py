@@ -201,17 +201,17 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> tuple[dict[str, Int
     if len(container.buckets) > spec.buckets:
         raise ValueError(f"the program has {len(container.buckets)} buckets, but the run has one")
     rows, cols = container.pixel_codes.shape
-    at = container.pixel_codes[: spec.tile[0], : spec.tile[1]]
+    tile_codes = container.pixel_codes[: spec.tile[0], : spec.tile[1]]
     # A run learns the codes of one tile, so the array must repeat that tile.
-    if not np.array_equal(over_array(at, rows, cols), container.pixel_codes):
+    if not np.array_equal(over_array(tile_codes, rows, cols), container.pixel_codes):
         raise ValueError(
             f"its pixels are not a repeated tile of {spec.tile[0]} x {spec.tile[1]}: give the run "
             "the program's own tile"
         )
-    codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
+    codes = {name: table.codes[tile_codes][..., k] for k, name in enumerate(table.fields)}
     if spec.kind == "codebook":
         codes["book"] = _book_of(compiled_program, path, target)
-    return codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1)
+    return codes, table.shutters[table.shutter_of_code[tile_codes]].transpose(2, 3, 0, 1)
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> Ints:

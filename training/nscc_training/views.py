@@ -179,17 +179,21 @@ def frame_view(
     names = names if isinstance(names, list) else []
     rows = []
     flat = (values.reshape(-1, *values.shape[-2:]) for values in (frame, exposure, marks))
-    for k, (codes, electrons, by) in enumerate(zip(*flat, strict=True)):
+    for k, (codes, electrons, saturated_by) in enumerate(zip(*flat, strict=True)):
         name = f"{names[k]}: " if k < len(names) else ""
         curve = fitted(tone or "linear", electrons)
-        share = np.count_nonzero(by) / by.size
+        share = np.count_nonzero(saturated_by) / saturated_by.size
         rows.append(
             [
                 Image(codes, f"{name}as read out", "codes of the converter"),
                 Image(
                     curve(electrons), f"{name}electrons", f"{curve.name}, white {curve.white:.4g} e"
                 ),
-                Image(np.where(by != 0, 255, 0), f"{name}saturated", f"{share:.1%} of the pixels"),
+                Image(
+                    np.where(saturated_by != 0, 255, 0),
+                    f"{name}saturated",
+                    f"{share:.1%} of the pixels",
+                ),
             ]
         )
     return image_sheet(rows, title)

@@ -110,12 +110,14 @@ def schedule_of(container: Container, steered: Sequence[SteeredLaunch | None]) -
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
     before = Fraction(0)
-    for launch, of in zip(container.launches, steered, strict=True):
+    for launch, steering in zip(container.launches, steered, strict=True):
         # Launches at boundary 0 set up the frame, before the exposure begins.
-        at = boundary[launch.instant] if launch.instant else Fraction(0)
-        rows += _rests(before, at, launch.instant)
-        rows.append(Row(at, Fraction(0), launch.kernel, launch.level, (launch.instant,), of))
-        before = at
+        launch_us = boundary[launch.instant] if launch.instant else Fraction(0)
+        rows += _rests(before, launch_us, launch.instant)
+        rows.append(
+            Row(launch_us, Fraction(0), launch.kernel, launch.level, (launch.instant,), steering)
+        )
+        before = launch_us
     rows += _rests(before, boundary[-1], container.slots)
     if not rows or rows[-1].at < boundary[-1]:
         rows.append(Row(boundary[-1], Fraction(0), None, None, (container.slots,)))
@@ -270,14 +272,15 @@ def _change_lines(schedule: LaunchSchedule, params: Sequence[HostParam]) -> Iter
         yield f"int {names[param.name]} = {param.start};  // {safe(param.name)}"
     yield from template_lines("limited")
     yield "void set_params() {"
-    for number, row, of in schedule.changed:
-        if of.is_start:
+    for number, row, steering in schedule.changed:
+        if steering.is_start:
             yield f"    schedule[{number}].times = is_first_frame ? {row.times} : 0;"
-        if of.level_of is not None:
-            value = f"{of.level_of.factor} * {names[of.level_of.param]}"
+        if steering.level_of is not None:
+            value = f"{steering.level_of.factor} * {names[steering.level_of.param]}"
             yield f"    schedule[{number}].in = int16_t({value});"
-        if of.times is not None:
-            value = f"{of.times.offset - of.step} + {of.times.factor} * {names[of.times.param]}"
+        if steering.times is not None:
+            times = steering.times
+            value = f"{times.offset - steering.step} + {times.factor} * {names[times.param]}"
             yield f"    schedule[{number}].times = limited({value}, {row.times});"
     yield from ("    is_first_frame = false;", "}", "")
 

@@ -73,8 +73,8 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
         elif word.name in ("OR", "NOR") and len(word.sources) > MOST_SOURCES[word.name]:
             yield from _gathered(word.name, word.destinations[0], word.sources)
         elif word.name in ("SET", "CLR") and len(word.destinations) > MOST_DESTINATIONS:
-            for at in range(0, len(word.destinations), MOST_DESTINATIONS):
-                yield op(word.name, word.destinations[at : at + MOST_DESTINATIONS])
+            for first in range(0, len(word.destinations), MOST_DESTINATIONS):
+                yield op(word.name, word.destinations[first : first + MOST_DESTINATIONS])
         else:
             yield word
 
@@ -124,16 +124,16 @@ def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
 
     Return None if a word has no call. No words need no call."""
     recorded: list[tuple[Call, tuple[Op, ...]]] = []
-    at = 0
-    while at < len(ops):
+    position = 0
+    while position < len(ops):
         for length in _lengths():
-            window = tuple(ops[at : at + length])
+            window = tuple(ops[position : position + length])
             call = _macro(window) if len(window) == length > 1 else None
             if length == 1:
-                call = _single(ops[at])
+                call = _single(ops[position])
             if call is not None:
                 recorded.append((call, window))
-                at += length
+                position += length
                 break
         else:
             return None

@@ -74,11 +74,11 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
         # A value in FLAG stays in FLAG, so its loss forbids no other register.
         if isinstance(item, Check) and (forgets := item.forgets & ~(1 << frame.flag))
     ]
-    at = 0
+    next_lossy = 0
     for value in values:
-        while at < len(lossy) and lossy[at][0] < value.first:
-            at += 1
-        for k, forgets in lossy[at:]:
+        while next_lossy < len(lossy) and lossy[next_lossy][0] < value.first:
+            next_lossy += 1
+        for k, forgets in lossy[next_lossy:]:
             if k >= value.last:
                 break
             value.banned |= forgets

@@ -167,8 +167,8 @@ class TrackedRun:
         touched = 1 << source.destination
         matters = 0
         last = min(len(items), k + 1 + HORIZON)
-        for at in range(k + 1, last):
-            item = items[at]
+        for index in range(k + 1, last):
+            item = items[index]
             if isinstance(item, Check):
                 if item.need is not None and flag in flipped:
                     matters |= flipped[flag] ^ item.need
@@ -177,13 +177,13 @@ class TrackedRun:
                     touched &= ~(1 << register)
             elif item.reads & touched:
                 value = 0
-                state = before[at]
+                state = before[index]
                 for register in item.sources:
                     content = flipped[register] if register in flipped else state[register]
                     value |= content  # type: ignore[operator]
                 if item.inverted:
                     value ^= everything
-                if value == before[at + 1][item.destination]:
+                if value == before[index + 1][item.destination]:
                     flipped.pop(item.destination, None)
                     touched &= ~(1 << item.destination)
                 else:
@@ -193,8 +193,8 @@ class TrackedRun:
                 del flipped[item.destination]
                 touched &= ~(1 << item.destination)
             if not touched or matters == everything:
-                self.budget.spend(self.step * (1 + (at - k) // 8))
-                return matters, at - k
+                self.budget.spend(self.step * (1 + (index - k) // 8))
+                return matters, index - k
         self.budget.spend(self.step * (1 + (last - k) // 8))
         if last < len(items):
             return everything, last - k

@@ -77,14 +77,14 @@ def propagated(
 ) -> tuple[float, float]:
     """Return `function` of uncertain `values` (n of them), and its standard error to first order.
     `covariance` (n, n) is that of the values; a value of variance 0 is exact."""
-    at = np.array(values, np.float64)
-    gradient = np.zeros(len(at))
+    point = np.array(values, np.float64)
+    gradient = np.zeros(len(point))
     for i, error in enumerate(np.sqrt(np.diag(covariance))):
         if error > 0:
-            step = np.zeros(len(at))
+            step = np.zeros(len(point))
             step[i] = error * 1e-3  # small beside the error, so that the slope is that at `values`
-            gradient[i] = (function(at + step) - function(at - step)) / (2 * step[i])
-    return float(function(at)), sqrt(max(float(gradient @ covariance @ gradient), 0.0))
+            gradient[i] = (function(point + step) - function(point - step)) / (2 * step[i])
+    return float(function(point)), sqrt(max(float(gradient @ covariance @ gradient), 0.0))
 
 
 def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:

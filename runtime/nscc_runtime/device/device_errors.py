@@ -120,26 +120,26 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
     has the fault and its detail; faults without a text of their own get NS0767, with their
     names."""
     failure = refused.failure
-    at = f"the device at '{port[:200]}'"
+    device = f"the device at '{port[:200]}'"
     match failure.fault:
         case LoaderFault.VERSION:
             return rejected(
                 "NS0762",
-                f"{at} uses version {failure.detail} of the protocol, but this nscc uses "
+                f"{device} uses version {failure.detail} of the protocol, but this nscc uses "
                 f"version {VERSION}",
                 "install the loader that came with this nscc (runtime/firmware)",
             )
         case LoaderFault.HARDWARE:
             return rejected(
                 "NS0768",
-                f"{at} could not expose a frame",
+                f"{device} could not expose a frame",
                 "a simulated device prints the reason in its own terminal (for example a "
                 "scene that does not fit the program); switch a real chip off and on",
             )
         case LoaderFault.TARGET:
             return rejected(
                 "NS0764",
-                f"the program was compiled for another chip than {at}",
+                f"the program was compiled for another chip than {device}",
                 "build it for the target of the device: `nscc device info PORT` names the target",
             )
         case LoaderFault.NO_PROGRAM:
@@ -147,15 +147,15 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
         case LoaderFault.LATE:
             return rejected(
                 "NS0721",
-                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
-                "frame later than the program allows",
+                f"{device} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of "
+                "the frame later than the program allows",
                 "measure the device's times and build the program with them: `nscc device "
                 "calibrate PORT`",
             )
         case LoaderFault.SCHEDULE if failure.detail in _UNTIMED:
             return rejected(
                 "NS0722",
-                f"{at} cannot schedule the frames of the program: {_UNTIMED[failure.detail]}",
+                f"{device} cannot schedule the frames of the program: {_UNTIMED[failure.detail]}",
                 "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
                 "enough",
             )
@@ -166,7 +166,7 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
     )
     return rejected(
         "NS0767",
-        f"{at} rejects the program or the request: {name.lower().replace('_', ' ')}, "
+        f"{device} rejects the program or the request: {name.lower().replace('_', ' ')}, "
         f"{failure.detail}, in answer to {request}",
         "build the program again, and install the loader that came with this nscc",
         notes=(
@@ -201,17 +201,17 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
     """Return the error (NS0764) that the program for `target` was compiled for another chip than
     the device at `port`, or for another table of the same chip. `info` describes the device's
     loader."""
-    at = f"the device at '{port[:200]}'"
+    device = f"the device at '{port[:200]}'"
     theirs, ours = info.target_name, target.name
     if theirs != ours:
         return rejected(
             "NS0764",
-            f"the program is for {ours}, but {at} is {theirs}",
+            f"the program is for {ours}, but {device} is {theirs}",
             f"build it for the target of the device: `--target {theirs}`, or its target file",
         )
     return rejected(
         "NS0764",
-        f"the program is for {ours}, but {at} is a {theirs} with another target table",
+        f"the program is for {ours}, but {device} is a {theirs} with another target table",
         "build the program with the target table of the device's loader",
         notes=(
             f"the program's array is {target.rows} x {target.cols}, but the device's is "

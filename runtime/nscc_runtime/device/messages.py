@@ -176,15 +176,15 @@ class Info(_Body):
         Characters that a terminal could interpret are replaced. Raises ValueError if the body is
         cut short; bytes after the texts are ignored."""
         fixed = _fields(cls.layout, body[: cls.layout.size])
-        texts, at = [], cls.layout.size
+        texts, offset = [], cls.layout.size
         for _ in range(2):
-            if at >= len(body) or at + 1 + body[at] > len(body):
+            if offset >= len(body) or offset + 1 + body[offset] > len(body):
                 raise ValueError("a text is cut short")
-            text = body[at + 1 : at + 1 + body[at]].decode("utf-8", "replace")
+            text = body[offset + 1 : offset + 1 + body[offset]].decode("utf-8", "replace")
             # Texts are printed, and terminals interpret control characters.
             shown = (c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
             texts.append("".join(shown))
-            at += 1 + body[at]
+            offset += 1 + body[offset]
         return cls(*fixed, *texts)
 
 

@@ -346,17 +346,21 @@ def _changes(rows: Sequence[ScheduleRow], pictures: Pictures) -> list[tuple[int,
     their order."""
     number = [param.name for param in pictures.params].index
     changes: list[tuple[int, ...]] = []
-    for place, of in enumerate(row.steered for row in rows):
-        if of is None:
+    for place, steering in enumerate(row.steered for row in rows):
+        if steering is None:
             continue
-        if of.is_start:
+        if steering.is_start:
             changes.append((place, 0, IS_START, 0, 0))
-        if of.level_of is not None:
-            changes.append((place, number(of.level_of.param), SETS_LEVEL, of.level_of.factor, 0))
-        if of.times is not None:
+        if steering.level_of is not None:
+            changes.append(
+                (place, number(steering.level_of.param), SETS_LEVEL, steering.level_of.factor, 0)
+            )
+        if steering.times is not None:
             # A row that begins with a later step of a loop has as many launches fewer.
-            offset = of.times.offset - of.step
-            changes.append((place, number(of.times.param), SETS_TIMES, of.times.factor, offset))
+            offset = steering.times.offset - steering.step
+            changes.append(
+                (place, number(steering.times.param), SETS_TIMES, steering.times.factor, offset)
+            )
     return changes
 
 

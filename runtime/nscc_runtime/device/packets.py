@@ -127,15 +127,15 @@ def unstuffed(data: bytes) -> bytes | None:
     """Return the bytes that `stuffed` has encoded as `data` (COBS); None for bytes that it cannot
     produce: a zero, or a block that is cut off."""
     out = bytearray()
-    at = 0
-    while at < len(data):
-        length = data[at]
-        if length == 0 or at + length > len(data):
+    position = 0
+    while position < len(data):
+        length = data[position]
+        if length == 0 or position + length > len(data):
             return None
-        out += data[at + 1 : at + length]
-        at += length
+        out += data[position + 1 : position + length]
+        position += length
         # A full block is not followed by a zero, nor is the last block.
-        if length < 0xFF and at < len(data):
+        if length < 0xFF and position < len(data):
             out.append(0)
     return bytes(out)
 

@@ -94,16 +94,16 @@ def load(host: Host, register: int, plane: bytes) -> Task[None]:
     """Load the bytes of a `plane` into the digital register number `register` of the program that
     the loader has. Raises the exceptions of `Host.ask`."""
     assert host.info is not None
-    at, most = 0, host.info.most_data
-    while at < len(plane):
-        body = messages.LOAD.pack(register, at) + plane[at : at + most]
+    sent, most = 0, host.info.most_data
+    while sent < len(plane):
+        body = messages.LOAD.pack(register, sent) + plane[sent : sent + most]
         reply = yield from _idle(host, PacketKind.LOAD, body)
         position = checked(messages.loaded_bytes, reply)
-        if position > at:
+        if position > sent:
             host.moved()
         host.check_patience()
         # The loader says from where on it needs bytes, also after a packet that it dropped.
-        at = position
+        sent = position
 
 
 def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:

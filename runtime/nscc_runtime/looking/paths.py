@@ -85,12 +85,12 @@ class Paths:
         loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
             # The usual case, without a search; a start without registers has the number 0 too.
-            at = np.zeros(shape, np.intp)
+            index = np.zeros(shape, np.intp)
         else:
-            at = np.minimum(np.searchsorted(numbers, loaded_numbers), len(numbers) - 1)
-        if not np.array_equal(numbers[at], loaded_numbers):
+            index = np.minimum(np.searchsorted(numbers, loaded_numbers), len(numbers) - 1)
+        if not np.array_equal(numbers[index], loaded_numbers):
             raise ValueError("bits that no code and no kept state has")
-        return first[at]
+        return first[index]
 
 
 @OfContainer

@@ -145,15 +145,15 @@ class DataFlow:
         axes = place(figure, 0, top, self.width, self.graph_height)
         axes.set(xlim=(0, self.width), ylim=(self.graph_height, -0.02))
         axes.axis("off")
-        at: dict[Node, tuple[float, float]] = {
+        place_of: dict[Node, tuple[float, float]] = {
             node: ((i + 0.5) * self.width / len(layer), number * _LAYER + _BOX / 2)
             for number, layer in enumerate(self.layers)
             for i, node in enumerate(layer)
         }
         for node in self.graph:
-            self._draw_edges(axes, node, at)
+            self._draw_edges(axes, node, place_of)
             (room,) = (self.width / len(layer) for layer in self.layers if node in layer)
-            self._draw_box(axes, node, at[node], min(_WIDEST, room - 0.15))
+            self._draw_box(axes, node, place_of[node], min(_WIDEST, room - 0.15))
         for row, kernels in enumerate(self.kernels):
             y = top + self.graph_height + row * self.row_height
             for column, kernel in enumerate(kernels):

@@ -76,16 +76,16 @@ def _score(network: DiGraph) -> _Score:
     nodes = network.nodes
     events = [node for node in nodes if nodes[node]["kind"] in (*_WRITING, "demand")]
     column: dict[str, int] = {}
-    at = 0
+    position = 0
     for _, group in groupby(events, key=lambda node: nodes[node]["boundary"]):
         boundary_nodes = list(group)
-        free_columns = -at % _COLUMNS
+        free_columns = -position % _COLUMNS
         if free_columns < len(boundary_nodes) <= _COLUMNS:
-            at += free_columns  # a boundary that would be split starts a line
-        if column and at + len(boundary_nodes) > _MOST:
+            position += free_columns  # a boundary that would be split starts a line
+        if column and position + len(boundary_nodes) > _MOST:
             break
-        column |= {node: at + i for i, node in enumerate(boundary_nodes[:_MOST])}
-        at += len(boundary_nodes)
+        column |= {node: position + i for i, node in enumerate(boundary_nodes[:_MOST])}
+        position += len(boundary_nodes)
     values = [
         node
         for node in nodes
@@ -95,7 +95,7 @@ def _score(network: DiGraph) -> _Score:
     order = sorted(names, key=lambda name: (name == "FLAG", len(name), name))
     # Values that are read later than the picture shows are drawn up to its edge.
     until = {
-        node: max((column.get(r, at) for r in network.successors(node)), default=-1)
+        node: max((column.get(r, position) for r in network.successors(node)), default=-1)
         for node in values
     }
     return _Score(network, column, {name: i for i, name in enumerate(order)}, until)

@@ -76,9 +76,14 @@ class Reference:
             return tuple(range(slots))
         # A slot at whose start words run is an interval of its own, because a part of its light
         # falls while they run.
-        at = {launch.instant for launch in self.container.launches}
+        boundaries = {launch.instant for launch in self.container.launches}
         # After the last slot the light goes on as in that slot, which must not share an interval.
-        first = {0, *at, *(n + 1 for n in at), *(slots - 1 for n in at if n == slots)}
+        first = {
+            0,
+            *boundaries,
+            *(n + 1 for n in boundaries),
+            *(slots - 1 for n in boundaries if n == slots),
+        }
         return tuple(sorted(n for n in first if n < slots))
 
     def expose(

@@ -327,8 +327,10 @@ class WordPixels(Pixels):
         """Run a bus word in the pixels of the mask `acting`: write -(sum of its sources) / divisor,
         with the errors of words and saturation, and the marks of its sources to each
         destination."""
-        result, at = self.total(word) / -word.op.operation.divisor, word.boundary
-        full, lost_e = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
+        result, boundary = self.total(word) / -word.op.operation.divisor, word.boundary
+        full, lost_e = self.marks.gathered(
+            word.op, self.resets.unseen(boundary), self.resets.lit(boundary)
+        )
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):

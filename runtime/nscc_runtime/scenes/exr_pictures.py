@@ -159,13 +159,13 @@ def _at_every_pixel(channel: Any, window: tuple[Array, Array]) -> Array:
         if step == 1:
             continue
         # Samples lie at multiples of the step.
-        # `-(-first // step) * step` is the first multiple in the window; `at` counts in samples
+        # `-(-first // step) * step` is the first multiple in the window; `position` counts samples
         # from it.
-        at = (np.arange(first, last + 1) - -(-first // step) * step) / step
+        position = (np.arange(first, last + 1) - -(-first // step) * step) / step
         # Interpolate between the sample before and the sample after each pixel.
-        low = np.clip(np.floor(at).astype(int), 0, values.shape[axis] - 1)
+        low = np.clip(np.floor(position).astype(int), 0, values.shape[axis] - 1)
         high = np.minimum(low + 1, values.shape[axis] - 1)
-        share = np.clip(at - low, 0, 1).reshape((-1, 1) if axis == 0 else (1, -1))
+        share = np.clip(position - low, 0, 1).reshape((-1, 1) if axis == 0 else (1, -1))
         reals = values.astype(np.float32)
         values = reals.take(low, axis) * (1 - share) + reals.take(high, axis) * share
         values = values.astype(np.float32)

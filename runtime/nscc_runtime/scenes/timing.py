@@ -67,13 +67,13 @@ def overlaps(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> Ov
     for edge_us in slot_edges_us(slot_us)[1:]:
         end = edge_us * per_us
         k = min(int(begin) if edges is None else bisect_right(edges, begin) - 1, last)
-        at = begin
-        while at < end:
+        time = begin
+        while time < end:
             frame_end = Fraction(k + 1) if edges is None else edges[k + 1]
             stop = end if k == last else min(end, frame_end)
             frame_index.append(k)
-            seconds.append(float((stop - at) / fps))
-            at, k = stop, k + 1
+            seconds.append(float((stop - time) / fps))
+            time, k = stop, k + 1
         row_start.append(len(frame_index))
         begin = end
     return Overlaps(

@@ -41,11 +41,11 @@ def gap_tv_of(
 
     The default start is a static clip, with each pixel's light spread over the frame. From a dark
     start, slots that no pixel recorded would stay about a fifth too dark (64 slots)."""
-    of, target = namespace(measured.value), measured.value
-    sigma: Array = of.full_like(measured.value[:, 0, 0, 0], _FAR)
+    library, target = namespace(measured.value), measured.value
+    sigma: Array = library.full_like(measured.value[:, 0, 0, 0], _FAR)
     if start is None:
         mean = measured.mean()
-        start = of.stack([mean] * measured.mask.shape[2], 1)
+        start = library.stack([mean] * measured.mask.shape[2], 1)
     clip: Array = start
     for _ in range(iterations):
         clip, target = gap_step(measured, clip, target, sigma)

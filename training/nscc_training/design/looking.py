@@ -184,10 +184,10 @@ class LookModel:
         first = 1
         while first == 1 or first * 4 <= self.slots:
             ratio = (self.slots / first) ** (1 / looks)
-            at = _spread(first * ratio ** np.arange(looks), self.slots)
+            boundaries = _spread(first * ratio ** np.arange(looks), self.slots)
             full = self.chip.full_e / self.chip.target.electrons_per_step
             level = int(np.clip(round(0.9 * full / max(ratio, 2.0)), 1, self.chip.levels[-1]))
-            starts.setdefault(at, LookSchedule(at, (level,) * looks))
+            starts.setdefault(boundaries, LookSchedule(boundaries, (level,) * looks))
             first *= 4
         return list(starts.values())
 
@@ -195,29 +195,29 @@ class LookModel:
         """Replace the boundary and the level of each look in turn, the last first, by those with
         the smallest error while the other looks stay. Return the new schedule and its expected
         error on a curve."""
-        at, rows = list(schedule.at), self._rows(schedule)
+        boundaries, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
-        for k in reversed(range(len(at))):
+        for k in reversed(range(len(boundaries))):
             open_ = self._start
             for before in range(k):
-                open_ = open_ * (1 - self.closed(at[before])[rows[before]])
-            after = self._after(at, rows, k, curve)
+                open_ = open_ * (1 - self.closed(boundaries[before])[rows[before]])
+            after = self._after(boundaries, rows, k, curve)
             open_error = float((open_ * after).sum())
             # The pixels that earlier looks close keep their error: `islice` leaves out look k and
             # later ones.
             earlier = sum(
                 float(pixels.sum(axis=1) @ self.exposure_errors(curve)[:, moment])
-                for moment, pixels in islice(self._closing(at, rows), k)
+                for moment, pixels in islice(self._closing(boundaries, rows), k)
             )
-            best = (np.inf, at[k], rows[k])
-            for moment in self._moments(at, k):
+            best = (np.inf, boundaries[k], rows[k])
+            for moment in self._moments(boundaries, k):
                 gained = open_ * (self.exposure_errors(curve)[:, moment, None] - after)
                 costs = self.closed(moment).reshape(len(self.chip.levels), -1) @ gained.reshape(-1)
                 row = int(costs.argmin())
                 best = min(best, (open_error + float(costs[row]), moment, row))
-            worth, at[k], rows[k] = best[0] + earlier, best[1], best[2]
+            worth, boundaries[k], rows[k] = best[0] + earlier, best[1], best[2]
         steps = tuple(int(self.chip.levels[row]) for row in rows)
-        return LookSchedule(tuple(at), steps), worth
+        return LookSchedule(tuple(boundaries), steps), worth
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Floats:
         """Return the expected error (groups, offsets) on a curve of a pixel that is still open

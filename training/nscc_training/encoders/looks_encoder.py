@@ -62,9 +62,9 @@ class LooksEncoder(Encoder):
         A boundary is at least one after that of the look before, and leaves room for the looks
         after it. The gradient passes as if nothing was rounded."""
         moments, levels = fields.chunk(2)
-        at = 2.0**moments  # times are learned as logarithms to base 2
-        looks, slots = len(at), self.spec.slots
-        whole_slots = torch.round(at.detach())
+        look_slots = 2.0**moments  # times are learned as logarithms to base 2
+        looks, slots = len(look_slots), self.spec.slots
+        whole_slots = torch.round(look_slots.detach())
         boundaries: list[Tensor] = []
         for k in range(looks):
             least = boundaries[-1] + 1 if boundaries else torch.ones_like(whole_slots[k])
@@ -72,7 +72,10 @@ class LooksEncoder(Encoder):
                 torch.clamp(torch.maximum(whole_slots[k], least), max=slots - looks + k)
             )
         return torch.cat(
-            [replaced(at, torch.stack(boundaries)), rounded(levels.clamp(1, max(self.most, 1)))]
+            [
+                replaced(look_slots, torch.stack(boundaries)),
+                rounded(levels.clamp(1, max(self.most, 1))),
+            ]
         )
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
