@@ -15,8 +15,8 @@ from nscc_runtime.effects.effect import (
     Effect,
     InLoop,
     Mark,
+    parameter,
 )
-from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.registry import effects_json, marks, optional, register, registered
 from nscc_runtime.effects.selection import Selection, everything, named, selected
 

@@ -8,8 +8,7 @@ import numpy as np
 
 from nscc.arrays import Floats
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import Effect, InLoop, Mark
-from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.effect import MOST_E, TARGET, Effect, InLoop, Mark, parameter
 from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import CHIP, parameter
+from nscc_runtime.effects.effect import CHIP, Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Converter
 
 SIGMA = parameter(

@@ -11,8 +11,15 @@ import numpy as np
 
 from nscc.arrays import Floats
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import CHIP, MOST_E, PUBLISHED, Parameter, parameter
+from nscc_runtime.effects.effect import (
+    CHIP,
+    MOST_E,
+    PUBLISHED,
+    Effect,
+    InLoop,
+    Parameter,
+    parameter,
+)
 from nscc_runtime.effects.parts import Errors, OfSensor, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Places, Word

@@ -7,9 +7,8 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop, parameter
 from nscc_runtime.effects.full_well import FULL
-from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Places
 from nscc_runtime.noise import key, normals

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.effect import Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Exchange
 
 FRACTION = parameter(

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import MOST_E, parameter
+from nscc_runtime.effects.effect import MOST_E, Effect, InLoop, parameter
 from nscc_runtime.effects.parts import CountedDark
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import PUBLISHED, parameter
+from nscc_runtime.effects.effect import PUBLISHED, Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Fading
 
 RETENTION = parameter(

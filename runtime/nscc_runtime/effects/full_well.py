@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import Effect, InLoop, Mark
-from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.effect import MOST_E, TARGET, Effect, InLoop, Mark, parameter
 from nscc_runtime.effects.parts import Well
 
 FULL = parameter(

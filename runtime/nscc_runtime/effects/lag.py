@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.effect import Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Echo
 
 FRACTION = parameter(

@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.effect import Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Response
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Places

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import MOST_E, parameter
+from nscc_runtime.effects.effect import MOST_E, Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Errors
 
 SIGMA = parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX")

@@ -10,8 +10,7 @@ import numpy as np
 
 from nscc.arrays import Floats
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import CHIP, Default, parameter
+from nscc_runtime.effects.effect import CHIP, Default, Effect, InLoop, parameter
 from nscc_runtime.effects.parts import CommonCode, FixedCodes, InColumns
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals, uniforms

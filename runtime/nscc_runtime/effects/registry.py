@@ -18,12 +18,11 @@ from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.dead_time import DEAD_TIME
 from nscc_runtime.effects.decay import DECAY
-from nscc_runtime.effects.effect import Effect, InLoop, Mark
+from nscc_runtime.effects.effect import Effect, InLoop, Mark, Parameter
 from nscc_runtime.effects.full_well import FULL_WELL
 from nscc_runtime.effects.lag import LAG
 from nscc_runtime.effects.leakage import LEAKAGE
 from nscc_runtime.effects.motion import MOTION
-from nscc_runtime.effects.parameters import Parameter
 from nscc_runtime.effects.parts import Converter, Errors, Part
 from nscc_runtime.effects.prnu import PRNU
 from nscc_runtime.effects.read import READ

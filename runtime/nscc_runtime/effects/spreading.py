@@ -7,8 +7,7 @@ from collections.abc import Mapping
 from nscc.chips.target import Target
 from nscc.words.readout import SPREADING_ERRORS
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import Effect, InLoop
-from nscc_runtime.effects.parameters import CHIP, parameter
+from nscc_runtime.effects.effect import CHIP, Effect, InLoop, parameter
 from nscc_runtime.effects.parts import Converter
 
 

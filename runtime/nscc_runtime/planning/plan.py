@@ -9,7 +9,7 @@ from nscc import html
 from nscc.codec import KeyName, Within, to_plain
 from nscc.columns import columns
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parameters import MOST_E
+from nscc_runtime.effects.effect import MOST_E
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, ToleranceInput
 
 Choice = Literal["kept", "dropped", "absent"]

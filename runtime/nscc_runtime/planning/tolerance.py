@@ -12,7 +12,7 @@ import numpy as np
 from nscc.arrays import Floats
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_runtime.effects import everything
-from nscc_runtime.effects.parameters import MOST_E
+from nscc_runtime.effects.effect import MOST_E
 from nscc_runtime.effects.parts import Codes, Well
 from nscc_runtime.effects.sensor import Sensor
 

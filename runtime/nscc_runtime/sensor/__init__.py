@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.parameters import Parameter, parameter
+from nscc_runtime.effects.effect import Parameter, parameter
 from nscc_runtime.effects.registry import parameters
 from nscc_runtime.effects.sensor import Sensor, sensor_sha256
 from nscc_runtime.sensor.file import (

@@ -12,8 +12,7 @@ from pathlib import Path
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.toml.schema import WIDTH, FileCodes, Schema, file_bytes, file_text, file_values
-from nscc_runtime.effects.effect import Effect
-from nscc_runtime.effects.parameters import HEADINGS, Parameter
+from nscc_runtime.effects.effect import HEADINGS, Effect, Parameter
 from nscc_runtime.effects.registry import parameters, registered
 from nscc_runtime.effects.sensor import Sensor
 

@@ -15,7 +15,7 @@ from nscc.pipeline import KINDS, Compiled
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import everything, selected
-from nscc_runtime.effects.parameters import MOST_E
+from nscc_runtime.effects.effect import MOST_E
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import audit
 from nscc_runtime.planning.make import make_plan

@@ -18,7 +18,7 @@ from nscc.chips.load import builtin_target
 from nscc.codec import InvalidRecord, from_plain
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.effects import everything
-from nscc_runtime.effects.parameters import MOST_E
+from nscc_runtime.effects.effect import MOST_E
 from nscc_runtime.effects.registry import optional
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_file import plan_text, read_plan

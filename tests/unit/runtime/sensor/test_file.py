@@ -9,7 +9,7 @@ import pytest
 
 from nscc.chips.load import builtin_names, builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.effects.parameters import HEADINGS
+from nscc_runtime.effects.effect import HEADINGS
 from nscc_runtime.sensor import (
     default_sensor,
     load_sensor,
