@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from itertools import product
+from itertools import product, takewhile
 from math import ceil, log2
 from typing import Any
 
@@ -414,10 +414,15 @@ def _refusal(
     elif refused.kind in ("planes", "steering") and container.code_registers:
         notes.append(f"pixel codes also occupy registers: {', '.join(container.code_registers)}")
         helps = ["use fewer different pixel codes", *helps]
-    if refused.kind == "planes" and len(program.pictures.reports) > 1:
+    reports = program.pictures.reports
+    reported = {report.plane for report in reports if report.kind not in ("sum", "flood")}
+    if refused.kind == "planes" and len(reported) > 1:
+        before = takewhile(lambda item: item.name != name, program.pictures.items)
+        fitting = len([item for item in before if item.name in reported])
         helps.append(
-            "a reported plane keeps its register until the end of the frame: report fewer planes, "
-            "or count one plane in several frames, with a level `param t`"
+            "a reported plane keeps its register until the end of the frame: report at most "
+            f"{fitting} of these {len(reported)} planes, or count one plane in several frames, "
+            "with a level `param t`"
         )
     return Diagnostic(
         "NS0535",

@@ -265,6 +265,17 @@ def test_a_chain_of_choices_writes_in_place_when_no_register_is_free() -> None:
     assert "NOR.write" in words
 
 
+def test_the_error_for_sixteen_counts_names_the_largest_number_that_fits() -> None:
+    def counts(number: int) -> str:
+        return " ".join(
+            f"plane above{k} = exposure > {6 * k + 6}% report count above{k}" for k in range(number)
+        )
+
+    assert len(container_of(HEAD + counts(12)).pictures.reports) == 12
+    with pytest.raises(Rejected, match="report at most 12 of these 16 planes"):
+        container_of(HEAD + "report sum exposure " + counts(16))
+
+
 def test_a_kept_image_may_approach_its_range() -> None:
     text = (
         "assume exposure <= 50% kernel k = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16 state s : image "
