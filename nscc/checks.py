@@ -109,8 +109,10 @@ def check_schedule(choice: Choice) -> None:
     the chip."""
     for lowered in choice.lowerings:
         schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
-        places = schedule.allocation.places
-        require(len(set(places.values())) == len(places), "two holders of one register")
+        chip_registers = schedule.allocation.chip_registers
+        require(
+            len(set(chip_registers.values())) == len(chip_registers), "two holders of one register"
+        )
         boundaries = [boundary for boundary, _ in schedule.launches]
         require(boundaries == sorted(boundaries), "launches are not in order")
         require(boundaries[0] == 0 and boundaries[-1] <= slots, "a launch out of time")

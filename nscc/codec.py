@@ -64,16 +64,16 @@ _MOST_FLOAT = 1e300
 class InvalidRecord(ValueError):
     """Raised for values that their hints do not allow; the text names the field and the reason."""
 
-    def __init__(self, reason: str, place: str = "") -> None:
-        """Store why a value is invalid; `place` is its path of keys such as `.words[3]`, or "" for
-        the whole value."""
-        super().__init__(f"`{place.removeprefix('.')}` {reason}" if place else f"it {reason}")
-        self.reason, self.place = reason, place
+    def __init__(self, reason: str, key_path: str = "") -> None:
+        """Store why a value is invalid; `key_path` is its path of keys such as `.words[3]`, or ""
+        for the whole value."""
+        super().__init__(f"`{key_path.removeprefix('.')}` {reason}" if key_path else f"it {reason}")
+        self.reason, self.key_path = reason, key_path
 
-    def inside(self, place: str) -> InvalidRecord:
-        """Return the same error for a value that is inside the value at `place`, such as `[3]` or
-        `.words`, which is put before its path."""
-        return InvalidRecord(self.reason, place + self.place)
+    def inside(self, key_path: str) -> InvalidRecord:
+        """Return the same error for a value that is inside the value at `key_path`, such as `[3]`
+        or `.words`, which is put before its path."""
+        return InvalidRecord(self.reason, key_path + self.key_path)
 
 
 class Within(Record):
@@ -193,7 +193,7 @@ class _Field(NamedTuple):
     default: Any = None
 
     @property
-    def place(self) -> str:
+    def key_path(self) -> str:
         """The field's part of a path in messages."""
         return f".{self.key}" if self.key else self.name
 
@@ -437,7 +437,7 @@ def _joined(row: Sequence[_Field], values: Sequence[Any]) -> list[Any]:
         try:
             plain = field.codec.write(value)
         except InvalidRecord as error:
-            raise error.inside(field.place) from None
+            raise error.inside(field.key_path) from None
         if field.codec.width == 2 or (field.codec.width == 0 and len(row) == 1):
             items += plain
         else:
@@ -465,7 +465,7 @@ def _split(row: Sequence[_Field], items: list[Any]) -> Iterator[Any]:
                 items[position : position + 2] if width == 2 else items[position]
             )
         except InvalidRecord as error:
-            raise error.inside(field.place) from None
+            raise error.inside(field.key_path) from None
         position += width
 
 

@@ -57,12 +57,12 @@ class KindTable(Generic[Base]):
         kinds = (kind for kind, belongs in _BELONGS.items() if belongs(program))
         return self._combined(*(self._classes[kind] for kind in kinds if kind in self._classes))
 
-    def _combine(self, *places: str) -> Base:
-        """Return an instance of a new class that inherits from the classes `places`,
+    def _combine(self, *class_paths: str) -> Base:
+        """Return an instance of a new class that inherits from the classes `class_paths`,
         "module:class", and the base.
 
         The first class comes first when methods are looked up."""
-        split = (place.split(":") for place in places)
+        split = (class_path.split(":") for class_path in class_paths)
         classes = [getattr(import_module(module), name) for module, name in split]
         combined: type[Base] = type("Combined", (*classes, self._base), {})
         return combined()

@@ -1,4 +1,4 @@
-"""Truth vectors: Python integers with one bit for each shutter.
+"""Truth vectors: Python integers with one bit for each shutter; and arrays of bits as integers.
 
 Bit i belongs to shutter i of the decode table. Operations on integers with thousands of bits are
 fast, so that exhaustive searches and proofs are cheap."""
@@ -47,6 +47,22 @@ def members(vector: int, count: int) -> Indices:
     return np.flatnonzero(np.unpackbits(packed, count=count, bitorder="little"))
 
 
+def packed_bits(bits: Bools) -> int:
+    """Return an array of bits of any shape as one number: its elements in C order, the first as the
+    lowest bit."""
+    return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
+
+
+def unpacked_bits(number: int, shape: tuple[int, int]) -> Bools:
+    """Return the bits of a number that `packed_bits` made, bool of `shape` (rows, cols).
+
+    -1 is a 1 in every pixel; bits beyond the last pixel are ignored."""
+    pixels = shape[0] * shape[1]
+    data = (number & (1 << pixels) - 1).to_bytes(-(-pixels // 8), "little")
+    flat = np.unpackbits(np.frombuffer(data, np.uint8), count=pixels, bitorder="little")
+    return flat.astype(np.bool_).reshape(shape)
+
+
 def vector(shutters: Indices) -> int:
     """Return the truth vector of a set of shutters, given by their indices.
 
@@ -55,9 +71,9 @@ def vector(shutters: Indices) -> int:
     """
     if not len(shutters):
         return 0
-    bits = np.zeros(int(shutters.max()) + 1, dtype=np.uint8)
-    bits[shutters] = 1
-    return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
+    bits = np.zeros(int(shutters.max()) + 1, dtype=np.bool_)
+    bits[shutters] = True
+    return packed_bits(bits)
 
 
 def union(vectors: Iterable[int]) -> int:

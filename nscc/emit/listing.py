@@ -154,11 +154,11 @@ def gates_text(decoding: Decoding, program: Program) -> str:
     They are on virtual registers (p: code, s: state, t: scratch); the text begins with the chip's
     register of each."""
     solution = decoding.solution
-    places = allocate(solution, program.target, program.spared_registers).places
+    chip_registers = allocate(solution, program.target, program.spared_registers).chip_registers
     lines = [f"encoding: {solution.encoding}"]
     for i, holder in enumerate(solution.holders):
-        lines.append(f"  p{i} in {places[f'p{i}']}: {holder}")
-    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
+        lines.append(f"  p{i} in {chip_registers[f'p{i}']}: {holder}")
+    lines += [f"  {v} in {r}: scratch or state" for v, r in chip_registers.items() if v[0] in "ts"]
     steps = [step for step in decoding.plan.steps if step.predicate is not None]
     segment_lines(lines, "opening", solution.opening)
     for step, answer in zip(steps, solution.answers, strict=True):

@@ -77,7 +77,7 @@ class NetworkMaker:
         the exposure) and size."""
         plan = lowered.plan
         self.lowered = lowered
-        self.places = lowered.schedule.allocation.places
+        self.chip_registers = lowered.schedule.allocation.chip_registers
         self.kernels = KernelFinder(lowered)
         self.network = nx.DiGraph(
             encoding=encoding, lowering=plan.lowering, shutters=plan.shutters, slots=plan.slots
@@ -91,7 +91,7 @@ class NetworkMaker:
         `vectors` are their bits for all shutters, bit k for shutter k, and `holders` say in words
         what they hold; both are in the order of the planes."""
         for i, (vector, holder) in enumerate(zip(vectors, holders, strict=True)):
-            self.plane(f"p{i}", self.places[f"p{i}"], holder, vector)
+            self.plane(f"p{i}", self.chip_registers[f"p{i}"], holder, vector)
 
     def plane(self, name: str, register: str, holder: str, vector: int) -> None:
         """Add the node of a register's initial value.
@@ -141,7 +141,7 @@ class NetworkMaker:
             kind=kind,
             function=function,
             name=name,
-            register=self.places.get(name, name),
+            register=self.chip_registers.get(name, name),
             **look or {"words": len(written)},
             boundary=boundary,
             kernel=self.kernels.kernel_of(tuple(written), boundary),
@@ -161,7 +161,7 @@ class NetworkMaker:
     def end(self, node: str, name: str, **attributes: str | int) -> None:
         """Add the node `node` of a register's required final value, with further attributes, of
         which `kind` must be one; `name` is the virtual register."""
-        register, slots = self.places[name], self.lowered.plan.slots
+        register, slots = self.chip_registers[name], self.lowered.plan.slots
         self.network.add_node(node, **attributes, register=register, boundary=slots)
         self.network.add_edge(self.holds[name], node)
 

@@ -63,11 +63,17 @@ def shutter_chart(
     return html.Html(f"{chart}{legend}{count_note}")
 
 
-def _bars(places: Floats, share: Floats, top: float, height: float, bucket: int) -> list[str]:
+def _bars(
+    column_edges: Floats,
+    share: Floats,
+    top: float,
+    height: float,
+    bucket: int,
+) -> list[str]:
     """Return SVG paths of one shutter's bar, one for each shade, which shows for which part of each
     column it is open; columns that are closed have none.
 
-    `places` (columns + 1,) are the column edges and `share` (columns,) the open part of each
+    `column_edges` has the shape (columns + 1,), and `share` (columns,) the open part of each
     column, all 0..1; `top` and `height` are in pixels. `bucket` chooses the colour."""
     # Rounded up, so that a short open time is visible; the small number is for rounding errors.
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
@@ -75,7 +81,7 @@ def _bars(places: Floats, share: Floats, top: float, height: float, bucket: int)
     ends = np.concatenate((starts[1:], [len(shade)]))
     paths: dict[int, list[str]] = {}
     for start, end in zip(starts, ends, strict=True):
-        x0, x1 = (_LABELS + _WIDTH * places[edge] for edge in (start, end))
+        x0, x1 = (_LABELS + _WIDTH * column_edges[edge] for edge in (start, end))
         box = f"M{x0:.4g} {top:.4g}H{x1:.4g}v{height:.4g}H{x0:.4g}z"
         paths.setdefault(int(shade[start]), []).append(box)
     colour = html.SERIES[bucket % len(html.SERIES)]

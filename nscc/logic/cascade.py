@@ -306,14 +306,14 @@ class _Finder:
         span = max(1, self._budget.left - until)
         while self._budget.left > until:
             neighbour = list(current.choice)
-            place = choose.randrange(len(neighbour))
-            number, turned = neighbour[place]
+            index = choose.randrange(len(neighbour))
+            number, turned = neighbour[index]
             chosen_planes = dict(neighbour)
             unchosen_planes = [number for number in everyone if number not in chosen_planes]
             if unchosen_planes and choose.random() < _EXCHANGED:
-                neighbour[place] = choose.choice(unchosen_planes), False
+                neighbour[index] = choose.choice(unchosen_planes), False
             else:
-                neighbour[place] = number, not turned
+                neighbour[index] = number, not turned
             # Slightly worse choices are accepted, less and less (threshold accepting; Dueck and
             # Scheuer, 1990), because most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
@@ -378,8 +378,8 @@ def _separating(bits: Bools, choice: _Choice) -> Bools:
     # If the remaining planes cannot distinguish the members of a half, its surplus moves to the
     # other half.
     kinds = np.zeros(count, dtype=np.int64)
-    for place, plane in enumerate(planes):
-        room = 1 << (len(planes) - 1 - place)
+    for index, plane in enumerate(planes):
+        room = 1 << (len(planes) - 1 - index)
         halves = np.bincount(2 * kinds + plane, minlength=2 * (int(kinds.max()) + 1))
         for half in np.flatnonzero(halves > room):
             inside = np.flatnonzero((kinds == half >> 1) & (plane == (half & 1)))

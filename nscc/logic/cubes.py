@@ -158,11 +158,11 @@ class Standing:
         self._gates = gates
         self.inverted = [0] * planes
 
-    def flip(self, plane: int) -> Segment:
-        """Invert a plane (by number) in place, and record its new polarity; return the segment
-        (gates that run together), which begins with the gates that wait in the list."""
-        self.inverted[plane] ^= 1
-        self._gates.invert(f"p{plane}")
+    def flip(self, number: int) -> Segment:
+        """Invert the plane with this number in place, and record its new polarity; return the
+        segment (gates that run together), which begins with the gates that wait in the list."""
+        self.inverted[number] ^= 1
+        self._gates.invert(f"p{number}")
         return self._gates.take()
 
     def turn(self, cube: Cube) -> list[Segment]:
@@ -264,20 +264,20 @@ class _Emitter:
         self._gates.or_(scratch_terms[0], [*flag, *scratch_terms])
         return [scratch_terms[0], *stored_terms]
 
-    def _negate(self, plane: int, terms: list[str], segments: list[Segment]) -> list[str]:
-        """Make the inverse of a plane (by number) readable, and return the terms with the register
-        that holds it.
+    def _negate(self, number: int, terms: list[str], segments: list[Segment]) -> list[str]:
+        """Make the inverse of the plane with this number readable, and return the terms with the
+        register that holds it.
 
         `terms` are names of registers. The inverse is computed in a scratch register (for
         intermediate results). Without scratch registers, the plane is inverted in place, and the
         gates so far are appended to `segments` first. Raises GaveUp if the plane itself is a term.
         """
-        name = f"p{plane}"
+        name = f"p{number}"
         if name in terms:
             raise GaveUp("a plane is needed both ways round at once")
         if not self._scratch:
             self._close(segments)
-            segments.append(self.planes.flip(plane))
+            segments.append(self.planes.flip(number))
             return [*terms, name]
         terms = self._make_room(terms)
         target = self._free(terms)

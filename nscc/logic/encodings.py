@@ -26,8 +26,8 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     if len(distinct) > machine.registers:
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
-    place = {predicate: i for i, predicate in enumerate(distinct)}
-    cubes = tuple((((place[d.predicate], 1),),) for d in problem.demands)
+    plane_of = {predicate: i for i, predicate in enumerate(distinct)}
+    cubes = tuple((((plane_of[d.predicate], 1),),) for d in problem.demands)
     first = {d.predicate: describe_demand(d) for d in reversed(problem.demands)}
     planes = [(predicate, first[predicate]) for predicate in distinct]
     return Encoding("one register for each predicate", planes, cubes)
@@ -50,12 +50,12 @@ def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     if problem.shutters > machine.registers:
         raise GaveUp(f"{problem.shutters} shutters, {machine.registers} registers")
     used = union(demand.predicate for demand in problem.demands)
-    place = {int(shutter): i for i, shutter in enumerate(members(used, problem.shutters))}
+    plane_of = {int(shutter): i for i, shutter in enumerate(members(used, problem.shutters))}
     cubes = tuple(
-        tuple(((place[int(m)], 1),) for m in members(d.predicate, problem.shutters))
+        tuple(((plane_of[int(m)], 1),) for m in members(d.predicate, problem.shutters))
         for d in problem.demands
     )
-    planes = [(1 << shutter, f"shutter {shutter}") for shutter in place]
+    planes = [(1 << shutter, f"shutter {shutter}") for shutter in plane_of]
     return Encoding("one register for each shutter", planes, cubes)
 
 

@@ -279,14 +279,14 @@ class _Walker:
         positive = [names[k] for k in choice.cover.positive]
         waiting = [{names[k] for k in cube.sources} for cube in cubes]
         if choice.turned is not None:
-            place = self._free(set(positive).union(*waiting), ahead)
-            if place is None:
+            register = self._free(set(positive).union(*waiting), ahead)
+            if register is None:
                 raise GaveUp("no register is left to compute with")
-            self._gate("NOR", place, [choice.turned])
-            names[-1] = place
-            positive = [place if n == _TURNED else n for n in positive]
+            self._gate("NOR", register, [choice.turned])
+            names[-1] = register
+            positive = [register if n == _TURNED else n for n in positive]
             waiting = [
-                {place if n == _TURNED else n for n in needed_names} for needed_names in waiting
+                {register if n == _TURNED else n for n in needed_names} for needed_names in waiting
             ]
         terms = positive
         for n, cube in enumerate(cubes):

@@ -34,10 +34,12 @@ def moments_text(plan: LookingPlan) -> str:
 def looking_gates_text(lowered: LookingLowered) -> str:
     """Return the gates and words of every boundary as lines of text, after the encoding and the
     chip's register of each virtual register."""
-    solution, places = lowered.looking, lowered.schedule.allocation.places
+    solution, chip_registers = lowered.looking, lowered.schedule.allocation.chip_registers
     lines = [f"encoding: {solution.encoding.name}"]
-    lines += [f"  p{i} in {places[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)]
-    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
+    lines += [
+        f"  p{i} in {chip_registers[f'p{i}']}: {text}" for i, text in enumerate(solution.holders)
+    ]
+    lines += [f"  {v} in {r}: scratch or state" for v, r in chip_registers.items() if v[0] in "ts"]
     for boundary, items in solution.items.items():
         segment_lines(lines, f"boundary {boundary}", (items,))
     return "\n".join(lines) + "\n"

@@ -37,7 +37,7 @@ class LookingNetwork(NetworkMaker):
         solution = self.solution
         self.planes(solution.planes, solution.holders)
         for i, holder in enumerate(solution.states):
-            self.plane(f"s{i}", self.places[f"s{i}"], f"state {holder}", vector=0)
+            self.plane(f"s{i}", self.chip_registers[f"s{i}"], f"state {holder}", vector=0)
         for boundary, items in solution.items.items():
             comparisons = self.machine.at(boundary)
             looks = iter([comparisons[i] for i in self.machine.order(boundary)])

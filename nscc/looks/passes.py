@@ -82,7 +82,7 @@ def lay_out_looks(
         return None
     named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
     by_place = {
-        allocation.places[name]: f"state {state_name}" for name, state_name in named.items()
+        allocation.chip_registers[name]: f"state {state_name}" for name, state_name in named.items()
     }
     allocation = replace(allocation, holders={**allocation.holders, **by_place})
     schedule = _schedule(plan, solution, allocation, time, target, apart=False)
@@ -103,7 +103,7 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     `allocation` says which value is in which register of the chip. The chip changes the masked
     register only in pixels whose mask register is 1. So the words first set the mask to 1, which
     overwrites what it holds."""
-    held_by = {place: name for name, place in allocation.places.items()}
+    held_by = {register: name for name, register in allocation.chip_registers.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
         return False
@@ -135,7 +135,7 @@ def _schedule(
     other boundaries; that stores fewer words but needs more launches."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
-    states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
+    states = tuple(allocation.chip_registers[f"s{i}"] for i in range(len(solution.states)))
     cleared = (states[i : i + _MOST_CLEARED] for i in range(0, len(states), _MOST_CLEARED))
     setup = (op("all"), *_setup(plan), *(op("CLR", group) for group in cleared))
     boundaries[0].append((None, setup))
@@ -358,7 +358,7 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
         else:
             lowerings.append(lowered)
     lowerings.sort(
-        key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.places))
+        key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.chip_registers))
     )
     if not lowerings:
         # Four reasons suffice: further encodings fail for similar ones.
@@ -373,11 +373,11 @@ def container_of(lowered: Lowered, level: int) -> Container:
     It has the state machine and the registers of each state that is read or kept."""
     assert isinstance(lowered, LookingLowered)
     looking, machine = lowered.looking, lowered.program.machine
-    places = lowered.schedule.allocation.places
+    chip_registers = lowered.schedule.allocation.chip_registers
     planes = {}
     encoded_states = zip(machine.states, looking.encoding.states, looking.registers, strict=True)
     for state, how, names in encoded_states:
         if state.read or state.is_kept:
-            registers = tuple(places[name] for name in names)
+            registers = tuple(chip_registers[name] for name in names)
             planes[state.name] = StatePlanes(registers, how.values, how.bits)
     return replace(assemble(lowered, level), machine=machine, state_planes=planes)

@@ -337,34 +337,34 @@ def renamed(gates: Sequence[Item]) -> list[Item]:
     words between the gates read no scratch registers."""
     ends: dict[tuple[str, int], int] = {}
     writes: dict[str, int] = {}
-    for place, gate in enumerate(gates):
+    for gate_index, gate in enumerate(gates):
         if not isinstance(gate, Gate):
             continue
         for name in gate.sources:
             if name in writes:
-                ends[name, writes[name]] = place
+                ends[name, writes[name]] = gate_index
         if gate.destination.startswith("t") and gate.destination not in gate.sources:
-            writes[gate.destination] = place
-            ends[gate.destination, place] = place
+            writes[gate.destination] = gate_index
+            ends[gate.destination, gate_index] = gate_index
         # This gate changes a scratch register that it also reads, so the old name stays.
         elif gate.destination in writes:
-            ends[gate.destination, writes[gate.destination]] = place
+            ends[gate.destination, writes[gate.destination]] = gate_index
     renamed_items: list[Item] = []
     names: dict[str, str] = {}
     busy: dict[str, int] = {}
-    for place, gate in enumerate(gates):
+    for gate_index, gate in enumerate(gates):
         if not isinstance(gate, Gate):
             renamed_items.append(gate)
             continue
         # A register is free after the last gate that reads it.
-        busy = {name: end for name, end in busy.items() if end >= place}
+        busy = {name: end for name, end in busy.items() if end >= gate_index}
         sources = tuple(names.get(name, name) for name in gate.sources)
         destination = gate.destination
-        if (destination, place) in ends:
+        if (destination, gate_index) in ends:
             number = 0
             while f"t{number}" in busy:
                 number += 1
             names[destination] = f"t{number}"
-            busy[f"t{number}"] = ends[destination, place]
+            busy[f"t{number}"] = ends[destination, gate_index]
         renamed_items.append(Gate(gate.name, names.get(destination, destination), sources))
     return renamed_items

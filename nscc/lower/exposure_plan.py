@@ -51,14 +51,14 @@ class Timeline(Record):
     refresh_at: tuple[int, ...] | None
 
 
-def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeline:
-    """Return when the boundaries of a frame are, how long its `buckets` readouts take, and where
-    registers are refreshed.
+def timeline(slot_us: tuple[float, ...], bucket_count: int, target: Target) -> Timeline:
+    """Return when the boundaries of a frame are, how long its `bucket_count` readouts take, and
+    where registers are refreshed.
 
     `slot_us` are the lengths of the slots in microseconds. The readouts are one after the other. If
     no refresh suffices, `refresh_at` is None and nothing is raised."""
     boundary_us = (0.0, *accumulate(slot_us))
-    between_us = target.readout_us * buckets
+    between_us = target.readout_us * bucket_count
     keep_us = RETENTION_SHARE * target.digital_retention_us
     refresh_at = _refresh_boundaries(boundary_us, between_us, keep_us)
     return Timeline(boundary_us, between_us, keep_us, refresh_at)

@@ -242,8 +242,10 @@ def assemble(lowered: Lowered, level: int) -> Container:
     target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)
     encoding = np.zeros((shutters, len(target.digital_registers)), dtype=np.bool_)
-    places = schedule.allocation.places
-    code_columns = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
+    chip_registers = schedule.allocation.chip_registers
+    code_columns = [
+        target.digital_registers.index(chip_registers[f"p{i}"]) for i in range(len(planes))
+    ]
     encoding[:, code_columns] = rows(list(planes), shutters)
     return Container(
         target=target,

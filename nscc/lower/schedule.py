@@ -25,13 +25,13 @@ from nscc.words.cost import refresh_count, words_us
 
 
 class Allocation(Record):
-    """The chip register of every virtual register (`places`), and what each chip register holds in
-    words (`holders`).
+    """The chip register of every virtual register (`chip_registers`), and what each chip register
+    holds in words (`holders`).
 
     `code_registers` contain code, in the order in which they are loaded, and `state_registers`
     states. `masked` is the target's masked register and `mask` its mask; None if it has none."""
 
-    places: dict[str, str]
+    chip_registers: dict[str, str]
     holders: dict[str, str]
     code_registers: tuple[str, ...]
     state_registers: tuple[str, ...]
@@ -47,38 +47,40 @@ def allocate(solution: Solution, target: Target, spared: Collection[str] = ()) -
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
-    places = _pair_places(solution, target)
+    chip_registers = _pair_registers(solution, target)
     free = [
         register
         for register in sorted(target.digital_registers, key=lambda name: name in spared)
-        if register != target.masked_register and register not in places.values()
+        if register != target.masked_register and register not in chip_registers.values()
     ]
-    names = [name for name in (*planes, *states, *scratch) if name not in places]
+    names = [name for name in (*planes, *states, *scratch) if name not in chip_registers]
     if target.mask_register in free and len(free) > len(names):
         free.remove(target.mask_register)  # the mask is the last choice for code bits
     codes = len([name for name in names if name in planes])
     after_codes = sorted(free[codes:], key=lambda name: name not in spared)
-    places.update(zip(names, (free[:codes] + after_codes)[: len(names)], strict=True))
+    chip_registers.update(zip(names, (free[:codes] + after_codes)[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
         **dict.fromkeys(states, "state: open"),
         **dict.fromkeys(scratch, "scratch"),
     }
-    by_place = {places[name]: holders[name] for name in (*planes, *states, *scratch)}
+    by_register = {chip_registers[name]: holders[name] for name in (*planes, *states, *scratch)}
     # Code is loaded into the masked register first, while its mask is 1, and into the mask last.
     order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
     order |= {target.masked_register: -1, target.mask_register: len(order)}
     return Allocation(
-        places,
-        holders={r: by_place[r] for r in target.digital_registers if r in by_place},
-        code_registers=tuple(sorted((places[name] for name in planes), key=order.__getitem__)),
-        state_registers=tuple(places[name] for name in states),
+        chip_registers,
+        holders={r: by_register[r] for r in target.digital_registers if r in by_register},
+        code_registers=tuple(
+            sorted((chip_registers[name] for name in planes), key=order.__getitem__)
+        ),
+        state_registers=tuple(chip_registers[name] for name in states),
         mask=target.mask_register,
         masked=target.masked_register,
     )
 
 
-def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
+def _pair_registers(solution: Solution, target: Target) -> dict[str, str]:
     """Return which virtual register is in the masked register, and which in its mask, as virtual to
     chip register.
 
@@ -88,9 +90,9 @@ def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
     masked, mask = target.masked_register, target.mask_register
     if masked is None or mask is None:
         return {}
-    places = {MASK: mask} if solution.scratch else {}
+    chip_registers = {MASK: mask} if solution.scratch else {}
     name = solution.in_masked_register(len(target.digital_registers))
-    return places if name is None else {**places, name: masked}
+    return chip_registers if name is None else {**chip_registers, name: masked}
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
@@ -98,24 +100,24 @@ def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
     masked and writes the masked register is preceded by the SET of the mask."""
     out: list[Op] = []
     for gate in segment:
-        in_masked = allocation.places.get(gate.destination) == allocation.masked
+        in_masked = allocation.chip_registers.get(gate.destination) == allocation.masked
         if allocation.mask and in_masked and not gate.masked:
             out.append(op("SET", (allocation.mask,)))
-        out.extend(_gate_words(gate, allocation.places))
+        out.extend(_gate_words(gate, allocation.chip_registers))
     return tuple(out)
 
 
-def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
-    """Return the words of a gate. `places` maps virtual registers to the chip's registers; FLAG
-    keeps its name.
+def _gate_words(gate: Gate, chip_registers: dict[str, str]) -> tuple[Op, ...]:
+    """Return the words of a gate. `chip_registers` maps virtual registers to the chip's registers;
+    FLAG keeps its name.
 
     A gate that reads its own destination takes a pair of words; every other gate takes one word.
     The caller ensures that the gate reads no more sources than a word can. FLAG is the bit that
     lets a pixel act."""
-    sources = [places.get(name, name) for name in gate.sources]
+    sources = [chip_registers.get(name, name) for name in gate.sources]
     if gate.name == "WHERE":
         return (op("WHERE", (), sources),)
-    destination = places[gate.destination]
+    destination = chip_registers[gate.destination]
     if destination in sources:
         kind = {"NOT": "NOR", "NOR": "NOR", "OR": "OR", "MOV": "REFRESH"}[gate.name]
         return pair(kind, destination, sources)

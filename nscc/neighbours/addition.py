@@ -224,7 +224,7 @@ class _Multiples:
     """The registers of integer multiples of the halved input, which are computed when first
     requested.
 
-    `held` has the registers by multiple, and `places` those of other pixels' multiples by
+    `held` has the registers by multiple, and `copies` those of other pixels' multiples by
     (multiple, offset). `used_news` tells whether a computation overwrote NEWS (the register that
     neighbours can read); the caller resets it."""
 
@@ -237,7 +237,7 @@ class _Multiples:
             (-2) ** (halvings - number): f"h{number}" if number else "x"
             for number in range(halvings, -1, -1)
         }
-        self.places: dict[tuple[int, Offset], str] = {}
+        self.copies: dict[tuple[int, Offset], str] = {}
 
     def of(self, factor: int) -> str:
         """Return the register that holds `factor` (a nonzero integer) times the halved input, of
@@ -288,10 +288,10 @@ class _Multiples:
             # `_base` gives an even number of steps, so each copy has two.
             first, second = steps[number : number + 2]
             name = f"{register}{first}{second}"
-            if name not in self.places.values():
+            if name not in self.copies.values():
                 self.words.append(BusWord((_OPPOSITE[first],), (register,)))
                 self.words.append(BusWord((name,), (second,)))
                 self.used_news = True
-                self.places[factor, base] = name
+                self.copies[factor, base] = name
             register = name
         return register

@@ -474,7 +474,9 @@ class BitWords:
             moved = neighbour
         return moved or self._emit_word("MOV", [register], used=[])
 
-    def places(self, register: str, offsets: Collection[Offset]) -> Iterator[tuple[Offset, str]]:
+    def neighbour_bits(
+        self, register: str, offsets: Collection[Offset]
+    ) -> Iterator[tuple[Offset, str]]:
         """Yield each offset (columns right, rows down) with a register that holds the bit of the
         pixel at this offset.
 

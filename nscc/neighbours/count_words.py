@@ -204,8 +204,8 @@ class CountEmitter(Emitter):
         each place, and the number of images. It returns the factors of each accumulator in the
         images. Raises PictureRefused if registers or their range do not suffice."""
         weights = [total.weights(self.weights) for _, total in sums]
-        places = list(dict.fromkeys(offset for image in weights for offset in image))
-        vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in places}
+        taps = list(dict.fromkeys(tap for image in weights for tap in image))
+        vectors = {at: tuple(image.get(at, Fraction(0)) for image in weights) for at in taps}
         directions = directions_of(list(vectors.values()), len(sums))
         steps = {at: _steps_along(vector, directions) for at, vector in vectors.items()}
         self.everywhere()
@@ -216,10 +216,10 @@ class CountEmitter(Emitter):
             accumulators.append(Accumulator(register, len(self.words) - 1))
         self.spare = self.take()
         unread = [term.condition for _, total in sums for _, term in total.terms]
-        for condition in dict.fromkeys(condition for condition, _ in places):
+        for condition in dict.fromkeys(condition for condition, _ in taps):
             bit = self.bits.bit(condition)
             offsets = {at for plane, at in steps if plane == condition}
-            for at, register in self.bits.places(bit[0], offsets):
+            for at, register in self.bits.neighbour_bits(bit[0], offsets):
                 for number, factor in steps[condition, at].items():
                     self._add(accumulators[number], register, factor)
             self.bits.give(bit)

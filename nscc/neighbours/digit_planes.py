@@ -80,19 +80,19 @@ def _digit_planes(weights: Taps) -> list[dict[Offset, int]]:
 
 
 def _moves(start: Offset, end: Offset) -> int:
-    """Return the number of moves, of one or two pixels each, between two places (column, row)."""
+    """Return the number of moves, of one or two pixels each, between two offsets (column, row)."""
     return (abs(start[0] - end[0]) + abs(start[1] - end[1]) + 1) // 2
 
 
-def _path(places: list[Offset]) -> list[Offset]:
-    """Return the places in an order with few moves that ends at the centre, (0, 0), which need not
+def _path(offsets: list[Offset]) -> list[Offset]:
+    """Return the offsets in an order with few moves that ends at the centre, (0, 0), which need not
     be one of them.
 
-    The path from the centre to the nearest place and so on is shortened by reversing parts of it
-    (2-opt: G. A. Croes, 1958), then reversed. Without places, the path is the centre."""
-    path, unvisited = [(0, 0)], set(places) - {(0, 0)}
+    The path from the centre to the nearest offset and so on is shortened by reversing parts of it
+    (2-opt: G. A. Croes, 1958), then reversed. Without offsets, the path is the centre."""
+    path, unvisited = [(0, 0)], set(offsets) - {(0, 0)}
     while unvisited:
-        path.append(min(unvisited, key=lambda place: (_moves(path[-1], place), place)))
+        path.append(min(unvisited, key=lambda offset: (_moves(path[-1], offset), offset)))
         unvisited.remove(path[-1])
     tried, improved = 0, True
     while improved and tried < _MOST_EXCHANGES:
@@ -186,35 +186,35 @@ class _Writer:
         self.words.append(BusWord((name, "NEWS"), sources))
         return name
 
-    def plane_sum(self, plane: Taps, path: Sequence[Offset], sign: int) -> str | None:
+    def plane_sum(self, digits: Taps, path: Sequence[Offset], sign: int) -> str | None:
         """Append words that compute the sum of a digit plane times `sign` (1 or -1); return its
         register.
 
-        `plane` has the digits (1 or -1) by offset. `path` is the order of its places, and ends at
-        (0, 0). Return None for a plane without digits."""
-        if not plane:
+        `digits` are those of the plane (1 or -1) by offset. `path` is the order of their offsets,
+        and ends at (0, 0). Return None for a plane without digits."""
+        if not digits:
             return None
         start = path[0]
-        moving = self._input(sign * plane[start])
-        for place, target in pairwise(path):
-            while place != target:
-                place, moving = self._moved(place, target, moving, plane, sign)
+        moving = self._input(sign * digits[start])
+        for offset, target in pairwise(path):
+            while offset != target:
+                offset, moving = self._moved(offset, target, moving, digits, sign)
         return moving
 
     def _moved(
-        self, place: Offset, target: Offset, moving: str, plane: Taps, sign: int
+        self, offset: Offset, target: Offset, moving: str, digits: Taps, sign: int
     ) -> tuple[Offset, str]:
-        """Append the two words that move the sum by at most two pixels from `place` towards
+        """Append the two words that move the sum by at most two pixels from `offset` towards
         `target`.
 
-        `moving` is the register of the sum so far, `plane` has the digits by offset, and `sign` (1
-        or -1) is that of the sum. At the target its digit is added. Return the offset reached, and
-        the new sum's register. `place` and `target` must differ."""
+        `moving` is the register of the sum so far, `digits` are those of the plane by offset, and
+        `sign` (1 or -1) is that of the sum. At the target its digit is added. Return the offset
+        reached, and the new sum's register. `offset` and `target` must differ."""
         steps = [
             (step_x, step_y)
             for step_x, step_y, count in (
-                (1 if target[0] > place[0] else -1, 0, abs(target[0] - place[0])),
-                (0, 1 if target[1] > place[1] else -1, abs(target[1] - place[1])),
+                (1 if target[0] > offset[0] else -1, 0, abs(target[0] - offset[0])),
+                (0, 1 if target[1] > offset[1] else -1, abs(target[1] - offset[1])),
             )
             for _ in range(count)
         ][:2]
@@ -222,8 +222,8 @@ class _Writer:
         names = [OF_STEP[-x, -y] for x, y in steps]
         # With two steps, the first word moves by writing a neighbour, the second by reading one.
         written = _OPPOSITE[names[0]] if len(names) == 2 else "NEWS"
-        reached = place[0] + sum(x for x, _ in steps), place[1] + sum(y for _, y in steps)
-        digit = plane.get(reached, 0) if reached == target else 0
+        reached = offset[0] + sum(x for x, _ in steps), offset[1] + sum(y for _, y in steps)
+        digit = digits.get(reached, 0) if reached == target else 0
         # Two words keep the sign of the sum, and the second inverts what it adds.
         added = (self._input(-sign * digit),) if digit else ()
         self.words.append(BusWord((written,), (moving,)))

@@ -164,7 +164,7 @@ def _differs(
     forms = replay.forms
     if contents is None:
         return f"no register holds `{name}`"
-    for at in forms.places():
+    for at in forms.pixels():
         if forms.depends_beyond(contents[at]):
             if at == middle:
                 return f"`{name}` depends on pixels outside the array in every pixel"
@@ -251,20 +251,20 @@ class PictureReplay:
         their own in each pixel."""
         container, forms = self.container, self.forms
         target = container.target
-        places = forms.places()
+        pixels = forms.pixels()
         readout_of = {readout.register: readout for readout in container.readouts}
         for name in target.analog_registers:
             readout = readout_of.get(name)
             if readout is not None:
                 gain = Fraction(1) / Fraction(readout.gain)
                 self.analog[name] = {
-                    at: forms.sum((gain, forms.exposure(readout.bucket, *at))) for at in places
+                    at: forms.sum((gain, forms.exposure(readout.bucket, *at))) for at in pixels
                 }
             else:
                 before_frame = f"what {name} held"
-                self.analog[name] = {at: {(before_frame, *at): forms.diagrams.one} for at in places}
+                self.analog[name] = {at: {(before_frame, *at): forms.diagrams.one} for at in pixels}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
-            self.digital[name] = {at: forms.diagrams.new_variable(at) for at in places}
+            self.digital[name] = {at: forms.diagrams.new_variable(at) for at in pixels}
         pictures = container.pictures
         for name in pictures.kept:
             sign: Literal[-1, 1] = -1 if name in pictures.negated else 1
@@ -279,10 +279,10 @@ class PictureReplay:
         if register in self.analog:
             sign = Fraction(value.sign)
             self.analog[register] = {
-                at: forms.sum((sign, forms.exposure(value.name, *at))) for at in forms.places()
+                at: forms.sum((sign, forms.exposure(value.name, *at))) for at in forms.pixels()
             }
         else:
-            self.digital[register] = {at: forms.kept_bit(value.name, at) for at in forms.places()}
+            self.digital[register] = {at: forms.kept_bit(value.name, at) for at in forms.pixels()}
 
     def forget(self, loop: LaunchLoop, launched: Launched) -> None:
         """Set the registers that the words of a loop write to unknowns, as they are before or after
@@ -298,10 +298,10 @@ class PictureReplay:
         for name in {name for ops in steps for op in ops for name in op.destinations}:
             if name in self.digital:
                 new_bit = forms.diagrams.new_variable
-                self.digital[name] = {at: new_bit(at) for at in forms.places()}
+                self.digital[name] = {at: new_bit(at) for at in forms.pixels()}
             else:
                 name = "NEWS" if name in NEIGHBOURS else name
-                self.analog[name] = {at: forms.beyond() for at in forms.places()}
+                self.analog[name] = {at: forms.beyond() for at in forms.pixels()}
         for value in loop.values:
             self.set_unknown(value)
 
@@ -342,7 +342,7 @@ class PictureReplay:
             case WordEffect.NONE:
                 return
             case WordEffect.FLAG_ALL:
-                self.digital["FLAG"] = dict.fromkeys(forms.places(), true_bit)
+                self.digital["FLAG"] = dict.fromkeys(forms.pixels(), true_bit)
             case WordEffect.FLAG_DIGITAL:
                 self.digital["FLAG"] = self._or_sources(op)
             case WordEffect.FLAG_ANALOG:
@@ -386,16 +386,16 @@ class PictureReplay:
                     unit, number = IN, level
                 # A form has no terms that are 0.
                 steps = {unit: forms.diagrams.leaf(Fraction(number))} if number else {}
-                fields.append(dict.fromkeys(forms.places(), steps))
+                fields.append(dict.fromkeys(forms.pixels(), steps))
             elif name in NEIGHBOURS:
                 fields.append(self._moved(self.fields("NEWS"), *STEPS[name]))
                 if not self.container.target.news_read_keeps:
-                    self.analog["NEWS"] = {at: forms.beyond() for at in forms.places()}
+                    self.analog["NEWS"] = {at: forms.beyond() for at in forms.pixels()}
             elif name in self.analog:
                 fields.append(self.fields(name, flag))
             else:
                 raise PictureReplayError(f"`{op}` reads {name} after the exposure")
-        return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.places()}
+        return {at: forms.sum(*((factor, field[at]) for field in fields)) for at in forms.pixels()}
 
     def _moved(self, fields: Fields, right: int, down: int) -> Fields:
         """Return for each pixel the value of the pixel `right` columns and `down` rows away.
@@ -434,7 +434,7 @@ class PictureReplay:
 
         Raises KeyError for a register that does not exist."""
         diagrams = self.forms.diagrams
-        bits = dict.fromkeys(self.forms.places(), diagrams.zero)
+        bits = dict.fromkeys(self.forms.pixels(), diagrams.zero)
         for name in op.sources:
             bits = {at: diagrams.either(bit, self.digital[name][at]) for at, bit in bits.items()}
         return bits

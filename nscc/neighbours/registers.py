@@ -50,11 +50,11 @@ def reuse(
     be empty."""
     written = []
     for word, taps in zip(program, values_of(program), strict=True):
-        places = {
+        taps_of = {
             name: moved(taps, *(-step for step in STEPS[name])) if name in NEIGHBOURS else taps
             for name in word.destinations
         }
-        written.append({name: (base, frozenset(at.items())) for name, at in places.items()})
+        written.append({name: (base, frozenset(at.items())) for name, at in taps_of.items()})
     where = {value: name for name, value in contents.items() if name != "NEWS"}
     where_free = {value: name for value, name in where.items() if name in free}
     # From the last word back: registers that later words read, and whether they read NEWS.
@@ -291,7 +291,7 @@ class RegisterEmitter(CountEmitter):
             for name in (*program[number].sources, *program[number].destinations):
                 last[name] = number
         result = program[-1].destinations[0]
-        places = {"x": value.register, **left.held}
+        register_of = {"x": value.register, **left.held}
         # Free registers whose contents the program reads must not be taken before that.
         reserved = {*left.held.values()} & {*self.free}
         self.free = [name for name in self.free if name not in reserved]
@@ -300,24 +300,24 @@ class RegisterEmitter(CountEmitter):
         for number in left.words:
             word, names = program[number], []
             for name in word.destinations:
-                if name != "NEWS" and name not in NEIGHBOURS and name not in places:
-                    places[name] = self.take()
-                names.append(places.get(name, name))
-            sources = [places.get(name, name) for name in word.sources]
+                if name != "NEWS" and name not in NEIGHBOURS and name not in register_of:
+                    register_of[name] = self.take()
+                names.append(register_of.get(name, name))
+            sources = [register_of.get(name, name) for name in word.sources]
             self.word(op("bus2" if word.halves else "bus", names, sources))
             for name, contents in left.contents[number].items():
-                self.contents[places.get(name, "NEWS")] = contents
+                self.contents[register_of.get(name, "NEWS")] = contents
             for name, at in last.items():
-                if at == number and name in places and name != result:
+                if at == number and name in register_of and name != result:
                     if name == "x":
                         self.give(value)
                     # A reused register that was not free still belongs to another value.
-                    elif name not in left.held or places[name] in reserved:
-                        self.give(replace(value, register=places[name], name=None))
+                    elif name not in left.held or register_of[name] in reserved:
+                        self.give(replace(value, register=register_of[name], name=None))
         # Reserved registers that no word reads are free as before.
-        unread = [places[name] for name in left.held if name not in last and name != result]
+        unread = [register_of[name] for name in left.held if name not in last and name != result]
         self.free += [name for name in unread if name in reserved]
-        return places[result]
+        return register_of[result]
 
     def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
         """Emit the words of the one of `ways` with the fewest words per share, and return its
@@ -364,12 +364,12 @@ class RegisterEmitter(CountEmitter):
             self.walks,
         )
 
-    def restore(self, state: tuple[Any, ...]) -> None:
-        """Undo everything that was emitted since the call of `state` that returned `state`.
+    def restore(self, saved: tuple[Any, ...]) -> None:
+        """Undo everything that was emitted since the call of `state` that returned `saved`.
 
-        A state serves once, because its lists and dicts are then in use."""
+        It serves once, because its lists and dicts are then in use."""
         bits = self.bits
-        words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = state
+        words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = saved
         del self.words[words:]
         bits.free, bits.planes, bits.uses, bits.steered, *of_counting = of_bits
         self.ready, self.walks = of_counting

@@ -275,11 +275,11 @@ class Synthesis:
             return
         around = {at: weight for at, weight in taps.items() if at != (0, 0)}
         for first in self._programs(around, depth - 2):
-            places = _places_to_add(first.program, self.forms.sources)
-            for count in range(1, len(places) + 1):
+            word_indices = _words_to_extend(first.program, self.forms.sources)
+            for count in range(1, len(word_indices) + 1):
                 if middle % count == 0:
                     for second in self._programs_of_part({(0, 0): middle // count}, depth - 2):
-                        yield _woven(first.program, second, places[:count])
+                        yield _woven(first.program, second, word_indices[:count])
 
 
 @lru_cache(maxsize=1 << 12)
@@ -362,7 +362,7 @@ def _summed(first: Program, second: Program) -> Program:
     return (*a, *b, BusWord(("s",), tuple(results)))
 
 
-def _places_to_add(program: Program, directed_sources: int) -> list[int]:
+def _words_to_extend(program: Program, directed_sources: int) -> list[int]:
     """Return the indices of words that can add one more source, and whose results only the last
     word reads, once.
 
@@ -382,9 +382,9 @@ def _places_to_add(program: Program, directed_sources: int) -> list[int]:
     ]
 
 
-def _woven(first: Program, second: Program, places: list[int]) -> Program:
+def _woven(first: Program, second: Program, word_indices: list[int]) -> Program:
     """Return the words of `second`, then those of `first`, where the words of `first` with the
-    indices `places` also add the result of `second`.
+    indices `word_indices` also add the result of `second`.
 
     An empty `second` gives the input itself."""
     # Registers get different prefixes, so that the two programs do not share any but the input x.
@@ -392,7 +392,7 @@ def _woven(first: Program, second: Program, places: list[int]) -> Program:
     second = renamed(second, {"x": "x"}, prefix="b")
     result = second[-1].destinations[0] if second else "x"
     words = [
-        BusWord(word.destinations, (*word.sources, result)) if number in places else word
+        BusWord(word.destinations, (*word.sources, result)) if number in word_indices else word
         for number, word in enumerate(first)
     ]
     return (*second, *words)

@@ -20,7 +20,7 @@ from nscc.program.advice import (
     shutters_in_the_dark,
 )
 from nscc.program.classes import Recognised, recognise
-from nscc.program.field_planes import Plane, first_place, pixel_text
+from nscc.program.field_planes import Plane, first_pixel, pixel_text
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.names import Declarations
 from nscc.program.pixel_codes import codes_in_use, rows_of
@@ -224,7 +224,7 @@ class Completion:
         if legal.all():
             return
         breaking = ~legal[at_pixel]
-        y, x = first_place(breaking)
+        y, x = first_pixel(breaking)
         count = int(breaking.sum())
         code = in_use[at_pixel[y, x]]
         statements: list[tree.Node] = list(self.declared.pixels.values())

@@ -218,11 +218,11 @@ def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
 class Gap(NamedTuple):
     """Places where an expression has no value.
 
-    `fault` and `place` (array indices) are those of the first place, row by row; `number` counts
-    the places."""
+    `fault` and `first_index` (array indices) are those of the first place, row by row; `number`
+    counts the places."""
 
     fault: Fault
-    place: tuple[int, ...]
+    first_index: tuple[int, ...]
     number: int
 
 
@@ -243,18 +243,18 @@ def values_of(
     if value.faults is None:
         return data, None
     faults = value.faults if isinstance(value.faults, np.ndarray) else True
-    places = np.broadcast_to(faults, shape) & needed
-    if not places.any():
+    at_fault = np.broadcast_to(faults, shape) & needed
+    if not at_fault.any():
         return data, None
-    place = tuple(int(k) for k in np.unravel_index(int(places.argmax()), shape))
-    # Evaluated once more at this place, for a message with its values.
-    at_place = {
-        name: Value(int(np.broadcast_to(binding.data, shape)[place]))
+    index = tuple(int(k) for k in np.unravel_index(int(at_fault.argmax()), shape))
+    # Evaluated once more at this index, for a message with its values.
+    at_index = {
+        name: Value(int(np.broadcast_to(binding.data, shape)[index]))
         for name, binding in bindings.items()
     }
-    fault = evaluate(expr, at_place, books).faults
+    fault = evaluate(expr, at_index, books).faults
     assert isinstance(fault, Fault)
-    return data, Gap(fault, place, int(places.sum()))
+    return data, Gap(fault, index, int(at_fault.sum()))
 
 
 def _value(

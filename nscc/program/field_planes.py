@@ -126,7 +126,7 @@ class PlaneMaker:
         }
         values, gap = values_of(checked, bindings, books={}, shape=(rows, cols))
         if gap is not None:
-            y, x = gap.place
+            y, x = gap.first_index
             notes = (f"at {pixel_text(x, y)}, and at {counted(gap.number, 'pixel')} in all",)
             data = {"x": x, "y": y, "pixels": gap.number}
             gap.fault.report(self.problems, notes=notes, data=data)
@@ -243,7 +243,7 @@ class PlaneMaker:
             # The value is in the lowest chunk; the higher chunks of a wide field are 0.
             planes.update((name, np.zeros_like(plane)) for name in higher_names)
             return
-        y, x = first_place(outside)
+        y, x = first_pixel(outside)
         count = int(outside.sum())
         value = "a number beyond 2^63" if beyond is not None and beyond[y, x] else plane[y, x]
         range_text = f"{field.low}..{min(field.high, LIMIT)}"
@@ -375,10 +375,10 @@ def as_plane(stored: Array) -> tuple[Plane, Bools]:
         return stored.astype(np.int64), beyond
 
 
-def first_place(places: Bools) -> tuple[int, int]:
+def first_pixel(marked: Bools) -> tuple[int, int]:
     """Return (y, x), row and column, of the first true element of an array (rows, cols), row by
     row. At least one element must be true."""
-    y, x = np.unravel_index(int(places.argmax()), places.shape)
+    y, x = np.unravel_index(int(marked.argmax()), marked.shape)
     return int(y), int(x)
 
 

@@ -12,8 +12,9 @@ from nscc.program.field_planes import PlaneMaker
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.syntax import tree
+from nscc.truth import packed_bits
 from nscc.words.picture_launches import HostParam, Times
-from nscc.words.pictures import InputPlane, packed_bits
+from nscc.words.pictures import InputPlane
 
 _OF_A_PLACE = frozenset({"x", "y"})
 

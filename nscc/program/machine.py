@@ -183,9 +183,9 @@ class MachineBuilder:
         data, gap = values_of(expr, bindings, self.rules.books, shape, needed)
         if gap is None:
             return data
-        row, slot = gap.place
-        place = self._node_text(nodes[row], begin + slot)
-        raise NoValue([MissingValue(gap.fault, place, gap.number)])
+        row, slot = gap.first_index
+        first_case = self._node_text(nodes[row], begin + slot)
+        raise NoValue([MissingValue(gap.fault, first_case, gap.number)])
 
     def _node_text(self, node: Nodes, boundary: int) -> str:
         """Describe a node (state of the machine, a row of `Nodes`) at a boundary for a message: its

@@ -15,7 +15,7 @@ from nscc.program.arrays_file import ArraysFile
 from nscc.program.field_planes import (
     Plane,
     Stored,
-    first_place,
+    first_pixel,
     pixel_text,
     planes_of,
     stored_planes,
@@ -134,7 +134,7 @@ def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
-        y, x = first_place(outside)
+        y, x = first_pixel(outside)
         count = int(outside.sum())
         raise rejected(
             "NS0311",
@@ -157,7 +157,7 @@ def _unknown(
     `missing`, bool (rows, cols), marks these pixels. `planes` has the values (rows, cols) of each
     field of the table, and `origin` says where they come from. With `mode` "open" the table has all
     legal codes, so that others are forbidden."""
-    y, x = first_place(missing)
+    y, x = first_pixel(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
     if mode == "open":

@@ -44,19 +44,19 @@ class TooMuch(Exception):
 class MissingValue:
     """An expression that has no value for some codes and slots.
 
-    `fault` is the reason, `place` describes the first code and slot in words, such as "for stop =
-    3, in slot 0", and `count` is the number of cases."""
+    `fault` is the reason, `first_case` names the first code and slot, such as "for stop = 3, in
+    slot 0", and `count` is the number of cases."""
 
     fault: Fault
-    place: str
+    first_case: str
     count: int
 
     @property
     def text(self) -> str:
         """The first code and slot without a value, in words, and how many cases there are."""
         if self.count == 1:
-            return self.place
-        return f"first {self.place}; {self.count} times in all"
+            return self.first_case
+        return f"first {self.first_case}; {self.count} times in all"
 
 
 class NoValue(Exception):
@@ -104,8 +104,8 @@ def allowed(rules: Rules, codes: CodeArray) -> Bools:
             bindings = _bindings(rules, codes[block_rows])
             values, gap = values_of(condition, bindings, rules.books, (len(block_rows), 1))
             if gap is not None:
-                place = f"for {code_text(rules, codes[block_rows[gap.place[0]]])}"
-                raise NoValue([MissingValue(gap.fault, place, gap.number)])
+                first_case = f"for {code_text(rules, codes[block_rows[gap.first_index[0]]])}"
+                raise NoValue([MissingValue(gap.fault, first_case, gap.number)])
             satisfied[block_rows] = values[:, 0]
     return satisfied
 
@@ -186,7 +186,7 @@ def _decoded(rules: Rules, rule: Checked, codes: CodeArray) -> tuple[Bools, Miss
     opens, gap = values_of(rule, bindings, rules.books, shape)
     if gap is None:
         return opens, None
-    code, slot = gap.place
+    code, slot = gap.first_index
     of_code = f"for {code_text(rules, codes[code])}, " if rules.fields else ""
     return opens, MissingValue(gap.fault, f"{of_code}in slot {slot}", gap.number)
 

@@ -241,8 +241,8 @@ class Forms:
     _kept: dict[tuple[str, int, int], int] = field(default_factory=dict)
     _propagated: dict[tuple[int, int, tuple[int, int]], int] = field(default_factory=dict)
 
-    def places(self) -> list[tuple[int, int]]:
-        """Return the places (x, y) of all pixels, row by row."""
+    def pixels(self) -> list[tuple[int, int]]:
+        """Return the positions (x, y) of all pixels, row by row."""
         return [(x, y) for y in range(self.rows) for x in range(self.cols)]
 
     def inside(self, x: int, y: int) -> bool:

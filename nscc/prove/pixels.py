@@ -159,8 +159,8 @@ class ReplayPixels:
         1, known 0), from `encoding` bool (lanes, digital registers). A lane is a simulated pixel.
         """
         registers, names = self.target.digital_registers, self.container.code_registers
-        places = [registers.index(name) for name in names]
-        return dict(zip(names, self.known(encoding[:, places]), strict=True))
+        columns = [registers.index(name) for name in names]
+        return dict(zip(names, self.known(encoding[:, columns]), strict=True))
 
     # Frames.
 

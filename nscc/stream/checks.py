@@ -19,8 +19,8 @@ def check_route(sending: Sending) -> None:
     Tap b belongs to bucket b. If no bucket is open, the light must go to the drain or to a tap
     without a bucket. Raises Inconsistent, which is a fault of nscc."""
     route, shutters = sending.route, sending.program.table.shutters
-    place = np.where(route.bits, route.ones, route.zeros)[:, None]
-    collected = place == np.arange(shutters.shape[1])[:, None]
+    destinations = np.where(route.bits, route.ones, route.zeros)[:, None]
+    collected = destinations == np.arange(shutters.shape[1])[:, None]
     require(np.array_equal(collected, shutters), "light goes to the tap of another bucket")
 
 

@@ -94,19 +94,19 @@ def _chosen(
     slots = open_in.shape[1]
     ones, zeros = np.zeros(slots, np.int8), np.zeros(slots, np.int8)
     for slot in range(slots):
-        places = np.unique(open_in[:, slot]).tolist()
-        if len(places) > 2:
-            names = [f"`{buckets[p]}`" if p != _NOWHERE else "no bucket" for p in places]
+        destinations = np.unique(open_in[:, slot]).tolist()
+        if len(destinations) > 2:
+            names = [f"`{buckets[p]}`" if p != _NOWHERE else "no bucket" for p in destinations]
             listed = f"{', '.join(names[:-1])} and {names[-1]}"
             return NoRoute(
-                f"in slot {slot} light has {len(places)} destinations ({listed}), but a bit "
+                f"in slot {slot} light has {len(destinations)} destinations ({listed}), but a bit "
                 "chooses between two",
                 "use at most two destinations in every slot: two buckets, or one bucket and "
                 "the drain",
                 slot,
                 len(buckets) - 1,
             )
-        if away is None and _NOWHERE in places:
+        if away is None and _NOWHERE in destinations:
             return NoRoute(
                 f"in slot {slot} a pixel is open in no bucket, but {target.name} has no "
                 "drain: light always goes to a tap",
@@ -115,9 +115,9 @@ def _chosen(
                 slot,
                 len(buckets) - 1,
             )
-        named = [place for place in places if place != _NOWHERE]
+        named = [destination for destination in destinations if destination != _NOWHERE]
         ones[slot] = named[0] if named else 0
-        other_buckets = [place for place in range(len(buckets)) if place != ones[slot]]
+        other_buckets = [bucket for bucket in range(len(buckets)) if bucket != ones[slot]]
         # If all light of a slot goes to one tap, no bit is 0, so any other destination will do.
         zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other_buckets[0]
     return Route(ones, zeros, open_in == ones)

@@ -24,9 +24,9 @@ def prove_planes(container: Container) -> Proof:
         count = pixels.size
         at_pixel = table.shutter_of_code[pixels]
         for slot in range(container.slots):
-            place = sent.place(slot, target.cols)
+            destinations = sent.destinations(slot, target.cols)
             for bucket, name in enumerate(container.buckets):
-                misrouted = (place == bucket) != table.shutters[:, bucket, slot][at_pixel]
+                misrouted = (destinations == bucket) != table.shutters[:, bucket, slot][at_pixel]
                 if misrouted.any():
                     y, x = np.argwhere(misrouted)[0].tolist()
                     message = (

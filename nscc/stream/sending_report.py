@@ -27,18 +27,16 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
-    places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
+    destinations = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
     # Destinations of light that no bucket collects.
-    closed_places = sorted(
-        {int(place) for place in sending.route.zeros} - {*range(len(program.buckets))}
-    )
-    for place in closed_places:
-        tap = "the drain" if place == DRAIN else f"{target.taps[place]}, which is not read"
-        places.append(f"the rest to {tap}")
+    unread = sorted({int(n) for n in sending.route.zeros} - {*range(len(program.buckets))})
+    for number in unread:
+        tap = "the drain" if number == DRAIN else f"{target.taps[number]}, which is not read"
+        destinations.append(f"the rest to {tap}")
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
     pixels_note = "" if proof.pixels else ", no pixels yet"
     return [
-        ("light", "; ".join(places)),
+        ("light", "; ".join(destinations)),
         (
             "planes",
             f"{slots} of {target.rows} x {target.cols} bits, {rate_text(sending.bits_per_us)} "

@@ -66,7 +66,7 @@ def lex(source: Source) -> Tokens:
     levels of senses, and words that are names in older versions."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
-    level = re.compile(parser().get_terminal("LEVEL").pattern.value)
+    level_pattern = re.compile(parser().get_terminal("LEVEL").pattern.value)
     lexer = parser().parse_interactive(source.text, start=START).lexer_thread
     tokens = Tokens(source, [], [])
     end = 0
@@ -86,10 +86,12 @@ def lex(source: Source) -> Tokens:
         elif words.get(token.type) in names_in(tokens.version):
             token = token.update(type="NAME")
         elif statement in _PICTURES and (
-            picture_token := _of_picture(tokens, token, statement, level)
+            picture_token := _of_picture(tokens, token, statement, level_pattern)
         ):
             token, end = picture_token, span_of(picture_token).end
-        elif _awaits_level(tokens, statement) and (amount := level.match(source.text, start)):
+        elif _awaits_level(tokens, statement) and (
+            amount := level_pattern.match(source.text, start)
+        ):
             end = amount.end()
             token = Token("LEVEL", amount.group(), start, end_pos=end)
         tokens.lark_tokens.append(token)
@@ -111,17 +113,17 @@ _ADDED = re.compile(r"[ \t]*([-+,\n#]|$|(when|if|else|and|or|xor)\b)")
 
 
 def _of_picture(
-    tokens: Tokens, token: Token, statement: str, level: re.Pattern[str]
+    tokens: Tokens, token: Token, statement: str, level_pattern: re.Pattern[str]
 ) -> Token | None:
     """Return `token` as statements of versions 3 and 4 read it; None if its kind does not change.
 
-    `statement` is the first word of its statement, and `level` matches a level such as `6%`.
-    `tokens` are those before it."""
+    `statement` is the first word of its statement, and `level_pattern` matches a level such as
+    `6%`. `tokens` are those before it."""
     start, text = span_of(token).start, tokens.source.text
     # Before version 3, `next` reads no images and planes.
     if statement in ("next", "report") and tokens.version < 3:
         return None
-    if (amount := level.match(text, start)) and (
+    if (amount := level_pattern.match(text, start)) and (
         statement != "next" or not amount.group().endswith("%") or _is_share(tokens, amount)
     ):
         return Token("AMOUNT", amount.group(), start, end_pos=amount.end())

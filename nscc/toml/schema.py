@@ -195,10 +195,10 @@ class Schema(Generic[Row]):
             else:
                 problems.append(self._add_value(key_values, "", name, value, source))
         for key in self.keys:
-            place = values.get(key.section, {}) if key.section else values
+            table = values.get(key.section, {}) if key.section else values
             # Files written before a `later` key existed lack it.
             needed = key.required or (complete and key.default != () and not key.later)
-            if needed and isinstance(place, Mapping) and key.name not in place:
+            if needed and isinstance(table, Mapping) and key.name not in table:
                 message = f"the key {key.path} is missing: {key.meaning}"
                 missing = self.codes.missing, message, key.section, key.name, source, self.start
                 problems.append(self.problem(*missing))
@@ -237,8 +237,8 @@ class Schema(Generic[Row]):
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
                 continue
-            place = tables.setdefault(key.section, {}) if key.section else tables
-            place[key.name] = key.kind.plain(values[key.path])
+            table = tables.setdefault(key.section, {}) if key.section else tables
+            table[key.name] = key.kind.plain(values[key.path])
         return tables
 
     def _add_value(

@@ -12,10 +12,11 @@ from nscc.arrays import Array, Bools, Bytes, Floats, Ints, Ints32
 from nscc.chips.target import Target
 from nscc.operations import Op, Word, op
 from nscc.record import Record
+from nscc.truth import unpacked_bits
 from nscc.words.encoding import encode
 from nscc.words.machine import NO_LOOKS, StateMachine, StatePlanes
 from nscc.words.picture_launches import SteeredLaunch
-from nscc.words.pictures import NO_PICTURES, Pictures, unpacked_bits
+from nscc.words.pictures import NO_PICTURES, Pictures
 
 if TYPE_CHECKING:
     from nscc.words.stream import Stream

@@ -31,9 +31,9 @@ class CountRange(Record):
 
         With `or_equal`, a count equal to `level` belongs to the upper counts. Return None if all
         counts are on the same side, as always with one value."""
-        places = (level - self.low) / self.stride if self.stride else Fraction(0)
-        below = floor(places)
-        if or_equal and places == below:
+        strides = (level - self.low) / self.stride if self.stride else Fraction(0)
+        below = floor(strides)
+        if or_equal and strides == below:
             below -= 1
         split = self.low + (below + Fraction(1, 2)) * self.stride
         return split if self.low < split < self.high else None

@@ -48,10 +48,10 @@ class SlotDraft(Record):
     """A `.slot` line: the kernels (lists of words) that run, in order, at each of the boundaries
     `instants`.
 
-    `place` is the token with these boundaries."""
+    `range_token` is the token with these boundaries."""
 
     instants: tuple[range, ...]
-    place: Token
+    range_token: Token
     kernels: tuple[Token, ...]
 
 
@@ -259,13 +259,13 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
     `tokens` are the ranges, such as `0..15,31`, then the names of kernels in order. An invalid
     range is reported, and the line left out."""
-    place, *kernels = tokens
-    instants = read_ranges(place.text, MOST_SLOTS)
+    range_token, *kernels = tokens
+    instants = read_ranges(range_token.text, MOST_SLOTS)
     if instants is None:
-        message = f"{shown(place.text)} is not a valid range of slots"
-        faults.add("NS0714", message, place.span, helps=(f"write {_SLOT}",))
+        message = f"{shown(range_token.text)} is not a valid range of slots"
+        faults.add("NS0714", message, range_token.span, helps=(f"write {_SLOT}",))
     else:
-        draft.slots.append(SlotDraft(tuple(instants), place, tuple(kernels)))
+        draft.slots.append(SlotDraft(tuple(instants), range_token, tuple(kernels)))
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:

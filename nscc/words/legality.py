@@ -241,11 +241,11 @@ def pair_kind(first: Op, second: Op) -> str | None:
     return kind if half == "read" and second.name == f"{kind}.write" else None
 
 
-def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
+def split_pairs(kernel_name: str, ops: Sequence[Op]) -> list[Diagnostic]:
     """Return an error (NS0703) for each word that is half of a pair without the other half beside
     it; [] if there is none.
 
-    `ops` are the operations of the kernel (list of words) that messages call `kernel`."""
+    `ops` are the operations of the kernel (list of words) that messages call `kernel_name`."""
     diagnostics = []
     for index, operation in enumerate(ops):
         before, phase = ops[index - 1] if index else None, operation.operation.phase
@@ -260,14 +260,14 @@ def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
             diagnostics.append(
                 Diagnostic(
                     "NS0703",
-                    f"word {index} of kernel '{kernel}' is one half of a pair, and the other half "
-                    f"is missing: `{operation}` {position}",
+                    f"word {index} of kernel '{kernel_name}' is one half of a pair, and the other "
+                    f"half is missing: `{operation}` {position}",
                     notes=(
                         "the first word of a pair leaves its result on the pixel's bus, and any "
                         "word between the halves loses it",
                     ),
                     helps=(f"keep `{kind}.read` and `{kind}.write` together in one kernel",),
-                    data={"kernel": kernel, "word": index},
+                    data={"kernel": kernel_name, "word": index},
                 )
             )
     return diagnostics

@@ -223,11 +223,10 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
     for line in draft.slots:
         sequence = [_find(name, kernels, "kernel", faults) for name in line.kernels]
         if slots and any(instant_range[-1] > slots for instant_range in line.instants):
-            message = (
-                f"{shown(line.place.text)} extends beyond instant {slots}, the end of the frame"
-            )
+            text = shown(line.range_token.text)
+            message = f"{text} extends beyond instant {slots}, the end of the frame"
             helps = (f".wait gives {slots} slots, so kernels run at instants 0 to {slots}",)
-            faults.add("NS0714", message, line.place.span, helps=helps)
+            faults.add("NS0714", message, line.range_token.span, helps=helps)
             continue
         for instant_range in line.instants:
             for instant in instant_range:

@@ -12,9 +12,6 @@ from functools import cached_property
 from types import MappingProxyType
 from typing import Annotated, Any, Literal
 
-import numpy as np
-
-from nscc.arrays import Bools
 from nscc.codec import HEX, LATER, KeyName, Within
 from nscc.operations import Word
 from nscc.record import Record
@@ -588,19 +585,3 @@ def subexpressions(node: Node) -> Iterator[Node]:
     yield node
     for operand in operands(node):
         yield from subexpressions(operand)
-
-
-def packed_bits(bits: Bools) -> int:
-    """Return bits, bool (rows, cols), as one number, whose lowest bit is the first pixel of the
-    first row; the next is the second pixel of that row."""
-    return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
-
-
-def unpacked_bits(number: int, shape: tuple[int, int]) -> Bools:
-    """Return the bits of a number that `packed_bits` made, bool of `shape` (rows, cols).
-
-    -1 is a 1 in every pixel; bits beyond the last pixel are ignored."""
-    pixels = shape[0] * shape[1]
-    data = (number & (1 << pixels) - 1).to_bytes(-(-pixels // 8), "little")
-    flat = np.unpackbits(np.frombuffer(data, np.uint8), count=pixels, bitorder="little")
-    return flat.astype(np.bool_).reshape(shape)

@@ -13,9 +13,9 @@ import numpy as np
 from nscc.arrays import Bools
 from nscc.chips.target import Target
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
+from nscc.truth import unpacked_bits
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
-from nscc.words.pictures import unpacked_bits
 
 _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 

@@ -53,18 +53,18 @@ class StoredMachine:
     planes: tuple[StoredPlanes, ...]
     levels: Annotated[tuple[int | None, ...] | None, LATER] = None
 
-    def layout(self, buckets: int, slots: int) -> list[StoredArray]:
+    def layout(self, bucket_count: int, slots: int) -> list[StoredArray]:
         """Return the names, types and shapes of the machine's arrays, in file order.
 
-        `buckets` and `slots` are the program's numbers of these. Raises ValueError if there are no
-        stages."""
+        `bucket_count` and `slots` are the program's numbers of these. Raises ValueError if there
+        are no stages."""
         if not self.first:
             raise ValueError("its machine has no nodes")
         sizes = {
             "nodes": self.first[-1],
             "states": len(self.states),
             "outcomes": self.outcomes,
-            "buckets": buckets,
+            "buckets": bucket_count,
             "slots": slots,
         }
         return layout_of(StateMachine, sizes)

@@ -45,7 +45,7 @@ class Stream(Record, eq=False):
         unpacked = np.unpackbits(self.planes[slot], axis=1, count=cols, bitorder="little")
         return unpacked.view(np.bool_)
 
-    def place(self, slot: int, cols: int) -> NDArray[np.int8]:
+    def destinations(self, slot: int, cols: int) -> NDArray[np.int8]:
         """Return the destination of each pixel's light in a slot, int8 (rows, cols): the index of a
         tap, or DRAIN.
 
@@ -80,11 +80,11 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
         start += length
 
 
-def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
+def faults(stream: Stream, target: Target, slots: int, bucket_count: int) -> Iterator[str]:
     """Yield the errors of the bit planes, each as the end of a sentence about the container (a
     compiled program); nothing if they are sound.
 
-    `slots` and `buckets` are the numbers that the program has. If shapes or types are wrong,
+    `slots` and `bucket_count` are the numbers that the program has. If shapes or types are wrong,
     nothing else is checked."""
     sizes = {"slots": slots, "rows": target.rows, "row_bytes": -(-target.cols // 8)}
     if wrong := list(array_faults(stream, sizes)):
@@ -94,10 +94,10 @@ def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator
     # A row is padded to whole bytes; the padding must be 0.
     if behind and np.any(stream.planes[:, :, -1] >> behind):
         yield "a plane has bits after the last column"
-    places = np.concatenate([stream.ones, stream.zeros])
-    if not all(DRAIN <= place < len(target.taps) for place in places.tolist()):
+    taps = np.concatenate([stream.ones, stream.zeros])
+    if not all(DRAIN <= tap < len(target.taps) for tap in taps.tolist()):
         yield f"light is sent to a tap outside the {len(target.taps)} taps of {target.name}"
-    if not target.drain and np.any(places == DRAIN):
+    if not target.drain and np.any(taps == DRAIN):
         yield f"light is sent to a drain, but {target.name} has no drain"
-    if buckets > len(target.taps):
-        yield f"it has {buckets} buckets, but {target.name} has {len(target.taps)} taps"
+    if bucket_count > len(target.taps):
+        yield f"it has {bucket_count} buckets, but {target.name} has {len(target.taps)} taps"

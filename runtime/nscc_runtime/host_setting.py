@@ -14,9 +14,10 @@ from nscc.chips.target import Target
 from nscc.diagnostics.arguments import shown
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.record import Record
+from nscc.truth import unpacked_bits
 from nscc.words.container import Container
 from nscc.words.picture_launches import HostParam
-from nscc.words.pictures import InputPlane, unpacked_bits
+from nscc.words.pictures import InputPlane
 
 _UNITS = ("%", "lsb", "e")
 

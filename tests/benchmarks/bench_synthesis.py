@@ -73,7 +73,7 @@ def chosen_of(grid: Grid, levels: list[int], parts: list[str]) -> Grid:
         replace(point, name=f"{point.name}_O{level}", values={**point.values, "level": level})
         for point in grid.points
         for level in levels
-        if not parts or point.part in parts
+        if not parts or point.grid_part in parts
     ]
     return replace(grid, points=tuple(points), columns=(*grid.columns, "level"))
 

@@ -101,16 +101,16 @@ def words_of(solution: Solution, problem: Problem, target: Target, seed: int = 0
     """Runs two frames of a solution; returns the words of one, with the refresh of planes that no
     word writes. Fails where a demand is not answered or a plane not restored."""
     allocation = allocate(solution, target)
-    places = allocation.places
+    chip_registers = allocation.chip_registers
     used = len(solution.planes) + solution.states + solution.scratch
-    assert len(set(places.values())) == len(places) == used
+    assert len(set(chip_registers.values())) == len(chip_registers) == used
     pixels = Chip(target, problem.shutters, seed)
     held = pixels.held
     for i, plane in enumerate(solution.planes):
         row = rows_of(plane, problem.shutters)
-        held[places[f"p{i}"]] = np.broadcast_to(row, pixels.shape).copy()
+        held[chip_registers[f"p{i}"]] = np.broadcast_to(row, pixels.shape).copy()
     code = {place: held[place].copy() for place in allocation.code_registers}
-    scratch = [place for name, place in places.items() if name[0] == "t"]
+    scratch = [place for name, place in chip_registers.items() if name[0] == "t"]
     demands = problem.demands
     for _ in range(2):
         count = 0
@@ -133,7 +133,7 @@ def words_of(solution: Solution, problem: Problem, target: Target, seed: int = 0
         count += run(solution.closing)
         assert all((held[place] == was).all() for place, was in code.items())
         held.update({place: pixels.noise() for place in scratch})
-        held.update({places[f"s{i}"]: pixels.noise() for i in range(solution.states)})
+        held.update({chip_registers[f"s{i}"]: pixels.noise() for i in range(solution.states)})
     written = {gate.destination for segment in solution.segments() for gate in segment}
     return count + 2 * sum(f"p{i}" not in written for i in range(len(solution.planes)))
 

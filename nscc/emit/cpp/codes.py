@@ -23,6 +23,7 @@ from nscc.chips.target import Target
 from nscc.emit.cpp.cpp_text import Call, comment, literal, section, template_lines
 from nscc.emit.cpp.kernels import calls_words
 from nscc.lower.exposure_plan import RETENTION_SHARE
+from nscc.truth import packed_bits
 
 ADDRESS_BITS = 8
 """Number of address bits of a row, and of a column."""
@@ -109,13 +110,7 @@ def _support(on: Bools, off: Bools) -> tuple[int, int, list[_Bit]]:
         else:
             # Nothing depends on this address bit: both halves become one.
             on, off = on_0 | on_1, off_0 | off_1
-    return _table(on), _table(off), bits[::-1]
-
-
-def _table(plane: Bools) -> int:
-    """Return a plane of any shape as an integer: its elements in C order, the first as the lowest
-    bit."""
-    return int.from_bytes(np.packbits(plane.ravel(), bitorder="little").tobytes(), "little")
+    return packed_bits(on), packed_bits(off), bits[::-1]
 
 
 def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:

@@ -32,7 +32,7 @@ class GateOp:
     """An operation destination := OR(sources), or NOR if `inverted`; sources are numbers of
     registers, ascending and distinct. Without sources it writes 0, or 1 if `inverted`.
 
-    `place` is the index of the demand for which the operation runs, or OPENING or CLOSING;
+    `demand_index` is that of the demand for which the operation runs, or OPENING or CLOSING;
     `segment` is the index of its segment there. `reads` is the bit mask of its sources. A segment
     is a group of gates that run together. A demand is a set of shutters that FLAG must select at a
     boundary."""
@@ -40,22 +40,22 @@ class GateOp:
     inverted: bool
     destination: int
     sources: tuple[int, ...]
-    place: int
+    demand_index: int
     segment: int
     reads: int
 
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point of `place` (the index of a demand, OPENING or CLOSING) at which FLAG must equal the
-    truth vector `need` (None: anything).
+    """A point at which FLAG must equal the truth vector `need` (None: anything). `demand_index` is
+    as in `GateOp`.
 
     `forgets` is the bit mask of registers whose contents are unknown afterwards. A truth vector is
     an integer with one bit for each shutter. FLAG is the bit that lets a pixel act."""
 
     need: int | None
     forgets: int
-    place: int
+    demand_index: int
 
 
 Item = GateOp | Check
@@ -108,24 +108,29 @@ class FrameContext:
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def op(
-        self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
+        self,
+        inverted: bool,
+        destination: int,
+        sources: Iterable[int],
+        demand_index: int,
+        segment: int,
     ) -> GateOp:
         """Return an operation; the sources (numbers of registers) may be in any order and repeat.
 
-        `inverted` is True for a NOR, False for an OR; without sources these are 1 and 0. `place`
-        and `segment` are those of `GateOp`."""
+        `inverted` is True for a NOR, False for an OR; without sources these are 1 and 0.
+        `demand_index` and `segment` are those of `GateOp`."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
-        return GateOp(inverted, destination, sources, place, segment, reads)
+        return GateOp(inverted, destination, sources, demand_index, segment, reads)
 
-    def value(self, item: GateOp, state: Sequence[Content]) -> Content:
+    def value(self, item: GateOp, contents: Sequence[Content]) -> Content:
         """Return the content of the destination after an operation; None if a source is unknown.
 
-        `state` holds the content of each register before it. The masked register is treated like
+        `contents` holds the content of each register before it. The masked register is treated like
         any other, because its mask is set in all shutters."""
         disjunction = 0
         for source in item.sources:
-            content = state[source]
+            content = contents[source]
             if content is None:
                 return None
             disjunction |= content
@@ -149,14 +154,14 @@ class FrameContext:
         alone = item.sources == (item.destination,)
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
-    def apply(self, item: Item, state: list[Content]) -> None:
-        """Update the contents in `state`, in place, by an operation or a check. A check makes
+    def apply(self, item: Item, contents: list[Content]) -> None:
+        """Update the contents in `contents`, in place, by an operation or a check. A check makes
         registers unknown; whether its demand is met is not looked at."""
         if isinstance(item, Check):
             for register in set_bits(item.forgets):
-                state[register] = None
+                contents[register] = None
             return
-        state[item.destination] = self.value(item, state)
+        contents[item.destination] = self.value(item, contents)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
         """Return, for each plane (the content of a code register) by its number, how often the
@@ -199,11 +204,11 @@ def flatten(
     number = {name: i for i, name in enumerate(frame.names())}
     items: list[Item] = []
 
-    def add(segments: Sequence[Segment], place: int) -> None:
+    def add(segments: Sequence[Segment], demand_index: int) -> None:
         """Append the gates of segments (groups of gates that run together) to `items` as operations
         on numbered registers.
 
-        `place` is the number of the demand (a set of shutters that FLAG must select at a boundary)
+        `demand_index` is that of the demand (a set of shutters that FLAG must select at a boundary)
         that they belong to, OPENING or CLOSING. A write of the masked register is preceded by an
         item that makes its mask, the first scratch register, unknown."""
         for index, segment in enumerate(segments):
@@ -213,8 +218,8 @@ def flatten(
                 sources = [number[name] for name in gate.sources]
                 target = number[gate.destination]
                 if target == masked:
-                    items.append(Check(None, 1 << frame.first_scratch, place))
-                items.append(frame.op(inverted, target, sources, place, index))
+                    items.append(Check(None, 1 << frame.first_scratch, demand_index))
+                items.append(frame.op(inverted, target, sources, demand_index, index))
 
     add(solution.opening, OPENING)
     items.append(Check(None, _forgotten(frame, 0), OPENING))
@@ -268,14 +273,14 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
     segments_at: dict[int, list[list[Gate]]] = {
-        place: [[] for _ in run] for place, run in runs.items()
+        demand_index: [[] for _ in run] for demand_index, run in runs.items()
     }
     names = frame.names()
     used = 0
     for item in items:
         if isinstance(item, Check):
             continue
-        segments = segments_at[item.place]
+        segments = segments_at[item.demand_index]
         # A moved operation stays after the operations that precede it.
         last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
@@ -294,8 +299,8 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
         used |= item.reads | 1 << item.destination
     spare = used >> frame.first_scratch & ((1 << frame.scratch) - 1)
     written_segments = {
-        place: tuple(tuple(segment) for segment in segments if segment)
-        for place, segments in segments_at.items()
+        demand_index: tuple(tuple(segment) for segment in segments if segment)
+        for demand_index, segments in segments_at.items()
     }
     return replace(
         solution,
@@ -314,19 +319,19 @@ def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Cont
     demand that FLAG does not meet, and for code planes that are not as at the start when the frame
     ends. A demand is a set of shutters that FLAG must select at a boundary. FLAG is the bit that
     lets a pixel act."""
-    state = list(frame.start)
+    contents = list(frame.start)
     states = []
     for item in items:
-        states.append(tuple(state))
+        states.append(tuple(contents))
         if isinstance(item, Check):
-            if item.need is not None and state[frame.flag] != item.need:
+            if item.need is not None and contents[frame.flag] != item.need:
                 raise Illegal("FLAG is not what the demand asks for")
         elif not frame.legal(item):
             raise Illegal("the machine has no such word")
-        frame.apply(item, state)
-        if isinstance(item, GateOp) and state[item.destination] is None:
+        frame.apply(item, contents)
+        if isinstance(item, GateOp) and contents[item.destination] is None:
             raise Illegal("an operation reads what nobody knows")
-    states.append(tuple(state))
-    if state[: frame.planes] != list(frame.start[: frame.planes]):
+    states.append(tuple(contents))
+    if contents[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
     return states

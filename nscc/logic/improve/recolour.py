@@ -98,7 +98,7 @@ class _Painter:
         `written` is the index of the value that each item writes, -1 for checks."""
         self.frame, self.items = frame, items
         self.values, self.written = values, written
-        self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
+        self.register_of = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # The value in each register; initial values without a reader do not count.
         self.holds: list[int] = list(range(frame.flag))
         # Where the value is written that a register must hold at the end.
@@ -119,7 +119,7 @@ class _Painter:
                 continue
             number = self.written[k]
             value = self.values[number]
-            sources = [self.place[source] for source in value.sources]
+            sources = [self.register_of[source] for source in value.sources]
             if item.destination == self.frame.flag:
                 target = self.frame.flag
             else:
@@ -128,10 +128,12 @@ class _Painter:
                     return None
                 target = chosen
                 self.holds[target] = number
-            self.place[number] = target
+            self.register_of[number] = target
             # A copy of a register to itself is no operation.
             if not _copies(item) or sources != [target]:
-                out.append(self.frame.op(item.inverted, target, sources, item.place, item.segment))
+                out.append(
+                    self.frame.op(item.inverted, target, sources, item.demand_index, item.segment)
+                )
         return self._bring_home(out)
 
     def _choose(self, k: int, item: GateOp, value: _Value, sources: Sequence[int]) -> int | None:
@@ -185,7 +187,7 @@ class _Painter:
         frame = self.frame
         # Register that holds each plane now, by the plane's home register.
         current_place = {
-            value.home: self.place[number]
+            value.home: self.register_of[number]
             for number, value in enumerate(self.values)
             if value.home >= 0
         }
@@ -195,7 +197,11 @@ class _Painter:
         import networkx as nx  # slow to import, and most builds do not need it
 
         segment = max(
-            (item.segment for item in out if isinstance(item, GateOp) and item.place == CLOSING),
+            (
+                item.segment
+                for item in out
+                if isinstance(item, GateOp) and item.demand_index == CLOSING
+            ),
             default=0,
         )
 

@@ -85,7 +85,7 @@ def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tupl
 def gate(
     ones: int,
     zeros: int,
-    state: Sequence[Content],
+    contents: Sequence[Content],
     readable: Sequence[int],
     limit: int | None,
     *,
@@ -97,14 +97,14 @@ def gate(
 
     `inverted` in the result is True for a NOR; the argument lists the kinds that are allowed, and
     of two with equally many sources the first is taken. `ones` and `zeros` are truth vectors
-    (integers with one bit for each shutter). `state` holds the content of every register by number;
+    (integers with one bit for each shutter). `contents` are those of every register by number;
     unknown ones (None) are not read. At most `limit` sources are read (None: any number). With
     `fewest` 1 at least one source is read, as WHERE requires; 1 is the largest value that is
     allowed."""
     best: tuple[bool, tuple[int, ...]] | None = None
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)
-        allowed = _avoiding(avoid, state, readable)
+        allowed = _avoiding(avoid, contents, readable)
         chosen = cover(target, allowed, limit)
         if chosen is None:
             continue
@@ -121,7 +121,7 @@ def gate(
 def inner(
     ones: int,
     zeros: int,
-    state: Sequence[Content],
+    contents: Sequence[Content],
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
 ) -> list[tuple[bool, int, int]]:
@@ -130,25 +130,25 @@ def inner(
 
     Each item is (inverted, ones', zeros'). `inverted` means a NOR, otherwise the gate is an OR. The
     additional source must be 1 on ones' and 0 on zeros'. The gate also reads all `readable`
-    registers that it may read; `state` holds the content of every register by number."""
+    registers that it may read; `contents` holds the content of every register by number."""
     ways = []
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)
-        for _, content in _avoiding(avoid, state, readable):
+        for _, content in _avoiding(avoid, contents, readable):
             target &= ~content
         ways.append((invert, target, avoid))
     return ways
 
 
 def _avoiding(
-    avoid: int, state: Sequence[Content], readable: Sequence[int]
+    avoid: int, contents: Sequence[Content], readable: Sequence[int]
 ) -> list[tuple[int, int]]:
     """Return the `readable` registers, as (register, content), whose known content is 0 in all
-    shutters of `avoid`. `state` holds the contents by register, None if unknown."""
+    shutters of `avoid`. `contents` holds the contents by register, None if unknown."""
     return [
         (register, content)
         for register in readable
-        if (content := state[register]) is not None and not content & avoid
+        if (content := contents[register]) is not None and not content & avoid
     ]
 
 
@@ -197,7 +197,7 @@ class Rewriter:
     for each change.
 
     A rewriting must save `least` words. With `deepen`, the repair may insert gates. `order` lists
-    the registers by preference as sources. `state` holds the contents after the new code so far
+    the registers by preference as sources. `contents` holds the contents after the new code so far
     (`out`), `changed` is the bit mask of registers that differ from the old run, and `gain` the
     words saved so far."""
 
@@ -219,7 +219,7 @@ class Rewriter:
         self.run, self.frame, self.start = run, run.frame, start
         self.least, self.deepen = least, deepen
         self.order = order if order is not None else range(run.frame.flag + 1)
-        self.state: list[Content] = list(run.before[start])
+        self.contents: list[Content] = list(run.before[start])
         self.changed = 0
         self.gain = 0
         self.out: list[Item] = []
@@ -246,10 +246,10 @@ class Rewriter:
                 return None
             item = items[k]
             if isinstance(item, Check):
-                if item.need is not None and self.state[frame.flag] != item.need:
+                if item.need is not None and self.contents[frame.flag] != item.need:
                     return None
                 self.out.append(item)
-                frame.apply(item, self.state)
+                frame.apply(item, self.contents)
                 self.changed &= ~item.forgets
             else:
                 if k not in dropped and not self._follow(k, item):
@@ -270,10 +270,10 @@ class Rewriter:
         `reference` holds the contents at this point of the unchanged run."""
         if register < 0:
             self.changed = 0
-            for i, content in enumerate(self.state):
+            for i, content in enumerate(self.contents):
                 if content != reference[i]:
                     self.changed |= 1 << i
-        elif self.state[register] == reference[register]:
+        elif self.contents[register] == reference[register]:
             self.changed &= ~(1 << register)
         else:
             self.changed |= 1 << register
@@ -281,7 +281,7 @@ class Rewriter:
     def _insert(self, item: GateOp) -> bool:
         """Append the operation `item`, update the contents, and subtract its words from the gain.
         Return False, without a change, if its result is unknown."""
-        value = self.frame.value(item, self.state)
+        value = self.frame.value(item, self.contents)
         if value is None:
             return False
         self._store(item, value)
@@ -292,7 +292,7 @@ class Rewriter:
         """Append an operation to the new run, and store `value`, its result, as the register's
         content."""
         self.out.append(item)
-        self.state[item.destination] = value
+        self.contents[item.destination] = value
 
     def _follow(self, k: int, item: GateOp) -> bool:
         """Keep, drop or repair operation `item`, which has index k in the run, in the current
@@ -305,8 +305,8 @@ class Rewriter:
         # sources.
         required = self.run.before[k + 1][target]
         assert required is not None
-        current = self.state[target]
-        value = self.frame.value(item, self.state) if item.reads & self.changed else required
+        current = self.contents[target]
+        value = self.frame.value(item, self.contents) if item.reads & self.changed else required
         if current == required and self.changed >> target & 1:
             self.gain += self.frame.words(item)
             return True
@@ -337,7 +337,7 @@ class Rewriter:
         banned = -1
         if target == frame.flag and not frame.machine.where_reads_flag:
             banned = frame.flag
-        return [r for r in self.order if self.state[r] is not None and r != banned]
+        return [r for r in self.order if self.contents[r] is not None and r != banned]
 
     def _single(self, item: GateOp, ones: int, zeros: int, *, in_place: bool) -> GateOp | None:
         """Return one gate that replaces `item` and is 1 on `ones` and 0 on `zeros`; None if there
@@ -352,14 +352,14 @@ class Rewriter:
             if in_place:
                 return None
             limit = frame.machine.where_sources
-            chosen = gate(ones, zeros, self.state, readable, limit, inverted=(False,), fewest=1)
+            chosen = gate(ones, zeros, self.contents, readable, limit, inverted=(False,), fewest=1)
         else:
             if not in_place:
                 readable = [r for r in readable if r != target]
-            chosen = gate(ones, zeros, self.state, readable, frame.machine.or_sources)
+            chosen = gate(ones, zeros, self.contents, readable, frame.machine.or_sources)
         if chosen is None:
             return None
-        new = frame.op(chosen[0], target, chosen[1], item.place, item.segment)
+        new = frame.op(chosen[0], target, chosen[1], item.demand_index, item.segment)
         return new if frame.legal(new) else None
 
     def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
@@ -373,22 +373,22 @@ class Rewriter:
         readable = [r for r in self._readable(target) if r != target]
         # A write of the masked register overwrites its mask, so the inner value cannot be there.
         busy = {target, *[frame.first_scratch] * (target == frame.masked)}
-        for _, inner_ones, inner_zeros in inner(ones, zeros, self.state, readable, kinds):
+        for _, inner_ones, inner_zeros in inner(ones, zeros, self.contents, readable, kinds):
             for spare in self.run.free(k + 1, busy):
                 sources = [r for r in self._readable(spare) if r != spare]
                 chosen = gate(
-                    inner_ones, inner_zeros, self.state, sources, frame.machine.or_sources
+                    inner_ones, inner_zeros, self.contents, sources, frame.machine.or_sources
                 )
                 if chosen is None:
                     continue
-                new = frame.op(chosen[0], spare, chosen[1], item.place, item.segment)
-                value = frame.value(new, self.state)
+                new = frame.op(chosen[0], spare, chosen[1], item.demand_index, item.segment)
+                value = frame.value(new, self.contents)
                 # The outer gate is searched as if the inner one had run; nothing is changed if
                 # there is none.
-                previous = self.state[spare]
-                self.state[spare] = value
+                previous = self.contents[spare]
+                self.contents[spare] = value
                 outer = self._single(item, ones, zeros, in_place=False)
-                self.state[spare] = previous
+                self.contents[spare] = previous
                 if outer is not None and frame.legal(new):
                     self._insert(new)
                     self._compare(self.run.before[k], spare)

@@ -85,7 +85,7 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
             return None
         if target == item.destination or run.frame.masked in (target, item.destination):
             return None
-        lead = (run.frame.op(item.inverted, target, item.sources, item.place, item.segment),)
+        lead = (run.frame.op(item.inverted, target, item.sources, item.demand_index, item.segment),)
     elif kind == 6:
         if item.destination == run.frame.masked:
             return None
@@ -105,7 +105,7 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
             return None
         known = [r for r in order if run.before[k][r] is not None]
         sources = known[: choose.randrange(1, 4)]
-        lead = (run.frame.op(True, target, sources, item.place, item.segment),)
+        lead = (run.frame.op(True, target, sources, item.demand_index, item.segment),)
         dropped = _nearby_operations(run, k)
         choose.shuffle(dropped)
         dropped = dropped[: choose.randrange(1, 3)]
@@ -271,20 +271,24 @@ class _Loads:
         self._other_words = other_words
         self.words = self.counted(items)
 
-    def boundary(self, place: int) -> int:
-        """Return the boundary of a place: 0 for OPENING, N for CLOSING, else that of the demand (a
-        set of shutters that FLAG must select at a boundary) with this number. FLAG is the bit that
-        lets a pixel act."""
-        if place == OPENING:
+    def boundary(self, demand_index: int) -> int:
+        """Return the boundary of an operation: 0 for OPENING, N for CLOSING, else that of the
+        demand (a set of shutters that FLAG must select at a boundary) with this index. FLAG is the
+        bit that lets a pixel act."""
+        if demand_index == OPENING:
             return 0
-        return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
+        return (
+            len(self._other_words) - 1
+            if demand_index == CLOSING
+            else self._boundaries[demand_index]
+        )
 
     def counted(self, items: Sequence[Item]) -> list[int]:
         """Return the number of words at each boundary 0..N if the gates are `items`, with the other
         words; `words` does not change."""
         words = list(self._other_words)
         for item in items:
-            words[self.boundary(item.place)] += self._frame.words(item)
+            words[self.boundary(item.demand_index)] += self._frame.words(item)
         return words
 
 
@@ -296,14 +300,16 @@ def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
     `loads` is updated. The first operation that can move is taken; those that write FLAG (the bit
     that lets a pixel act) or the masked register stay."""
     for k, item in enumerate(run.items):
-        if isinstance(item, Check) or loads.boundary(item.place) != boundary:
+        if isinstance(item, Check) or loads.boundary(item.demand_index) != boundary:
             continue
         # FLAG must be loaded where it is needed, and a masked write overwrites its mask.
         if item.destination in (run.frame.flag, run.frame.masked):
             continue
-        for start, place, segment in _earlier(run, k, loads, most):
+        for start, demand_index, segment in _earlier(run, k, loads, most):
             for target in (item.destination, *run.free(start, {item.destination})):
-                moved = replace(item, destination=target, place=place, segment=segment)
+                moved = replace(
+                    item, destination=target, demand_index=demand_index, segment=segment
+                )
                 rewriting = Rewriter(run, start, least=0).rewrite((moved,), (k,))
                 if rewriting is not None and _take(run, loads, rewriting, boundary, most):
                     return True
@@ -317,19 +323,19 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
     `loads` are the words at each boundary, of which none may grow to `most`. Demands at the
     boundary of item k are left out. A segment is a group of gates that run together. A demand is a
     set of shutters that FLAG must select at a boundary."""
-    places = []
-    own_boundary = loads.boundary(run.items[k].place)
+    earlier_points = []
+    own_boundary = loads.boundary(run.items[k].demand_index)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
     for at in islice(checks, REACH):
         item = run.items[at]
-        boundary = loads.boundary(item.place)
+        boundary = loads.boundary(item.demand_index)
         # An operation takes at least one word.
         if boundary == own_boundary or loads.words[boundary] + 1 >= most:
             continue
         before = run.items[at - 1] if at else item
         segment = before.segment if isinstance(before, GateOp) else 0
-        places.append((at, item.place, segment))
-    return places
+        earlier_points.append((at, item.demand_index, segment))
+    return earlier_points
 
 
 def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:

@@ -109,17 +109,17 @@ class TrackedRun:
 
         Contents that are not live may differ, so the change may go on behind `last`."""
         if first:
-            state = list(self.before[first - 1])
-            self.frame.apply(self.items[first - 1], state)
+            contents = list(self.before[first - 1])
+            self.frame.apply(self.items[first - 1], contents)
         else:
-            state = list(self.frame.start)
+            contents = list(self.frame.start)
         for k in range(first, len(self.items) + 1):
-            now = tuple(state)
+            now = tuple(contents)
             if k > last and now == self.before[k]:
                 return
             self.before[k] = now
             if k < len(self.items):
-                self.frame.apply(self.items[k], state)
+                self.frame.apply(self.items[k], contents)
 
     def _revive(self, start: int, end: int) -> int:
         """Recompute liveness backwards from item `end`, and before `start` for as long as it
@@ -177,9 +177,9 @@ class TrackedRun:
                     touched &= ~(1 << register)
             elif item.reads & touched:
                 value = 0
-                state = before[index]
+                contents = before[index]
                 for register in item.sources:
-                    content = flipped[register] if register in flipped else state[register]
+                    content = flipped[register] if register in flipped else contents[register]
                     value |= content  # type: ignore[operator]
                 if item.inverted:
                     value ^= everything

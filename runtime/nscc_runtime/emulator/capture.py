@@ -58,9 +58,9 @@ def _sorted_light(container: Container, light: Light) -> Exposure:
     exposure = np.zeros((len(container.buckets), *light.shape))
     for slot in range(container.slots):
         fallen = light.slot(slot).astype(np.float64)
-        place = sent.place(slot, light.shape[1])
+        destinations = sent.destinations(slot, light.shape[1])
         for bucket in range(len(exposure)):
-            exposure[bucket] += np.where(place == bucket, fallen, 0.0)
+            exposure[bucket] += np.where(destinations == bucket, fallen, 0.0)
     exposure *= np.array([readout.gain for readout in container.readouts])[:, None, None]
     return Exposure(exposure, np.isfinite(exposure))
 

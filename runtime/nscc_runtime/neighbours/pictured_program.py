@@ -16,9 +16,10 @@ from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.chips.target import Target
 from nscc.operations import Op
 from nscc.record import Record
+from nscc.truth import unpacked_bits
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import picture_words
-from nscc.words.pictures import Pictures, unpacked_bits
+from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection

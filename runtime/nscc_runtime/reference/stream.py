@@ -117,12 +117,12 @@ class _Taps(Pixels):
         shape = len(container.buckets), len(self.places)
         tap_charge, marked = np.zeros(shape), np.zeros(shape, np.uint8)
         for slot, slot_us in enumerate(container.slot_us):
-            place = self.sent.place(slot, target.cols)[self.rows].reshape(-1)
+            taps = self.sent.destinations(slot, target.cols)[self.rows].reshape(-1)
             fallen = charge[slot] * self._lit(slot, slot_us)
             for tap in range(len(tap_charge)):
                 for leaks in self.effects.at("hold"):
                     tap_charge[tap] *= leaks(self, slot_us * 1e-6)
-                tap_charge[tap] += np.where(place == tap, fallen, 0.0)
+                tap_charge[tap] += np.where(taps == tap, fallen, 0.0)
                 tap_charge[tap], full = self._clip_tap(tap_charge[tap])
                 marked[tap] |= full
         return self._read_out(tap_charge), marked

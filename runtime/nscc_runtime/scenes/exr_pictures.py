@@ -151,34 +151,27 @@ def _at_every_pixel(channel: Any, window: tuple[Array, Array]) -> Array:
     (right, bottom)). A subsampled channel is interpolated linearly, to float32; beyond its last
     sample that sample is repeated."""
     values = np.asarray(channel.pixels)
-    (first_col, first_row), (last_col, last_row) = window
-    for axis, step, first, last in (
-        (0, channel.ySampling, int(first_row), int(last_row)),
-        (1, channel.xSampling, int(first_col), int(last_col)),
-    ):
-        if step == 1:
-            continue
-        # Samples lie at multiples of the step.
-        # `-(-first // step) * step` is the first multiple in the window; `position` counts samples
-        # from it.
-        position = (np.arange(first, last + 1) - -(-first // step) * step) / step
-        # Interpolate between the sample before and the sample after each pixel.
-        low = np.clip(np.floor(position).astype(int), 0, values.shape[axis] - 1)
-        high = np.minimum(low + 1, values.shape[axis] - 1)
-        share = np.clip(position - low, 0, 1).reshape((-1, 1) if axis == 0 else (1, -1))
-        reals = values.astype(np.float32)
-        values = reals.take(low, axis) * (1 - share) + reals.take(high, axis) * share
-        values = values.astype(np.float32)
-    return values
+    steps = int(channel.ySampling), int(channel.xSampling)
+    if steps == (1, 1):
+        return values
+    from scipy.ndimage import map_coordinates
+
+    # Samples lie at multiples of the step. `-(-first // step) * step` is the first multiple in the
+    # window; positions count in samples from it.
+    positions = [
+        (np.arange(first, last + 1) + (-first // step) * step) / step
+        for step, first, last in zip(steps, *(corner[::-1] for corner in window), strict=True)
+    ]
+    grid = np.meshgrid(*positions, indexing="ij")
+    return np.asarray(map_coordinates(values.astype(np.float32), grid, order=1, mode="nearest"))
 
 
 def _in_display_window(picture: Array, header: Mapping[str, Any]) -> Array:
     """Return a `picture` (rows, cols, ..) on its data window as it appears in the display window:
     padded with black, or cropped. `header` states both windows."""
-    (data_left, data_top), _ = header["dataWindow"]
-    (shown_left, shown_top), (shown_right, shown_bottom) = header["displayWindow"]
-    rows, cols = int(shown_bottom) - int(shown_top) + 1, int(shown_right) - int(shown_left) + 1
-    row, col = int(data_top) - int(shown_top), int(data_left) - int(shown_left)
+    rows, cols = _size(header["displayWindow"])
+    offsets = np.subtract(header["dataWindow"][0], header["displayWindow"][0])
+    col, row = offsets.tolist()
     if (row, col) == (0, 0) and picture.shape[:2] == (rows, cols):
         return picture
     shown = np.zeros((rows, cols, *picture.shape[2:]), picture.dtype)

@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import struct
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -32,6 +33,8 @@ _SRGB_D50 = (0.2225, 0.7169, 0.0606)
 _ADOBE_D50 = (0.3111, 0.6257, 0.0632)
 _NEAR = 3e-3
 """Curves and luminances that differ by less are equal: profiles store rounded numbers."""
+_HEAD_BYTES = 1 << 16
+"""Number of bytes at the start of a PNG file in which its chunks of colours are looked for."""
 
 
 def of_profile(data: bytes) -> Stated:
@@ -218,9 +221,8 @@ def of_pillow(path: Path, info: Mapping[Any, Any]) -> Stated:
     The first source that the file has counts: numbers of H.273 in a PNG, an ICC profile, numbers of
     H.273 in a HEIC, gamma and primaries in a PNG. A profile that cannot be used is passed over,
     with its note. Colours are None without any."""
-    numbers = _png_numbers(path)
-    if numbers is not None:
-        return of_numbers(*numbers)
+    if _has_png_numbers(path):
+        return of_film(path)
     notes: tuple[Note, ...] = ()
     if info.get("icc_profile"):
         stated = of_profile(info["icc_profile"])
@@ -260,17 +262,22 @@ def of_adobe_rgb() -> Stated:
     return _named((partial(_power, 563 / 256),), _ADOBE_D50, "Adobe RGB, which its EXIF data name")
 
 
-def _png_numbers(path: Path) -> tuple[int, int] | None:
-    """Return the numbers of primaries and of transfer curve (ITU-T H.273) from the chunk cICP of
-    the PNG file `path`, which Pillow does not read. Return None for other formats, and without the
-    chunk before the samples."""
+def of_film(path: Path) -> Stated:
+    """Return the colours of the file `path` by the numbers of ITU-T H.273 that FFmpeg reads in it:
+    of AVIF and PNG files, whose numbers Pillow does not return. Unstated if FFmpeg cannot read
+    it."""
+    with suppress(Exception):  # Pillow decodes it, whatever FFmpeg says
+        import av
+
+        with av.open(str(path)) as container:
+            context = container.streams.video[0].codec_context
+            return of_numbers(int(context.color_primaries), int(context.color_trc))
+    return Stated()
+
+
+def _has_png_numbers(path: Path) -> bool:
+    """Return whether the PNG file `path` states numbers of ITU-T H.273, in a chunk cICP before its
+    samples. False for other formats."""
     with open(path, "rb") as file:
-        if file.read(8) != b"\x89PNG\r\n\x1a\n":
-            return None
-        while len(head := file.read(8)) == 8 and head[4:] != b"IDAT":
-            (size,) = struct.unpack_from(">I", head)
-            if head[4:] == b"cICP" and size == 4:
-                primaries, transfer, *_ = file.read(4)
-                return primaries, transfer
-            file.seek(size + 4, 1)  # the chunk and its checksum, from here on
-    return None
+        head, _, _ = file.read(_HEAD_BYTES).partition(b"IDAT")
+    return head.startswith(b"\x89PNG") and b"cICP" in head

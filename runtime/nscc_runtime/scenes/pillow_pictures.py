@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats
-from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_numbers, of_pillow
+from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_film, of_pillow
 from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
 
 _GREY = ("1", "L", "LA", "La")
@@ -154,11 +154,5 @@ def avif_pages(path: Path) -> Pages:
     pages = pillow_pages(path)
     if pages.stated.colours is not None:
         return pages
-    stated = Stated()
-    with suppress(Exception):  # Pillow decodes it, whatever FFmpeg says
-        import av
-
-        with av.open(str(path)) as container:
-            context = container.streams.video[0].codec_context
-            stated = of_numbers(int(context.color_primaries), int(context.color_trc))
+    stated = of_film(path)
     return replace(pages, stated=Stated(stated.colours, pages.stated.notes + stated.notes))

@@ -223,19 +223,18 @@ def picture_of(frame: Any) -> Array:
 
 
 def _planes(frame: Any, bits: int) -> list[Array]:
-    """Return luma and, unless the frame is grey, both chromas (blue, red) as stored, each (rows,
-    cols) of its own size. `bits` is the number of bits of a sample."""
+    """Return luma and, unless the frame is grey, both chromas (blue, red), each (rows, cols).
+    FFmpeg enlarges chroma of lower resolution, and separates interleaved samples; their range
+    stays. `bits` is the number of bits of a sample."""
     grey = frame.format.name.startswith("gray")
-    plane_count = 1 if grey else 3
-    # Formats with interleaved chroma, and big-endian ones, are converted to three planes.
-    if len(frame.planes) < plane_count or frame.format.name.endswith("be"):
-        full = frame.format.name.startswith("yuvj")
-        planar = ("yuvj444p" if full else "yuv444p") if bits <= 8 else f"yuv444p{bits}le"
-        frame = frame.reformat(format=f"gray{bits}le" if grey else planar)
+    # FFmpeg marks the full range of 8 bits by the letter j.
+    full = "j" * frame.format.name.startswith("yuvj")
+    form = "gray" if grey else f"yuv{full}444p"
+    planar = frame.reformat(format=form if bits <= 8 else f"{form}{bits}le")
     kind = np.dtype(np.uint8 if bits <= 8 else "<u2")
     return [
         np.frombuffer(plane, kind).reshape(plane.height, -1)[:, : plane.width]
-        for plane in frame.planes[:plane_count]
+        for plane in planar.planes[: 1 if grey else 3]
     ]
 
 
@@ -259,20 +258,11 @@ def _as_fractions(planes: Sequence[Array], bits: int, full: bool) -> list[Floats
 
 def _red_green_blue(luma: Floats32, chroma: Sequence[Floats32], matrix: int) -> Floats32:
     """Return red, green and blue (rows, cols, 3) of `luma` (rows, cols), 0..1, and `chroma`, blue
-    and red, each -0.5..0.5.
+    and red, each (rows, cols), -0.5..0.5.
 
     `matrix` is the number of the colour matrix (ITU-T H.273). If it is unspecified, that of BT.709
-    is used from 720 rows on, else that of BT.601. Chroma planes of lower resolution are enlarged
-    first."""
-    import cv2
-
-    size = luma.shape[1], luma.shape[0]
-    blue_chroma, red_chroma = (
-        chroma_plane
-        if chroma_plane.shape == luma.shape
-        else np.asarray(cv2.resize(chroma_plane, size, interpolation=cv2.INTER_LINEAR), np.float32)
-        for chroma_plane in chroma
-    )
+    is used from 720 rows on, else that of BT.601."""
+    blue_chroma, red_chroma = chroma
     if matrix == _UNSPECIFIED:
         matrix = 1 if len(luma) >= _HIGH_DEFINITION else 0
     red_weight, blue_weight = _WEIGHTS.get(matrix, _BT_601)
