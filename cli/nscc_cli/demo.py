@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from nscc.requirements import line_for
-from nscc_cli.options import OUT, SCENE, declared, section, settings_of, tone_option
+from nscc_cli.options import OUT, SCENE, declared, section, settings_from, tone_option
 from nscc_cli.support import common_command, progress, say, say_done
 from nscc_runtime.request import Request
 from nscc_runtime.scene_settings import Scene
@@ -47,7 +47,7 @@ def command(scene: str | None, out: Path | None, **options: Any) -> None:
     from nscc_training.demo import BUILTIN, demo, readouts_text
 
     named = {name: options[name] for name in ("fit", "exposure", "tone", "seed")}
-    settings = settings_of(DemoSettings, options, color=bool(options["color"]), **named)
+    settings = settings_from(DemoSettings, options, color=bool(options["color"]), **named)
     if settings.run is not None and (settings.merge or settings.readouts):
         raise click.UsageError(
             "--run has its own decoder and readout: leave out --merge and --readouts"

@@ -64,7 +64,7 @@ def command(scenes: tuple[str, ...], out: Path | None, **options: Any) -> None:
     from nscc.files import refuse_inputs, write_together
     from nscc.pipeline import KINDS
 
-    wanted = shared.settings_of(DesignSettings, options)
+    wanted = shared.settings_from(DesignSettings, options)
     name = _file_name(wanted)
     target = load_target(options["target"], Path())
     of_clips = wanted.motion is not None or (wanted.search and _are_clips(scenes, target, options))

@@ -72,7 +72,7 @@ def serve(**options: Any) -> None:
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.serving import LineFaults, StandInServer, parse_faults
-    from nscc_runtime.emulator.loops import expose_pixels
+    from nscc_runtime.emulator.loops import expose_without_effects
 
     faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
     target = load_target(options["target"], Path())
@@ -87,8 +87,8 @@ def serve(**options: Any) -> None:
         failed=_report,
     )
     # Compiling the loops takes seconds, so it happens before the port is announced.
-    support.say_compiling(expose_pixels, "the emulator's loops")
-    expose_pixels.load()
+    support.say_compiling(expose_without_effects, "the emulator's loops")
+    expose_without_effects.load()
     with stand_in.loaded(options["machine"], target, chip, say_done) as running:
         server = StandInServer(
             running, faults, lambda port: say_done(f"the port is {port} now: its name was taken")
@@ -171,7 +171,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
-    from nscc_runtime.host_setting import settings_of
+    from nscc_runtime.host_setting import host_settings
 
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
@@ -189,7 +189,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     if program is not None:
         container, messages = load_program(program, options)
         say(messages)
-        settings = settings_of(container, options["params"], options["inputs"])
+        settings = host_settings(container, options["params"], options["inputs"])
     else:
         refuse_ignored("no program is named", "params", "inputs")
         if options["pixels"]:

@@ -55,9 +55,9 @@ def command(
             "EFFECT, --json, --toml, --cost and --plan print different things: use one of them"
         )
     if plan is not None:
-        from nscc_runtime.planning.plan_file import plan_of
+        from nscc_runtime.planning.plan_file import stored_plan
 
-        click.echo(plan_of(plan))
+        click.echo(stored_plan(plan))
         return
     sensor = sensor_of(load_target(target, Path()), options)
     if cost:

@@ -12,7 +12,7 @@ import click
 
 from nscc.files import Product, write_together, write_whole
 from nscc_cli.completion import RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, declared, settings_of, together
+from nscc_cli.options import OUT, PATH, declared, settings_from, together
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,
@@ -138,7 +138,7 @@ def of(
     # Both --data and --protocol, or --split alone.
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
         raise click.UsageError("name --data and --protocol, or else --split val")
-    wanted = settings_of(EvaluationSettings, options, subject=subject)
+    wanted = settings_from(EvaluationSettings, options, subject=subject)
     if split is not None:
         from nscc_training.evaluation.runs import evaluate_validation
         from nscc_training.run_folder import load_run
@@ -184,7 +184,7 @@ def figures(out: Path, **options: Any) -> None:
     shown beside the ground truth and an exposure with pixels that are always open."""
     from nscc_training.evaluation.figures import figures as drawn
 
-    drawings = drawn(settings_of(FigureSettings, options))
+    drawings = drawn(settings_from(FigureSettings, options))
     out.mkdir(parents=True, exist_ok=True)
     files = {out / name: png for name, png in drawings.items()}
     write_together(files)

@@ -91,7 +91,7 @@ def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
     return {name: value for name, value in named if value is not None}
 
 
-def settings_of(
+def settings_from(
     settings: Callable[..., Settings], options: Mapping[str, Any], /, **values: Any
 ) -> Settings:
     """Return the dataclass `settings` with the options of a command, and further `values`.

@@ -11,7 +11,7 @@ import click
 from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN, RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, declared, settings_of, tone_option
+from nscc_cli.options import OUT, PATH, declared, settings_from, tone_option
 from nscc_cli.support import common_command, progress, say, say_done
 from nscc_training.command_settings import Method, ReconstructSettings
 
@@ -49,7 +49,7 @@ def command(
 
     An .npz output contains `image` (rows, cols) in electrons over the frame, or `video` (T, rows,
     cols) in electrons per slot. These are the units of `truth_e` in frame files."""
-    how = settings_of(ReconstructSettings, options)
+    how = settings_from(ReconstructSettings, options)
     if frame is None and run == "any":
         raise click.UsageError("`nscc reconstruct any` needs FRAME.npz, which `nscc run` writes")
     if frame is None:
@@ -177,7 +177,7 @@ def classify(run: Path, frame: Path, as_json: bool, **options: Any) -> None:
     from nscc_training.reconstruct import classify as classified
 
     refuse_missing(frame)
-    how = settings_of(ReconstructSettings, options)
+    how = settings_from(ReconstructSettings, options)
     classes, messages = classified(
         run, frame, force=how.force, dark=how.dark, trust_code=how.trust_code
     )

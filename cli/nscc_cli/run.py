@@ -170,7 +170,7 @@ def _run_on_emulator(
     from nscc.container_proof import require_known_shutters
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
-    from nscc_runtime.host_setting import settings_of
+    from nscc_runtime.host_setting import host_settings
     from nscc_runtime.pieces import simulate_scene
     from nscc_runtime.scenes import laid_lights
     from nscc_runtime.simulate import Listener
@@ -187,7 +187,7 @@ def _run_on_emulator(
         require_known_shutters(container)
     if of_run is not None:
         of_run.check(container, program)
-    settings = settings_of(container, options["params"], options["inputs"])
+    settings = host_settings(container, options["params"], options["inputs"])
     request = replace(request, settings=settings)
     sensor = sensor_of(converter_of(container), options)
     with timings.measure("scene_s"):
@@ -252,7 +252,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc_runtime.device.device_chip import DeviceChip
     from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
-    from nscc_runtime.host_setting import settings_of
+    from nscc_runtime.host_setting import host_settings
     from nscc_runtime.response import response_of
     from nscc_runtime.scenes import scene_light
     from nscc_runtime.timings import Timings
@@ -264,7 +264,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     with timings.measure("compile_s"):
         container, messages = load_program(program, options)
     check_adc(container.target)
-    settings = settings_of(container, options["params"], options["inputs"])
+    settings = host_settings(container, options["params"], options["inputs"])
     sensor = sensor_of(converter_of(container), options)
     light, messages_so_far = None, list(messages)
     if scene:

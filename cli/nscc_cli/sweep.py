@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from nscc_cli.options import OUT, PATH, declared, settings_of
+from nscc_cli.options import OUT, PATH, declared, settings_from
 from nscc_cli.support import CommonCommand, progress, say_done
 from nscc_training.command_settings import SweepSettings
 
@@ -75,7 +75,7 @@ def command(
         work_text,
     )
 
-    how = settings_of(SweepSettings, options)
+    how = settings_from(SweepSettings, options)
     if how.scheduler is not None and how.workers is not None:
         raise click.UsageError(
             "--workers starts processes on this machine, but --scheduler has its own workers"

@@ -11,7 +11,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, declared, settings_of, tradeoff_options
+from nscc_cli.options import OUT, PATH, declared, settings_from, tradeoff_options
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options, scene_option
 from nscc_cli.support import CommonCommand, Subcommands, progress, say, say_compiling
@@ -83,7 +83,7 @@ def joint(program: Path, **options: Any) -> int:
     run = None if program.suffix.lower() in (".nsl", ".icw") else program
     captured = run_capture_of(run, options) if options["scene"] else None
     scene = scene_of(options)
-    request = settings_of(
+    request = settings_from(
         JointRequest,
         options,
         program=program if captured is None else captured.program,
@@ -129,7 +129,7 @@ def emulator(program: Path | None, **options: Any) -> int:
     container, messages = _container(program, options)
     sensor = sensor_of(converter_of(container), options)
     seeds = {name: options[name] for name in ("seed", "device_seed")}
-    settings = settings_of(EmulatorStudySettings, options, **seeds)
+    settings = settings_from(EmulatorStudySettings, options, **seeds)
     scenes = _scenes(container, options, messages)
     _refuse(container)
     benches = EmulatorBenches.of(analysed(container, sensor), scenes, settings)
@@ -221,7 +221,7 @@ def sensor(**options: Any) -> int:
 
     files = output_files(options)
     chip = {name: options[name] for name in ("target", "level")}
-    study = sensor_study(settings_of(SensorStudySettings, options, **chip))
+    study = sensor_study(settings_from(SensorStudySettings, options, **chip))
     say_compiling(denoise, "the loop of total variation")
     measured = run_study(study, files, options)
     return 0 if any(point.case != "readouts" for point in measured.points) else 1
@@ -253,7 +253,7 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
 
     files = output_files(options)
     folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
-    study = decoder_study(folders, settings_of(DecoderStudySettings, options))
+    study = decoder_study(folders, settings_from(DecoderStudySettings, options))
     say_compiling(denoise, "the loop of total variation")
     run_study(study, files, {**options, "runs": runs})
     return 0
@@ -273,7 +273,7 @@ def synthesis(files: tuple[Path, ...], **options: Any) -> int:
 
     outputs = output_files(options)
     programs = programs_of(files) or builtin_programs()
-    study = synthesis_study(programs, settings_of(SynthesisStudySettings, options))
+    study = synthesis_study(programs, settings_from(SynthesisStudySettings, options))
     known = {"files": files, "count": options["count"]}
     return 0 if run_study(study, outputs, known).points else 1
 

@@ -29,7 +29,7 @@ from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.host_setting import settings_of
+from nscc_runtime.host_setting import host_settings
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import refuse_planless
@@ -129,7 +129,7 @@ def capture(
     container = container_of(call, program)
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)
-    settings = settings_of(container, params, inputs)
+    settings = host_settings(container, params, inputs)
     request = Request.of(**checked(call, Request, given), turn=turn, settings=settings)
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))

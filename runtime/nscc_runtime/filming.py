@@ -11,7 +11,7 @@ from nscc.toml.arguments import checked
 from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
-from nscc_runtime.host_setting import settings_of
+from nscc_runtime.host_setting import host_settings
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.python_arguments import (
     LightLike,
@@ -101,7 +101,7 @@ def film(
             )
     # The first frame is exposed like a capture; the request has the light of all others.
     next_lights = tuple(scene[0].light for scene in scenes[1:])
-    settings = settings_of(container, params, inputs)
+    settings = host_settings(container, params, inputs)
     request = Request.of(**options, repeat=len(scenes), next_lights=next_lights, settings=settings)
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scenes[0], chip, request, Listener(warn=diagnostics.append))

@@ -46,7 +46,7 @@ class HostSetting(Record, eq=False):
         }
 
 
-def settings_of(container: Container, params: Any, inputs: Any) -> tuple[HostSetting, ...]:
+def host_settings(container: Container, params: Any, inputs: Any) -> tuple[HostSetting, ...]:
     """Return what the host sets before each frame; the last setting holds for all later frames.
 
     `params` and `inputs`: mappings by name for all frames, or sequences of mappings for one frame

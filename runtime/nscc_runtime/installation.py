@@ -26,15 +26,15 @@ def _loops() -> Finding:
     kept for the next command; they are compiled if necessary. Without numba they are absent."""
     if find_spec("numba") is None:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
-    from nscc_runtime.emulator.loops import expose_pixels
+    from nscc_runtime.emulator.loops import expose_without_effects
 
-    was_compiled = expose_pixels.is_compiled()
+    was_compiled = expose_without_effects.is_compiled()
     try:
-        expose_pixels.load()
+        expose_without_effects.load()
     except (ImportError, OSError, RuntimeError, AttributeError) as error:
         return Finding(WRONG, f"the emulator's loops do not compile: {error}")
-    if not was_compiled and not expose_pixels.is_kept():
-        text = expose_pixels.compiling("the emulator's loops")
+    if not was_compiled and not expose_without_effects.is_kept():
+        text = expose_without_effects.compiling("the emulator's loops")
         return Finding(ABSENT, f"the emulator's loops are not kept: {text}")
     return Finding(GOOD, "the emulator's loops are compiled for this processor")
 

@@ -23,7 +23,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.looking.paths import paths_of
 from nscc_runtime.pool import threads_of
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.reference.trace import retention_us
 
 Planes = Mapping[str, Bools]
@@ -44,12 +44,12 @@ def next_planes(container: Container, loaded: Planes, final_planes: Planes) -> d
     }
 
 
-Exposing = Callable[[Planes, int], Executed]
+ExposeFrame = Callable[[Planes, int], Executed]
 """A function of (loaded registers, frame number) that exposes one frame; registers are bits (rows,
 cols) by name."""
 
 
-def exposing(
+def frame_exposer(
     container: Container,
     light: Light,
     sensor: Sensor,
@@ -57,14 +57,17 @@ def exposing(
     seeds: tuple[int, int],
     threads: int,
     by_words: bool = False,
-) -> Exposing:
+) -> ExposeFrame:
     """Return a function that exposes frames of one light, prepared once.
 
     `seeds`: noise seed, device seed. Results do not depend on `threads`. `by_words`: use the
     reference, which is also used for effects and programs that the block loop does not support.
     Raises Rejected if a word is no operation of the chip."""
     if by_words or lacks(container, sensor, effects):
-        reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
+        reference, scene = (
+            Reference.of(container, sensor, effects),
+            reference_scene(container, light),
+        )
         return lambda loaded, number: reference.execute(
             scene, loaded, seeds, number, threads=threads
         )
@@ -110,12 +113,12 @@ def frames(
     check(container, light)
     check_adc(container.target)
     seeds = seed, device_seed
-    expose = exposing(container, light, sensor, effects, seeds, threads_of(threads), by_words)
+    expose = frame_exposer(container, light, sensor, effects, seeds, threads_of(threads), by_words)
     return _film(expose, container, sensor, effects, seeds, count)
 
 
 def _film(
-    expose: Exposing,
+    expose: ExposeFrame,
     container: Container,
     sensor: Sensor,
     effects: Selection,

@@ -72,7 +72,7 @@ class RunKind:
 
         `effects`: the requested effects that the chip has (a `Selection`). `request`: the other
         options (a `Request`)."""
-        exposing: Exposing = LazyFunctions("nscc_runtime.runs.fixed_run").exposing(
+        exposing: Exposing = LazyFunctions("nscc_runtime.runs.without_plan").exposing(
             container, light, sensor, effects, request
         )
         return exposing

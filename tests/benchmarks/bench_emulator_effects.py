@@ -218,8 +218,8 @@ def saturating(rounds: int) -> None:
             cols=program.target.cols,
             exposure=parse_exposure(exposure),
         )
-        scene_of = planning_of(program, default_sensor(program.target), light)
-        part = len(scene_of.near_pixels(everything()).places)
+        planned = planning_of(program, default_sensor(program.target), light)
+        part = len(planned.near_pixels(everything()).places)
         one = partial(_fresh, program, light, threads=1, effects="all")
         runs: dict[str, Callable[[], object]] = {"one": one, "many": partial(one, repeat=REPEATS)}
         found = times_ms(runs, min(3, rounds), process_time)

@@ -13,7 +13,7 @@ from proved_programs import proved_or_refused
 from scipy.ndimage import binary_dilation, binary_propagation
 
 from nscc_runtime.effects import selected
-from nscc_runtime.host_setting import settings_of
+from nscc_runtime.host_setting import host_settings
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
@@ -179,7 +179,7 @@ def agree(writer: Writer, container: Any, seed: int) -> None:
         {"t": float(rng.integers(2, 20)) * STEP_E, "s": int(rng.integers(-4, 7))}
         for _ in range(FRAMES)
     ]
-    settings = settings_of(container, params, [{"i": bits} for bits in inputs])
+    settings = host_settings(container, params, [{"i": bits} for bits in inputs])
     runner = PicturedProgram(container, default_sensor(container.target), selected("none"), 1)
     kept, bit = np.full((ROWS, COLS), 900.0), np.ones((ROWS, COLS), np.bool_)
     for frame, made in enumerate(runner.film(lights, seed, 0, settings)):

@@ -52,11 +52,11 @@ def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[
 
 
 def paired(
-    first: Mapping[str, float], second: Mapping[str, float], scene_of: Mapping[str, str]
+    first: Mapping[str, float], second: Mapping[str, float], scene_names: Mapping[str, str]
 ) -> dict[str, Any]:
     """Return the statistics of the gain, second minus first score, on the items that both have.
 
-    Scores are by the name of the item, and `scene_of` names its scene. `items` and `scenes` are
+    Scores are by the name of the item, and `scene_names` names its scene. `items` and `scenes` are
     counts, `only_first` and `only_second` count items without a partner, and `gain_db` is the mean
     gain. `sd` is the standard deviation of the gains, `ci95` the 95 % interval of their mean (None
     for a single scene), and `infinite` the number of infinite gains, which are left out of the
@@ -69,10 +69,10 @@ def paired(
         second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
         for k in common
     ]
-    gain_summary = summary(gains, [scene_of[k] for k in common])
+    gain_summary = summary(gains, [scene_names[k] for k in common])
     return {
         "items": len(common),
-        "scenes": len({scene_of[k] for k in common}),
+        "scenes": len({scene_names[k] for k in common}),
         "only_first": len(set(first) - set(second)),
         "only_second": len(set(second) - set(first)),
         "gain_db": gain_summary.pop("mean"),

@@ -127,7 +127,12 @@ class ChipProgram:
         ValueError
             If the light's matrix is inconsistent.
         """
-        from nscc_runtime.emulator.loops import KeptValues, PixelRange, RegisterBits, expose_pixels
+        from nscc_runtime.emulator.loops import (
+            KeptValues,
+            PixelRange,
+            RegisterBits,
+            expose_without_effects,
+        )
 
         starts, index = light.row_start, light.frame_index
         if starts[0] != 0 or np.any(np.diff(starts) < 0):
@@ -185,7 +190,7 @@ class ChipProgram:
                 seed=np.uint64(device_seed & 2**64 - 1),
                 pix=table.analog["PIX"],
             )
-            expose_pixels(
+            expose_without_effects(
                 chosen=chosen,
                 planes=np.empty(len(table.digital) * rows * shape.plane_words, np.uint64),
                 values=np.zeros((registers * (rows + 1) + 5) * length + 64),

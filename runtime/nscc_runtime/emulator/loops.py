@@ -267,7 +267,7 @@ def _expose_block(
 
 
 @loop
-def expose_pixels(
+def expose_without_effects(
     chosen: PixelRange,
     shape: ArrayShape,
     program: EmulatedWords,

@@ -14,6 +14,7 @@ import numpy as np
 
 from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc.words.container import Container
+from nscc_runtime.caches import Recent
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.in_loops import draws_keys, patterns
 from nscc_runtime.effects.parts import (
@@ -114,10 +115,6 @@ class ChargeScene:
         return len(self.number)
 
 
-LightMeans = dict[tuple[BlockProgram, frozenset[str]], StretchMeans]
-"""Means of light alone, by program and by the names of the effects that change them."""
-
-
 @dataclass(frozen=True, eq=False)
 class BlockScene:
     """Pixels of a scene under some effects, ready to expose any frame. `places`: places (pixels,)
@@ -134,8 +131,8 @@ class BlockScene:
     numbers: Numbers
     parts: list[Ints]
     """For each group of pixels whose charge is computed together, their indices in `places`."""
-    light_means: LightMeans | None = None
-    """Means of light that several scenes share, see `lay_out`."""
+    known_means: Recent | None = None
+    """Cache of means of light that several scenes share, see `lay_out`."""
     kept: tuple[ChargeScene, ...] = ()
     """The charge of all parts; empty if it takes too much memory."""
 
@@ -148,7 +145,7 @@ def lay_out(
     places: Places,
     device_seed: int,
     threads: int = 1,
-    light_means: LightMeans | None = None,
+    known_means: Recent | None = None,
 ) -> BlockScene:
     """Prepare pixels of a scene to run through their words.
 
@@ -167,9 +164,9 @@ def lay_out(
         Seed of the fixed patterns.
     threads : int
         Number of threads.
-    light_means : dict, optional
-        Means of the light of these places, to which new ones are added: adding up the light takes
-        most of the time, and few effects change it.
+    known_means : Recent, optional
+        Cache of means of the light of these places: adding up the light takes most of the time, and
+        few effects change it.
 
     Returns
     -------
@@ -205,7 +202,7 @@ def lay_out(
         numbers_of(container, sensor, effects),
         parts,
         # Several scenes share means only if about eight sets of them fit into the memory.
-        light_means if 8 * bytes_ <= _MOST_BYTES else None,
+        known_means if 8 * bytes_ <= _MOST_BYTES else None,
     )
     if len(parts) > 1:
         return scene
@@ -214,8 +211,7 @@ def lay_out(
 
 def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     """Return the mean charge of each stretch of slots for the pixels of `scene` with the indices
-    `number`, their fixed patterns, and what exchange between neighbours needs. Means of light that
-    the scene shares are used if known, else stored in `scene.light_means`."""
+    `number`, their fixed patterns, and what exchange between neighbours needs."""
     effects, program, pixels = scene.effects, scene.program, len(number)
     exchange = effects.find_part(Exchange)
     exchanged = 0.0 if exchange is None else exchange.fraction(scene.sensor)
@@ -274,15 +270,21 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         after the exchange with neighbours."""
         charge_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
-    known = {} if scene.light_means is None else scene.light_means
-    key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
-    if key in known:
-        for name in ("lit", "charge", "pace"):
-            np.copyto(getattr(means, name), getattr(known[key], name))
-    else:
+    def with_light() -> list[Floats]:
+        """Add up the light in `means`, and return copies of those that contain it."""
         in_parts(add_light, count, threads, _FEWEST)
-        if scene.light_means is not None:
-            known[key] = StretchMeans(*(values.copy() for values in means))
+        return [means.lit.copy(), means.charge.copy(), means.pace.copy()]
+
+    if scene.known_means is None:
+        in_parts(add_light, count, threads, _FEWEST)
+    else:
+        key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
+        for own, known in zip(
+            (means.lit, means.charge, means.pace),
+            scene.known_means.of(key, with_light),
+            strict=True,
+        ):
+            np.copyto(own, known)
     if dark:
         in_parts(add_dark, count, threads, _FEWEST)
     in_parts(complete, pixels, threads, _FEWEST)

@@ -10,7 +10,7 @@ covariance; the random numbers are others."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -22,15 +22,15 @@ from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, lay_out
-from nscc_runtime.execution.moments import scene_moments
-from nscc_runtime.execution.near_saturation import near_saturation
+from nscc_runtime.execution.moments import Moments, scene_moments
+from nscc_runtime.execution.near_saturation import NO_PIXELS, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.execution.summed import draw_exposures
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.pool import threads_of
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 
 Places = Ints
 
@@ -41,25 +41,54 @@ class FrameSource:
 
     Attributes
     ----------
-    expose : callable
-        (seed, number) -> Exposure: frame `number` before the converter.
-    convert : callable
-        (exposure, seed, number) -> Frame, with converter codes.
+    container, sensor, light, effects
+        The program, the sensor, the light of the array, and the effects that are simulated.
+    device_seed, threads : int
+        Seed of the fixed patterns. Number of threads, on which results do not depend.
+    by : Moments or Reference
+        The sums of the light, or the reference, which exposes all pixels word by word.
     near : int64, shape (pixels,)
         Places of the pixels that run through their words because they may saturate.
+    block : BlockScene or None
+        These pixels, prepared; None without any.
     """
 
-    expose: Callable[[int, int], Exposure]
-    convert: Callable[[Exposure, int, int], Frame]
-    near: Places
+    container: Container
+    sensor: Sensor
+    light: Light
+    effects: Selection
+    device_seed: int
+    threads: int
+    by: Moments | Reference
+    near: Places = NO_PIXELS.places
+    block: BlockScene | None = None
+
+    def expose(self, seed: int, number: int) -> Exposure:
+        """Return frame `number` before the converter, with the noise of `seed`: by the reference;
+        or all pixels by sums, then those near saturation by their words, which replace the sums.
+        Values that are not finite, as for light that is NaN, are invalid."""
+        if isinstance(self.by, Reference):
+            scene = reference_scene(self.container, self.light)
+            return self.by.expose(scene, seed, self.device_seed, number, self.threads)
+        lane = analysed(self.container, self.sensor).lane
+        exposure_e = draw_exposures(self.by, lane, seed, number, self.threads)
+        saturated_by = np.zeros(exposure_e.shape, np.uint8)
+        if self.block is not None:
+            pixels = expose_pixels(self.block, seed, number, self.threads)
+            exposure_e[:, self.near] = pixels.exposure_e
+            saturated_by[:, self.near] = pixels.saturated_by
+        whole = exposure_e.reshape(-1, *lane.shape)
+        return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
-        """Yield frames 0 to `count` - 1 with the noise of `seed`. Raises ValueError, when the first
-        frame is asked for, if `count` < 1."""
+        """Yield frames 0 to `count` - 1, with converter codes and the noise of `seed`. Raises
+        ValueError, when the first frame is asked for, if `count` < 1."""
         if count < 1:
             raise ValueError(f"{count} frames")
+        target, seeds = self.container.target, (seed, self.device_seed)
         for number in range(count):
-            yield self.convert(self.expose(seed, number), seed, number)
+            exposure = self.expose(seed, number)
+            yield converted(exposure, target, self.sensor, self.effects, seeds, number)
 
 
 @lru_cache(64)
@@ -115,39 +144,15 @@ def frame_source(
     check_size(container, light)
     check_adc(container.target)
     count = threads_of(threads)
-
-    def convert(exposure: Exposure, seed: int, number: int) -> Frame:
-        """Return the frame of `exposure` with converter codes. `seed` and the frame's `number`
-        select the noise of its readout."""
-        seeds = seed, device_seed
-        return converted(exposure, container.target, sensor, effects, seeds, number)
-
+    chip = container, sensor, light, effects, device_seed, count
     # Some effects exist word by word only; then the reference exposes every pixel.
     if by_words or slow_effects(effects):
-        reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
-        return FrameSource(
-            lambda seed, number: reference.expose(scene, seed, device_seed, number, count),
-            convert,
-            np.empty(0, np.int64),
-        )
+        return FrameSource(*chip, Reference.of(container, sensor, effects))
     program = analysed(container, sensor)
     # Pixels that cannot saturate are exposed by sums of light; the others run their words.
     near = near_saturation(program, light, device_seed, effects).places
     moments = scene_moments(program, light, effects, device_seed, count)
-    block: BlockScene | None = None
+    block = None
     if len(near):
         block = lay_out(container, sensor, light, effects, near, device_seed, count)
-
-    def expose(seed: int, number: int) -> Exposure:
-        """Expose frame `number` with the noise of `seed`: all pixels by sums, then those near
-        saturation by their words, which replace the sums. Values that are not finite, as for light
-        that is NaN, are invalid."""
-        exposure_e = draw_exposures(moments, program.lane, seed, number, count)
-        saturated_by = np.zeros(exposure_e.shape, np.uint8)
-        if block is not None:
-            pixels = expose_pixels(block, seed, number, count)
-            exposure_e[:, near], saturated_by[:, near] = pixels.exposure_e, pixels.saturated_by
-        whole = exposure_e.reshape(-1, *light.shape)
-        return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
-
-    return FrameSource(expose, convert, near)
+    return FrameSource(*chip, moments, near, block)

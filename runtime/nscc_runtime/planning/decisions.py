@@ -42,7 +42,7 @@ class EffectChoice:
     alone: Mapping[Names, SampledErrors] = field(default_factory=dict)
 
 
-def plan_of(choice: EffectChoice) -> Plan:
+def decided_plan(choice: EffectChoice) -> Plan:
     """Return the plan (the effects that are simulated) that `choice` makes: its errors, a decision
     on every effect with its reason, and its predicted time. Errors are None if nothing was
     measured."""

@@ -19,7 +19,7 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Counted, CountedLight, Exchange, Moving, Saturates
 from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.execution.program import analysed
-from nscc_runtime.planning.decisions import FROM_EARLIER_PLAN, MARGIN, EffectChoice, plan_of
+from nscc_runtime.planning.decisions import FROM_EARLIER_PLAN, MARGIN, EffectChoice, decided_plan
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planning.plan_request import Names, PlanRequest, effects_of_exposure
 from nscc_runtime.planning.planned_scene import (
@@ -85,7 +85,7 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
             if measuring.fits(by_choice):
                 dropped, together = dropped | names, candidate
     choice = EffectChoice(work, request, absent, measuring.allowed, dropped, together, alone)
-    return plan_of(choice)
+    return decided_plan(choice)
 
 
 def measured_again(
@@ -111,7 +111,9 @@ def measured_again(
     dropped -= request.forced_off
     together, _ = measuring.drop_together(dropped)
     alone = measuring.drop_each(absent) if figures else {}
-    made = plan_of(EffectChoice(work, request, absent, measuring.allowed, dropped, together, alone))
+    made = decided_plan(
+        EffectChoice(work, request, absent, measuring.allowed, dropped, together, alone)
+    )
     decisions = (
         decision if decision.kind == "after" else replace(decision, reason=FROM_EARLIER_PLAN)
         for decision in made.decisions
@@ -141,7 +143,7 @@ def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
     allowed = None
     if unit_of(request.tolerance) != "noise":
         allowed = tolerance_of(request.tolerance, scene.sensor, scene)
-    return plan_of(EffectChoice(work, request, absent, allowed))
+    return decided_plan(EffectChoice(work, request, absent, allowed))
 
 
 def absent_effects(scene: PlannedScene) -> Names:

@@ -16,7 +16,7 @@ from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, trial_of
 from nscc_runtime.planning.prices import SHIPPED, Work
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.sensor import default_sensor
 
 _TEXT = """nsl 1
@@ -57,7 +57,10 @@ def measure_prices() -> list[Price]:
     work = Work.of(scene)
     places = np.linspace(0, scene.pixels - 1, _NEAR).astype(np.int64)
     laid = lay_out(container, sensor, still, all_effects, places, 0)
-    reference, light = Reference.of(container, sensor, all_effects), scene_of(container, still)
+    reference, light = (
+        Reference.of(container, sensor, all_effects),
+        reference_scene(container, still),
+    )
     request = PlanRequest(selected("auto"), 5.0, figures=True)
     planned_ms = make_plan(scene, request).planning_ms
     reference_ns = 1e9 * _least_s(lambda: reference.expose(light, 0, 0, 0, 1), 1)

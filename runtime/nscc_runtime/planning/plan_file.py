@@ -65,7 +65,7 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     return stored.plan
 
 
-def plan_of(path: Path) -> Plan:
+def stored_plan(path: Path) -> Plan:
     """Return the plan (the effects that are simulated) in a plan file or a frame file (.npz),
     whatever its program. Raises Rejected (NS0747) for any other file, and for a frame that was
     exposed without a plan."""

@@ -29,7 +29,7 @@ from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.run_kinds import KINDS
 
@@ -258,12 +258,15 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
             sample.places,
             scene.device_seed,
             threads,
-            sample.light_means,
+            sample.known_means,
         )
         if not scene.looks:
             return lambda number, _: expose_pixels(laid, SEED, number, threads)
         return _looking(scene, sample, laid)
-    reference, light = Reference.of(container, sensor, effects), scene_of(container, scene.light)
+    reference, light = (
+        Reference.of(container, sensor, effects),
+        reference_scene(container, scene.light),
+    )
 
     def expose(number: int, _begins: States | None) -> PixelExposures:
         """Expose frame `number` of the whole scene by the reference, and return the sampled pixels,
@@ -366,7 +369,7 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
         places=sample.places[sample.near],
         weight=sample.weight[sample.near],
         near=sample.near[sample.near],
-        light_means={},
+        known_means=None,
     )
     kept, complete = (
         _sampled(trial.scene, near, selection.without(*saturating))(0, None).exposure_e

@@ -12,7 +12,7 @@ from itertools import pairwise
 import numpy as np
 
 from nscc.arrays import Bools, Floats, Floats32, Ints
-from nscc_runtime.execution.block_scene import LightMeans
+from nscc_runtime.caches import Recent
 from nscc_runtime.execution.near_saturation import NearSaturation
 from nscc_runtime.light import Light
 
@@ -33,6 +33,9 @@ _SIGMAS = 3.0
 """A mean within this number of standard errors of 0 is shown as 0."""
 _MOST_E = 1e15
 """More light than this counts as this, in electrons."""
+_MOST_MEANS = 64
+"""Number of sets of means of a sample's light that are cached: one for each set of effects that
+changes them."""
 _NOT_FINITE_E = 1e30
 """Error, in electrons, of an exposure that is NaN or infinite."""
 
@@ -51,15 +54,16 @@ class Sample:
         Which pixels are near saturation.
     scene_pixels : int
         Number of pixels of the scene.
-    light_means : dict
-        Means of the light of the sampled pixels (`nscc_runtime.execution.block_scene.lay_out`).
+    known_means : Recent or None
+        Cache of means of the light of the sampled pixels, for
+        `nscc_runtime.execution.block_scene.lay_out`.
     """
 
     places: Places
     weight: Floats
     near: Bools
     scene_pixels: int
-    light_means: LightMeans = field(default_factory=dict)
+    known_means: Recent | None = field(default_factory=lambda: Recent(_MOST_MEANS))
 
     @property
     def unseen_share(self) -> float:

@@ -187,7 +187,7 @@ def expose(
     depend on it. Raises Rejected if the program and the light do not fit (as
     `nscc_runtime.emulator.expose`), and with NS0442 for words that open no shutters."""
     check(container, light)
-    scene = scene_of(container, light)
+    scene = reference_scene(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
 
 
@@ -208,7 +208,7 @@ def frames(
     `seed`: of the noise. `device_seed`: of the fixed patterns. `threads`: None for all processors.
     Raises Rejected at the call, not at the first frame, for programs and light that do not fit."""
     check(container, light)
-    scene, seeds = scene_of(container, light), (seed, device_seed)
+    scene, seeds = reference_scene(container, light), (seed, device_seed)
     reference = Reference.of(container, sensor, effects) if container.stream is None else None
 
     def expose(number: int) -> Exposure:
@@ -223,7 +223,7 @@ def frames(
     )
 
 
-def scene_of(container: Container, light: Light) -> Scene:
+def reference_scene(container: Container, light: Light) -> Scene:
     """Return the light of a frame and of an equal previous frame, in a program's slots."""
     return Scene(light, light, container.slot_s)
 

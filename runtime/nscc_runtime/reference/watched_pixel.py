@@ -11,7 +11,7 @@ from nscc.words.legality import refuse_planes
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.reference.capture import ProgramPixels, Reference, scene_of
+from nscc_runtime.reference.capture import ProgramPixels, Reference, reference_scene
 from nscc_runtime.reference.charge import charge_of_rows
 from nscc_runtime.reference.trace import RunningWord
 
@@ -39,7 +39,7 @@ def traced(
     refuse_planes(container.target, "there are no words to follow", "see the shutters instead")
     row, col = pixel
     reference = Reference.of(container, sensor, effects)
-    scene, rows = scene_of(container, light), range(row, row + 1)
+    scene, rows = reference_scene(container, light), range(row, row + 1)
     fallen = charge_of_rows(
         scene, sensor, effects, seeds=(seed, 0), frame=0, rows=rows, starts=reference.starts
     )

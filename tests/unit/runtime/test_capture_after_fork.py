@@ -17,7 +17,7 @@ from nscc_runtime import capture
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import selected
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 
 ROWS, COLS = 12, 16
 SECONDS = 100
@@ -32,7 +32,7 @@ def _reference_frame() -> bytes:
     """The frame of the reference emulator on two threads."""
     program = _program()
     reference = Reference.of(program, sensor_of(program), selected("all"))
-    scene = scene_of(program, moving_light((8, ROWS, COLS), 40_000.0))
+    scene = reference_scene(program, moving_light((8, ROWS, COLS), 40_000.0))
     exposure = reference.expose(scene, 3, 4, 1, threads=2)
     return exposure.exposure_e.tobytes()
 

@@ -18,7 +18,7 @@ from nscc.arrays import Floats, Ints
 from nscc_runtime import loop as loops
 from nscc_runtime import machine_code
 from nscc_runtime.compile_ahead import modules
-from nscc_runtime.emulator.loops import expose_pixels
+from nscc_runtime.emulator.loops import expose_without_effects
 from nscc_runtime.loop import Written, compiled, loop, object_file, record
 from nscc_runtime.loop_given import LoopParameter
 
@@ -224,7 +224,7 @@ def no_compiler(monkeypatch):
 
 def code(monkeypatch, *places):
     monkeypatch.setattr(machine_code, "folders", lambda module: places)
-    return object_file(expose_pixels.module).code()
+    return object_file(expose_without_effects.module).code()
 
 
 def test_a_loop_is_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):

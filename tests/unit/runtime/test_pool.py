@@ -14,7 +14,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.emulator import chip_program as emulator
 from nscc_runtime.emulator import expose
 from nscc_runtime.pool import in_parts, in_strips
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 
 ROWS, COLS = 12, 16
 
@@ -53,7 +53,7 @@ def test_an_error_is_raised_after_all_parts_have_ended(failing: int) -> None:
 def test_threads_change_no_bit_of_the_reference() -> None:
     program = case("c edges", 8, rows=ROWS, cols=COLS)
     reference = Reference.of(program, sensor_of(program), selected("all"))
-    scene = scene_of(program, moving_light((8, ROWS, COLS), 40_000.0))
+    scene = reference_scene(program, moving_light((8, ROWS, COLS), 40_000.0))
     once = reference.expose(scene, 3, 4, 1, threads=1)
     for threads in (2, 5, 64):
         again = reference.expose(scene, 3, 4, 1, threads=threads)

@@ -22,7 +22,7 @@ from nscc_runtime.execution.frames import frame_source
 from nscc_runtime.execution.moments import scene_moments
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS, DEVICE = 8, 12, 5
@@ -36,7 +36,7 @@ Exposing = Callable[[int], np.ndarray]
 def by_reference(
     container: Container, light: Light, sensor: Sensor, effects: Selection
 ) -> Exposing:
-    reference, scene = Reference.of(container, sensor, effects), scene_of(container, light)
+    reference, scene = Reference.of(container, sensor, effects), reference_scene(container, light)
     return lambda number: reference.expose(scene, 4, DEVICE, number, 1).exposure_e
 
 

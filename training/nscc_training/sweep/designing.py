@@ -20,7 +20,7 @@ from nscc_training.sweep.point_programs import (
     light_files,
     program_files,
     scene_keys,
-    scene_of,
+    scene_of_point,
     sensor_keys,
     sensor_of,
 )
@@ -71,7 +71,7 @@ def _design(values: Values, task: PointTask) -> Figures:
 
     target = load_target(values["target"], Path())
     slots, slot_us = values["slots"], values["slot_us"]
-    [laid] = laid_lights(scene_of(values), [slot_us] * slots, target)
+    [laid] = laid_lights(scene_of_point(values), [slot_us] * slots, target)
     scene_light = [laid.placement.cut(laid.light.total_e())]
     frame = Frame(slots, slot_us, values["target"], sensor_of(values, target), values["level"])
     figures: Figures

@@ -23,7 +23,7 @@ from nscc_training.sweep.point_programs import (
     program_files,
     program_keys,
     scene_keys,
-    scene_of,
+    scene_of_point,
     sensor_keys,
     sensor_of,
     silent,
@@ -129,7 +129,7 @@ def _capture(values: Values, threads: int) -> Figures:
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
         container,
-        scene_of(values),
+        scene_of_point(values),
         sensor=sensor_of(values, converter_of(container)),
         effects=values["effects"],
         tolerance=values["tolerance"] if plans else None,

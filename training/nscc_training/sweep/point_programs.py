@@ -264,7 +264,7 @@ def light_files(values: Values) -> Sequence[Path]:
     return [Path(name) for name in named if name and not name.startswith("builtin:")]
 
 
-def scene_of(values: Values) -> Scene:
+def scene_of_point(values: Values) -> Scene:
     """Return the scene that the values of a point name, with its exposure and encoding."""
     from nscc_runtime.scenes import Scene
 

@@ -27,7 +27,7 @@ from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_training.command_settings import EmulatorStudySettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.stopwatch import timed_ms
@@ -284,7 +284,7 @@ class EmulatorBench:
         )
         # One row compiles and loads everything; each frame is then drawn once and timed.
         reference = Reference.of(program.container, program.sensor, selected("all"))
-        reference.expose_rows(scene_of(program.container, light), range(1))
+        reference.expose_rows(reference_scene(program.container, light), range(1))
         timed = [timed_ms(partial(next, drawn)) for _ in range(self.frames)]
         return [frame for frame, _ in timed], [ms for _, ms in timed]
 

@@ -23,7 +23,7 @@ from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import PlannedScene, planning_of
 from nscc_runtime.planning.tolerance import LEAST_E
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.stopwatch import timed_ms
 from nscc_training.experiments.study import NotMeasured, StudyPoint
@@ -164,11 +164,11 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
         light = unknown(bench.light)
         return planning_of(container, bench.sensor, light, request.device_seed)
 
-    def plan_of(scene: PlannedScene, chosen: str, tolerance: str) -> Plan:
+    def made_plan(scene: PlannedScene, chosen: str, tolerance: str) -> Plan:
         """Make the plan for `chosen` effects ("auto" or "all") and a tolerance."""
         return make_plan(scene, PlanRequest(selected(chosen), tolerance))
 
-    plans = {way: cache(partial(plan_of, planning(), *way)) for way in ways}
+    plans = {way: cache(partial(made_plan, planning(), *way)) for way in ways}
 
     def planned(way: tuple[str, str]) -> None:
         """Expose a frame with a plan that exists before the time is measured. `way` is the choice
@@ -179,7 +179,7 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
         """Make a plan and expose a frame with it. `way` is the choice of effects and the
         tolerance."""
         scene = planning()
-        next(iter(scene.frames(plan_of(scene, *way).kept, request.seed, 1)))
+        next(iter(scene.frames(made_plan(scene, *way).kept, request.seed, 1)))
 
     scene = planning_of(container, bench.sensor, bench.light, request.device_seed)
     scene.ready()
@@ -207,7 +207,7 @@ def _reference(bench: Bench, rows: range) -> Figures:
     """Return the figures of the reference: no error, and the time of a frame, estimated from the
     time of some `rows`."""
     reference = Reference.of(bench.container, bench.sensor, everything())
-    scene, planes = scene_of(bench.container, bench.light), bench.container.planes()
+    scene, planes = reference_scene(bench.container, bench.light), bench.container.planes()
     seeds = bench.request.seed, bench.request.device_seed
     run = partial(reference.execute, scene, planes, seeds, 0, rows)
     run()

@@ -40,7 +40,7 @@ from nscc_runtime.device.objects import packed_plane, upload_of
 from nscc_runtime.device.recording import BoardProgram, ExecutedFrame
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
-from nscc_runtime.host_setting import HostSetting, settings_of
+from nscc_runtime.host_setting import HostSetting, host_settings
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pictured_program import PicturedProgram
 from nscc_runtime.sensor import default_sensor
@@ -241,7 +241,7 @@ def drawn_settings(container: Container, count: int) -> tuple[HostSetting, ...]:
     step_e = target.electrons_per_step
     names = [plane.name for plane in pictures.inputs if plane.is_open]
     shape = target.rows, target.cols
-    return settings_of(
+    return host_settings(
         container,
         [{n: v * step_e if n in levels else v for n, v in row.items()} for row in drawn],
         [{n: rng.random(shape) < 0.5 for n in names if frame % 2} for frame in range(count)],

@@ -23,7 +23,7 @@ from nscc_runtime.execution.block_program import lacks
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames
 from nscc_runtime.looking.paths import Pathless, Paths
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.sensor import default_sensor
 
 EXAMPLES = ROOT / "examples"
@@ -83,7 +83,7 @@ def test_threads_and_rows_change_no_bit(program: Container) -> None:
         for threads in (1, 3)
     )
     assert np.array_equal(one, many)
-    reference, scene = Reference.of(program, sensor, chosen), scene_of(program, light)
+    reference, scene = Reference.of(program, sensor, chosen), reference_scene(program, light)
     whole, part = (
         reference.execute(scene, program.planes(), (1, 2), 0, rows).exposure.exposure_e
         for rows in (None, range(5, 11))

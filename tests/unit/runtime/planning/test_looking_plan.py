@@ -24,7 +24,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planning.make import measured_again, served_plan
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planning.planned_scene import planning_of
-from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import Listener, Simulated, simulate
@@ -93,7 +93,7 @@ def test_comparators_are_kept_where_they_turn_pixels(program: Container) -> None
         found = {each.name: each for each in plan.decisions}
         assert found["comparator_noise"].decision == choice
     noise = next(each for each in bright.decisions if each.name == "comparator_noise")
-    sensor, scene = default_sensor(program.target), scene_of(program, light(2.0))
+    sensor, scene = default_sensor(program.target), reference_scene(program, light(2.0))
     planes = [
         Reference.of(program, sensor, effects).execute(scene, program.planes(), (0, 0), 0).planes
         for effects in (everything(), everything().without("comparator_noise"))

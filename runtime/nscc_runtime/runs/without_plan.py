@@ -1,4 +1,6 @@
-"""Frames of programs with fixed shutters, exposed slot by slot."""
+"""Frames of programs with fixed shutters that need no plan: without effects, or by the reference.
+
+Frames under a plan are made by `nscc_runtime.planning.planned_scene`."""
 
 from __future__ import annotations
 
@@ -22,9 +24,9 @@ def exposing(
     `effects` are those to simulate; `request` gives the seeds, the number of frames
     (`request.repeat`, None for one) and the threads."""
     if request.effects.noiseless:
-        from nscc_runtime.emulator.loops import expose_pixels
+        from nscc_runtime.emulator.loops import expose_without_effects
 
-        return Exposing(partial(_exact, container, light, sensor, request), expose_pixels)
+        return Exposing(partial(_exact, container, light, sensor, request), expose_without_effects)
     from nscc_runtime.noise.noise_loops import fill_normals
     from nscc_runtime.reference import frames
 
