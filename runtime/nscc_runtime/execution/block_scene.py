@@ -8,6 +8,7 @@ effects or other pixels have the same random numbers."""
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -260,15 +261,9 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
             **shared,
         )
 
-    def add_dark(begin: int, end: int) -> None:
-        """Add to `means` the dark charge of the sites (pixels whose charge is computed) from
-        `begin` up to before `end`."""
-        dark_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
-
-    def complete(begin: int, end: int) -> None:
-        """Compute, in `means`, the expected charge of the pixels from `begin` up to before `end`,
-        after the exchange with neighbours."""
-        charge_means(sizes=Laying(begin=begin, end=end, **sizes), **shared)
+    def compute(means_loop: Any, begin: int, end: int) -> None:
+        """Run a loop that completes `means` from `begin` up to before `end`."""
+        means_loop(sizes=Laying(begin=begin, end=end, **sizes), **shared)
 
     def with_light() -> list[Floats]:
         """Add up the light in `means`, and return copies of those that contain it."""
@@ -286,8 +281,8 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         ):
             np.copyto(own, known)
     if dark:
-        in_parts(add_dark, count, threads, _FEWEST)
-    in_parts(complete, pixels, threads, _FEWEST)
+        in_parts(partial(compute, dark_means), count, threads, _FEWEST)
+    in_parts(partial(compute, charge_means), pixels, threads, _FEWEST)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = whole_device(scene.sensor, scene.device_seed, program.lane.size)

@@ -53,7 +53,7 @@ def _beside(
     Pixels `first` to `stop` - 1 are in one row. `away`: deviations of counts from their means, of
     which number `draw` is used. `own_weights`, `neighbour_weights`: electrons in this bucket of the
     pixel for one count of its own, and of the neighbour."""
-    cols, pixels, fraction = adding.cols, adding.pixels, adding.fraction
+    cols, pixels = adding.cols, adding.pixels
     step, begin, end = on_side(first // cols, adding.rows, cols, direction)
     draw_start = draw * adding.pixels
     own_start = (draw * adding.buckets + bucket) * pixels
@@ -62,7 +62,7 @@ def _beside(
     for p in range(max(begin, first), min(end, stop)):
         given_e = own_weights[own_start + p] * away[draw_start + p]
         received_e = neighbour_weights[neighbour_start + p] * away[draw_start + p + step]
-        total[at + p] += fraction * (received_e - given_e)
+        total[at + p] += adding.fraction * (received_e - given_e)
 
 
 @compiled

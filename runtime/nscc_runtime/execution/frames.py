@@ -60,7 +60,7 @@ class FrameSource:
     device_seed: int
     threads: int
     by: Moments | Reference
-    near: Places = NO_PIXELS.places
+    near: Places
     block: BlockScene | None = None
 
     def expose(self, seed: int, number: int) -> Exposure:
@@ -147,7 +147,7 @@ def frame_source(
     chip = container, sensor, light, effects, device_seed, count
     # Some effects exist word by word only; then the reference exposes every pixel.
     if by_words or slow_effects(effects):
-        return FrameSource(*chip, Reference.of(container, sensor, effects))
+        return FrameSource(*chip, Reference.of(container, sensor, effects), NO_PIXELS.places)
     program = analysed(container, sensor)
     # Pixels that cannot saturate are exposed by sums of light; the others run their words.
     near = near_saturation(program, light, device_seed, effects).places

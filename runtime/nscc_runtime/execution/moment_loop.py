@@ -66,26 +66,22 @@ def _covariances(
     pixels): those of dark charge. `charge_e` (pixels,): the charge of each pixel in the frame, of
     which `unknown` (4, buckets, pixels) goes to neighbours independently of its own counts."""
     cols, first, pair = sizes.cols, row * sizes.cols, 0
-    # Fields are read here, because no loop that reads them is vectorised: what it writes might be
-    # these fields.
-    pairs_of_light, pairs_of_dark, cap_e2 = sizes.light_pairs, sizes.dark_pairs, sizes.cap_e2
-    both_ways = sizes.exchanged * sizes.exchanged
     for bucket in range(sizes.buckets):
         for other in range(bucket + 1):
             at, here = pair * sizes.pixels, pair * cols - first
             for p in range(first, first + cols):
-                light_e2 = sums[at + p] if pairs_of_light else 0.0
-                covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if pairs_of_dark else 0.0)
+                light_e2 = sums[at + p] if sizes.light_pairs else 0.0
+                covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if sizes.dark_pairs else 0.0)
             # Buckets share no charge whose count is unknown: it adds to variances only.
             for side in range(4 if bucket == other and sizes.exchanged > 0.0 else 0):
                 step, begin, end = on_side(row, sizes.rows, cols, side)
                 part = (side * sizes.buckets + bucket) * sizes.pixels
                 for p in range(begin, end):
                     variance_e2 = unknown[part + p] * charge_e[p + step]
-                    covariance_e2[here + p] += both_ways * variance_e2
+                    covariance_e2[here + p] += sizes.exchanged * sizes.exchanged * variance_e2
             for p in range(first, first + cols):
                 value = covariance_e2[here + p]
-                covariance_e2[here + p] = cap_e2 if value > cap_e2 else value
+                covariance_e2[here + p] = sizes.cap_e2 if value > sizes.cap_e2 else value
             pair += 1
 
 

@@ -16,7 +16,7 @@ from dataclasses import replace
 import numpy as np
 
 from nscc_runtime.effects import everything
-from nscc_runtime.effects.parts import Counted, CountedLight, Exchange, Moving, Saturates
+from nscc_runtime.effects.parts import Counted, CountedLight, Moving, Saturates
 from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.planning.decisions import FROM_EARLIER_PLAN, MARGIN, EffectChoice, decided_plan
@@ -38,12 +38,8 @@ from nscc_runtime.planning.tolerance import (
     unit_of,
 )
 
-_WORTH, _WORTH_TOGETHER = 3.0, 8.0
-"""A set of effects is tried if dropping it is predicted to save `_WORTH` times as long as a trial
-takes, but only if all sets together save `_WORTH_TOGETHER` times as long: the sample is drawn and
-exposed with every effect first."""
-_ROUGHLY = 0.7
-"""An estimated error is exceeded by the measured one if it is multiplied by this."""
+_WORTH = 2.0
+"""Effects are measured if that is predicted to save this multiple of the time that it takes."""
 _SURE = 0.97
 """Effects are dropped while the measured error plus two standard errors is at most this fraction of
 the tolerance."""
@@ -66,11 +62,9 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     check_tolerance(request.tolerance, scene.sensor)
     work, absent = Work.of(scene), absent_effects(scene)
     moves = _moves(work, request, absent)
-    trial_ms = 0.0 if request.figures else work.trials_ms(1, _QUICK)
+    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, _QUICK)
     is_checked = request.effects.auto and bool(request.forced_off - absent)
-    single_ms = sum(saved_ms for names, saved_ms in moves.items() if len(names) == 1)
-    most_ms = max(single_ms, max(moves.values(), default=0.0))
-    if not (request.figures or is_checked or most_ms > _WORTH_TOGETHER * trial_ms):
+    if not (request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms):
         return _unmeasured(work, request, absent)
     measuring = _Measuring(scene, request)
     alone = measuring.drop_each(absent) if request.figures else {}
@@ -78,7 +72,7 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     dropped = Names()
     together, _ = measuring.drop_together(dropped)
     for names, saved_ms in moves.items():
-        if names & hopeless or names <= dropped or saved_ms <= _WORTH * trial_ms:
+        if names & hopeless or names <= dropped or saved_ms <= trial_ms:
             continue
         if names not in alone or measuring.fits(alone[names]):
             candidate, by_choice = measuring.drop_together(dropped | names)
@@ -189,26 +183,20 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
 
 
 def _too_large(scene: PlannedScene, allowed: Tolerance) -> Names:
-    """Return the names of the effects whose error alone is estimated to exceed the tolerance
-    `allowed`, so that dropping them is not measured: their noise, or the charge that light
-    exchanges between neighbours."""
+    """Return the names of the effects whose noise alone certainly exceeds the tolerance `allowed`,
+    so that dropping them need not be measured."""
     all_effects, full_e = everything(), scene.sensor.full_well_e
-    rms_e = {
+    least_e = {
         effect.name: part.sigma_e(scene.sensor)
         for effect, part in all_effects.errors()
         if part.at != "resets"  # double sampling subtracts these
     }
     if not scene.looks:
         program = analysed(scene.container, scene.sensor)
-        open_share = program.opened.mean(axis=0).max(axis=1)[program.lane]
-        light_e = np.minimum(scene.light.sum_e * open_share, full_e)
-        rms_e |= dict.fromkeys(all_effects.names(CountedLight), _ROUGHLY * light_e.mean() ** 0.5)
-        for effect, exchange in all_effects.having(Exchange):
-            even_e = scene.light.sum_e * open_share.mean()
-            after_e = exchange.smeared(even_e, exchange.fraction(scene.sensor))
-            moved_e = np.minimum(after_e, full_e) - np.minimum(even_e, full_e)
-            rms_e[effect.name] = _ROUGHLY * float((moved_e**2).mean()) ** 0.5
-    return frozenset(name for name, error_e in rms_e.items() if error_e > allowed.electrons)
+        open_share = program.opened.mean(axis=0).max(axis=1)[program.lanes]
+        light_e = np.minimum(scene.light.sum_e.reshape(-1) * open_share, full_e)
+        least_e |= dict.fromkeys(all_effects.names(CountedLight), 0.5 * light_e.mean() ** 0.5)
+    return frozenset(name for name, error_e in least_e.items() if error_e > allowed.electrons)
 
 
 class _Measuring:
