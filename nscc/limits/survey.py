@@ -19,7 +19,13 @@ from nscc.limits.families import Family, families
 from nscc.lower.resources import time_text
 from nscc.options import Options
 from nscc.pipeline import run_passes
-from nscc.program.limits import MOST_SLOTS, Count, bits_needed, impossible_from, largest_with
+from nscc.program.limits import (
+    MOST_SLOTS,
+    Count,
+    bits_needed,
+    impossible_from,
+    largest_with,
+)
 from nscc.record import Record
 from nscc.source import Source
 from nscc.words.legality import refuse_planes
@@ -361,27 +367,3 @@ def explore(
             smallest_misfit = probe
         probe = (largest_fit + smallest_misfit) // 2
     return trials
-
-
-def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
-    """Return the largest size in `least`..`most` that fits, found by bisection; None if no tried
-    size fits, or if the range is empty.
-
-    `fits(size)` tells whether a size fits. At most `budget` sizes are tried, `most` first. The
-    result is exact if all sizes below a fitting size fit and the budget suffices; else it is the
-    largest tried size that fits."""
-    if most < least or budget < 1:
-        return None
-    if fits(most):
-        return most
-    # `least` - 1 counts as fitting, until a size that fits is found.
-    largest_fit, smallest_misfit = least - 1, most
-    for _ in range(budget - 1):
-        if smallest_misfit - largest_fit <= 1:
-            break
-        middle = (largest_fit + smallest_misfit) // 2
-        if fits(middle):
-            largest_fit = middle
-        else:
-            smallest_misfit = middle
-    return largest_fit if largest_fit >= least else None

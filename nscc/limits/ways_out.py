@@ -2,9 +2,10 @@
 
 A similar program keeps the target, the slot length and the user's limits. It does less: only the
 used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. A
-program with senses, images or planes only gets the used codes; several buckets only codebooks. The
-numbers of rows and slots are found by search. Codebooks that the user would have to provide are
-replaced by pseudo-random rows."""
+program with senses gets the used codes, smaller states or fewer slots; one with images or planes
+only the used codes; several buckets only fewer slots and codebooks. The numbers of values, rows and
+slots are found by search. Codebooks that the user would have to provide are replaced by
+pseudo-random rows."""
 
 from __future__ import annotations
 
@@ -20,21 +21,20 @@ import numpy as np
 
 from nscc.arrays import Bools
 from nscc.limits.families import (
-    bits_rule,
     book_text,
     bump_rule,
     program_text,
     random_rows,
-    start_rule,
     stop_rule,
 )
-from nscc.limits.survey import largest
 from nscc.lower.lowered import Lowered
 from nscc.pipeline import KINDS
-from nscc.program.limits import largest_with
+from nscc.program.limits import largest, largest_with
 from nscc.program.problems import counted
 from nscc.program.program import Codes, Program
 from nscc.source import Source
+from nscc.syntax import tree
+from nscc.syntax.parse import parse
 
 MOST_SHOWN = 3
 """Most similar programs suggested in one error message."""
@@ -96,11 +96,12 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
         if lowered is not None:
             in_use = counted(len(lowered.program.table.shutters), "shutter")
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
+    if program.machine.looks:
+        yield from _smaller_states(program, attempt, level)
     if not KINDS.of(program).has_simpler_programs:
         return
     yield from _fewer_rows(program, attempt, most)
-    if len(program.buckets) == 1:
-        yield from _fewer_slots(program, attempt, level)
+    yield from _fewer_slots(program, attempt, level)
     for source, change, why in _of_other_classes(program):
         lowered = attempt(source, "open", level)
         if lowered is not None:
@@ -206,47 +207,58 @@ def _largest(
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
-    """Yield the complete class with the most slots that fit, if that is fewer than the frame has.
+    """Yield the program with the most slots that fit, if that is fewer than the frame has.
 
-    `attempt` compiles a program, at the optimisation level `level`. A rule of no class is kept as
-    it is written; N in it follows the frame. Yield nothing for codebooks, whose rows have the
-    length of the frame."""
+    `attempt` compiles a program, at the optimisation level `level`. The rule is kept as it is
+    written; N in it follows the frame. Yield nothing for codebooks, whose rows have the length of
+    the frame, and for frames that list the lengths of slots."""
     slots = len(program.frame.slot_us)
-    registers = len(program.target.digital_registers)
-    least, most = 2, slots - 1  # numbers of slots to try
-    match program.class_name:
-        case "b":
-            rule, kept_shutters = stop_rule("1"), "every stop"
-        case "c":
-            length = int(program.table.shutters.sum(axis=2).max(initial=1))
-            least = length + 1  # the fewest slots with two starts
-            rule, kept_shutters = start_rule(length), f"every bump of {counted(length, 'slot')}"
-        case "d":
-            rule, kept_shutters = bump_rule(), "every bump"
-            # n slots have n (n + 1) / 2 bumps, and each needs a different content of the registers.
-            most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, least=1, ceiling=most)
-        case "e":
-            rule, kept_shutters = bits_rule(), "every shutter"
-            # n slots have 2^n shutters.
-            most = min(most, registers)
-        case "codebook":
-            return
-        case _:  # the program's own rule, see below
-            rule, kept_shutters = "", "every shutter of the rule"
-    build = partial(_source_of_rule, program, rule) if rule else partial(_with_slots, program)
+    build = partial(_with_slots, program)
+    if program.class_name != "codebook" and build(2).text != build(3).text:
+        quick = partial(attempt, level=level)
+        count, lowered, remark = _largest(2, slots - 1, build, quick, _FRAME_TRIALS)
+        if lowered is not None:
+            fewer = counted(slots - count, "slot")
+            why = f"{fewer} fewer, every shutter still possible{remark}"
+            yield _way_out(f"frame {count} slots", why, lowered, level)
+
+
+def _smaller_states(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
+    """Yield the program whose largest state has the most values that fit. The number that ends its
+    range is replaced wherever the text has it; without such a number, the program with the most
+    slots that fit.
+
+    `attempt` compiles a program, at the optimisation level `level`."""
+    most, name = max((int(state.high), state.name) for state in program.machine.states)
+
+    def with_values(high: int) -> Source:
+        """Return the program text with `high` instead of `most`."""
+        return Source("way-out.nsl", re.sub(rf"\b{most}\b", str(high), program.source.text))
+
+    if most < 2 or with_values(1).text == program.source.text:
+        yield from _fewer_slots(program, attempt, level)
+        return
     quick = partial(attempt, level=level)
-    count, lowered, remark = _largest(least, most, build, quick, _FRAME_TRIALS)
+    high, lowered, remark = _largest(1, most - 1, with_values, quick, _FRAME_TRIALS)
     if lowered is not None:
-        why = f"{counted(slots - count, 'slot')} fewer, {kept_shutters} still possible{remark}"
-        yield _way_out(f"frame {count} slots", why, lowered, level)
+        why = f"the largest value of `{name}` that fits{remark}"
+        yield _way_out(f"{high} instead of {most}", why, lowered, level)
 
 
 def _with_slots(program: Program, slots: int) -> Source:
-    """Return the program text with `slots` slots: the number before "slots" in its `frame`
-    statement is replaced. Unchanged if that statement lists slot lengths."""
-    text, span = program.source.text, program.frame.span
-    frame = re.sub(r"\d+(?=\s+slots?\b)", str(slots), text[span.start : span.end], count=1)
-    return Source("way-out.nsl", text[: span.start] + frame + text[span.end :])
+    """Return the program text with `slots` slots and without the codes of pixels, which may need
+    more. The number of slots stays if the frame lists their lengths."""
+    text = program.source.text
+    for statement in reversed(parse(program.source)[0].statements):
+        old = text[statement.span.start : statement.span.end]
+        if isinstance(statement, tree.PixelsExpr | tree.PixelsTile | tree.PixelsFromFile):
+            new = ""
+        elif isinstance(statement, tree.EqualSlots):
+            new = re.sub(r"\d+(?=\s+slots?\b)", str(slots), old, count=1)
+        else:
+            continue
+        text = text[: statement.span.start] + new + text[statement.span.end :]
+    return Source("way-out.nsl", text)
 
 
 def _of_other_classes(program: Program) -> Iterator[tuple[Source, str, str]]:

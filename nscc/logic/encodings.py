@@ -13,7 +13,7 @@ from nscc.arrays import Indices, Ints
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
 from nscc.logic.digits import Planes, binary_planes, gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
-from nscc.truth import members, union
+from nscc.truth import members, rows, union
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -57,34 +57,6 @@ def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     )
     planes = [(1 << shutter, f"shutter {shutter}") for shutter in plane_of]
     return Encoding("one register for each shutter", planes, cubes)
-
-
-def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return event times in Gray code, stored as time XOR now: an event is a test for 0, one NOR.
-
-    The times of the k-th events of one kind (rise or fall of a bucket) form a field. Its planes
-    hold the Gray code of the event number. One in-place NOT before each event updates "now". Raises
-    GaveUp if the planes leave no register for intermediate results. The budget is not used. A plane
-    is the content of a code register."""
-    planes: Planes = []
-    cubes: list[list[Cube]] = [[] for _ in problem.demands]
-    fields = event_fields(problem, machine.registers - 1)
-    for (edge, bucket, rank), events in fields.items():
-        # Shutters without such an event keep the number after the last, which never occurs.
-        numbers = np.full(problem.shutters, len(events), dtype=np.int64)
-        for number, (_, shutters) in enumerate(events):
-            numbers[shutters] = number
-        width = max(1, int(numbers.max()).bit_length())
-        base = len(planes)
-        if base + width > machine.registers - 1:
-            raise GaveUp(f"event times need {base + width} registers and one of scratch")
-        label = event_name(edge, bucket, rank, fields)
-        planes += binary_planes(f"{label}, Gray bit", gray(numbers), width)
-        for number, (demand, _) in enumerate(events):
-            cubes[demand].append(_equality(gray(number), base, width))
-    return Encoding(
-        "event times in Gray code", planes, tuple(tuple(demand_cubes) for demand_cubes in cubes)
-    )
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
@@ -224,18 +196,46 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 
 
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return the encoding whose planes are the shutters open in each slot; an opening or closing
-    edge is one cube (a NOR of registers) of two neighbouring slots.
+    """Return the encoding whose planes are the shutters open in slots; all predicates are covered
+    by cubes of them.
 
-    Raises GaveUp if the different levels leave no register for intermediate results, if they do not
-    distinguish the shutters of a predicate, or if the budget is used up. A predicate is a set of
-    shutters."""
+    All different levels are stored if they leave a register for intermediate results. Otherwise a
+    few are stored that distinguish the shutters, which suits shutters without structure. Raises
+    GaveUp if there are no such levels, if the levels do not distinguish the shutters of a
+    predicate, or if the budget is used up."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
     levels = [level for level in distinct if level not in (0, problem.everything)]
     if len(levels) > machine.registers - 1:
-        raise GaveUp(f"{len(levels)} different levels leave no register to compute with")
+        levels = _separating(levels[:_MOST_COMPARED], problem.shutters, machine.registers - 1)
     planes = [(level, f"level {i}") for i, level in enumerate(levels)]
     return _covered(problem, "open slots, edges made from them", planes, budget)
+
+
+# Levels from which those to store are chosen. Shutters without structure differ in any of them.
+_MOST_COMPARED = 64
+
+
+def _separating(levels: list[int], shutters: int, most: int) -> list[int]:
+    """Return a few of `levels` (truth vectors) that distinguish all `shutters`, each time the one
+    that leaves the fewest pairs of equal shutters. Raises GaveUp if `most` levels do not suffice.
+
+    >>> [f"{level:04b}" for level in _separating([0b0001, 0b0011, 0b0101], 4, most=2)]
+    ['0011', '0101']
+    """
+    bits = rows(levels, shutters).astype(np.int64)
+    kinds = np.zeros(shutters, dtype=np.int64)
+    chosen: list[int] = []
+    while kinds.max() + 1 < shutters:
+        if kinds.max() + 1 << most - len(chosen) < shutters:
+            raise GaveUp(f"{most} levels do not distinguish {shutters} shutters")
+        # How many shutters of each kind are closed and open in each level.
+        open_ = np.zeros((kinds.max() + 1, len(levels)), dtype=np.int64)
+        np.add.at(open_, kinds, bits)
+        closed = np.bincount(kinds)[:, None] - open_
+        best = int((open_**2 + closed**2).sum(axis=0).argmin())
+        chosen.append(levels[best])
+        kinds = np.unique(2 * kinds + bits[:, best], return_inverse=True)[1].reshape(-1)
+    return chosen
 
 
 def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:

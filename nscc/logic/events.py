@@ -79,8 +79,8 @@ _MOST_KINDS = 24
 
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield solutions with groups and places for every field; spare registers store the last
-    demands directly.
+    """Yield solutions with groups and places for every field: first those with the fewest
+    inversions and with the fewest planes. Spare registers may store the last demands directly.
 
     `steps` limits the search for the gates of each solution. Yields nothing if no layout fits or no
     search succeeds. Raises GaveUp if the demands are levels (what is open in each slot), if there
@@ -98,14 +98,15 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
         if sum(form.planes for form in chosen) <= room
     ]
     fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))
+    # The layout with the fewest planes takes the fewest words at a boundary.
+    smallest = sorted(fitting, key=lambda chosen: sum(form.planes for form in chosen))
+    choices = [(chosen, 0) for chosen in (*fitting[:1], *smallest[:1])]
     for chosen in fitting[:_MOST_TRIED]:
-        stored = room - sum(form.planes for form in chosen)
         # A stored demand takes one word, but spare registers may save more as scratch registers.
-        for stored_demands in sorted({0, stored}):
-            with suppress(GaveUp):
-                yield from walk(
-                    problem, machine, _script(problem, events, chosen, stored_demands), steps
-                )
+        choices += [(chosen, 0), (chosen, room - sum(form.planes for form in chosen))]
+    for chosen, stored in dict.fromkeys(choices):
+        with suppress(GaveUp):
+            yield from walk(problem, machine, _script(problem, events, chosen, stored), steps)
 
 
 _Events = list[tuple[int, int]]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
 from math import inf
 from typing import TYPE_CHECKING, Literal
 
@@ -33,6 +34,9 @@ PATIENT_STEPS = 4_000_000
 # With more shutters, covers are too expensive and only tried if nothing else works.
 MOST_COVERED = 512
 
+# Solutions of a family below LEAST_ADDED, where a search must be short.
+_FEW_OF_FAMILY = 2
+
 # A family's solution within this factor of the minimum number of words ends the search.
 _CLOSE = 1.1
 
@@ -53,7 +57,7 @@ Kind = Literal["direct", "family", "equality", "cascade", "cover", "last"]
 
 FROM_LEVEL: dict[Kind, int] = {
     "direct": 0,
-    "family": 2,
+    "family": 0,
     "equality": 0,
     "cascade": 2,
     "cover": 0,
@@ -62,7 +66,8 @@ FROM_LEVEL: dict[Kind, int] = {
 """The lowest optimisation level at which generators of each kind are tried.
 
 * direct: one word per demand; nothing is cheaper, so no other kind is tried after a solution
-* family: encodings with parameters (radices, polarities), all of which are compared
+* family: encodings with parameters (radices, polarities); below LEAST_ADDED only the first
+  `_FEW_OF_FAMILY` solutions of a family are compared, from it on all
 * equality: a few words per demand, for any number of shutters and slots
 * cascade: arbitrary shutters, by search over several levels of gates
 * cover: any predicates, at a cost that grows with them
@@ -104,7 +109,6 @@ GENERATORS: dict[str, Generator] = {
     "one_hot": _emitted("direct", encodings.one_hot),
     "equalities": Generator("family", events.equalities),
     "composed": Generator("equality", composed.composed),
-    "gray_times": _emitted("equality", encodings.gray_times),
     "folded_times": _emitted("equality", folded_times.folded_times),
     "cascade": Generator("cascade", cascade.cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
@@ -204,8 +208,10 @@ def solutions(
         for kind in kinds:
             for name, generator in known.items():
                 if generator.kind == kind and level >= generator.least_level:
+                    found = _checked_solutions(name, generator, problem, machine, allowed)
+                    few = kind == "family" and level < LEAST_ADDED
                     try:
-                        yield from _checked_solutions(name, generator, problem, machine, allowed)
+                        yield from islice(found, _FEW_OF_FAMILY if few else None)
                     except Exception as error:
                         note_fault(error, name, level, faults)
 

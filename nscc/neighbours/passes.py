@@ -23,6 +23,7 @@ from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.neighbours.table import WordForms
 from nscc.operations import Op
+from nscc.program.limits import largest
 from nscc.program.program import Program
 from nscc.prove.meaning import reaches
 from nscc.syntax.parse import declared_at
@@ -48,6 +49,8 @@ image reached; after these, the range of registers is tried."""
 _LEVEL_OF_CHANGES, _STEPS_OF_CHANGES = 1, 4000
 """Highest optimisation level at which an error message tries changes of a program, and the steps of
 the searches for all of them."""
+_MOST_READS_TRIED = 6
+"""Most numbers of images and planes to read out that an error message tries."""
 
 
 def with_pictures(
@@ -404,11 +407,11 @@ def _refusal(
         "steering": "registers that choose neighbours",
         "store": "words in the store",
     }[refused.kind]
-    notes, helps = [], ["read out fewer images and planes, or use smaller convolution kernels"]
     # The help depends on what is lacking.
-    if refused.kind == "halvings":
-        helps = [f"divide by at most 2^{available:g} in all"]
-    elif refused.kind == "registers":
+    notes, helps = [], [f"divide by at most 2^{available:g} in all"]
+    if refused.kind != "halvings":
+        helps = [_fewer_reads(program.pictures, _Changes(container, level, refused))]
+    if refused.kind == "registers":
         holders = (f"{readout.register} holds {readout.bucket}" for readout in container.readouts)
         notes.append(f"exposures also occupy registers: {', '.join(holders)}")
     elif refused.kind in ("planes", "steering") and container.code_registers:
@@ -435,6 +438,47 @@ def _refusal(
     )
 
 
+class _Changes:
+    """Changes of images and planes that an error message tries; `fits` compiles each with few steps
+    for all of them, and `refused` is why the last one without success was refused."""
+
+    def __init__(self, container: Container, level: int, refused: PictureRefused) -> None:
+        """Prepare the searches. `level` is the user's level of optimisation; at most
+        `_LEVEL_OF_CHANGES` is used, to be fast. `refused` is why the program itself is refused."""
+        self._container, self._level = container, min(level, _LEVEL_OF_CHANGES)
+        self.refused = refused
+        forms = WordForms.choices(container.target)
+        self._searches = [Synthesis(STEPS_OF_LEVEL[self._level], form) for form in forms]
+        for search in self._searches:
+            search.budget = _STEPS_OF_CHANGES
+
+    def fits(self, changed: Pictures) -> bool:
+        """Return whether the words of these images and planes fit the registers and the store."""
+        try:
+            lowering = _shortest(self._container, changed, self._level, self._searches)
+        except PictureRefused as refused:
+            # A search without steps left tells nothing about the program.
+            self.refused = self.refused if refused.kind == "steps" else refused
+            return False
+        stored = sum(map(len, grouped(lowering.words, lowering.loops)[0]))
+        return self._container.words_stored + stored <= self._container.target.store_words
+
+
+def _fewer_reads(pictures: Pictures, changes: _Changes) -> str:
+    """Return the help for images and planes that do not fit: how many of those that are read out
+    fit, counted from the first, if some do."""
+    reads = pictures.reads
+    count = largest(
+        1,
+        len(reads) - 1,
+        lambda count: changes.fits(replace(pictures, reads=reads[:count])),
+        _MOST_READS_TRIED,
+    )
+    if count is None:
+        return "read out fewer images and planes, or use smaller convolution kernels"
+    return f"read out the first {count} of {len(reads)} images and planes: this compiles"
+
+
 def _beyond_range(
     refused: PictureRefused, container: Container, program: Program, level: int
 ) -> Diagnostic:
@@ -449,36 +493,24 @@ def _beyond_range(
     notes = [
         f"registers of {target.name} hold {target.register_min_e:g} to {target.register_max_e:g} e"
     ]
+    changes = _Changes(container, level, refused)
     # The fewest halvings with which the value fits, up to rounding.
     least_halvings = max(1, ceil(log2(over) - 1e-9))
-    level = min(level, _LEVEL_OF_CHANGES)
-    searches = [Synthesis(STEPS_OF_LEVEL[level], form) for form in WordForms.choices(target)]
-    for search in searches:
-        search.budget = _STEPS_OF_CHANGES
-    other = refused
     for halvings in range(least_halvings, least_halvings + _MORE_HALVINGS):
-        smaller = _with_item_divided(pictures, refused.name, 2**halvings)
-        try:
-            _shortest(container, smaller, level, searches)
-        except PictureRefused as refused_smaller:
-            # A search without steps left tells nothing about the program.
-            other = other if refused_smaller.kind == "steps" else refused_smaller
-            continue
-        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
-        break
+        if changes.fits(_with_item_divided(pictures, refused.name, 2**halvings)):
+            helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
+            break
+    other = changes.refused
     limit_percent = 100 * max(pictures.limits_e.values()) / target.full_well_e
     # The largest whole limit with which this value fits, up to rounding. If another value does not
     # fit, the limit is halved.
     percent = int(limit_percent / over + 1e-9)
     while percent >= 1:
         limits = dict.fromkeys(pictures.limits_e, percent / 100 * target.full_well_e)
-        try:
-            _shortest(container, replace(pictures, limits_e=limits), level, searches)
-        except PictureRefused:
-            percent //= 2
-            continue
-        helps.append(f"limit the exposure: `assume exposure <= {percent}%` compiles")
-        break
+        if changes.fits(replace(pictures, limits_e=limits)):
+            helps.append(f"limit the exposure: `assume exposure <= {percent}%` compiles")
+            break
+        percent //= 2
     if not helps:
         helps.append("use smaller factors, or fewer and smaller convolution kernels")
         if other.kind != "range":

@@ -110,3 +110,27 @@ def impossible_from(count: Count, target: Target) -> int | None:
     Return None if all sizes up to the longest frame are possible."""
     fits = largest_with(count, 1 << len(target.digital_registers), least=1, ceiling=MOST_SLOTS)
     return fits + 1 if fits < MOST_SLOTS else None
+
+
+def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
+    """Return the largest size in `least`..`most` that fits, found by bisection; None if no tried
+    size fits, or if the range is empty.
+
+    `fits(size)` tells whether a size fits. At most `budget` sizes are tried, `most` first. The
+    result is exact if all sizes below a fitting size fit and the budget suffices; else it is the
+    largest tried size that fits."""
+    if most < least or budget < 1:
+        return None
+    if fits(most):
+        return most
+    # `least` - 1 counts as fitting, until a size that fits is found.
+    largest_fit, smallest_misfit = least - 1, most
+    for _ in range(budget - 1):
+        if smallest_misfit - largest_fit <= 1:
+            break
+        middle = (largest_fit + smallest_misfit) // 2
+        if fits(middle):
+            largest_fit = middle
+        else:
+            smallest_misfit = middle
+    return largest_fit if largest_fit >= least else None

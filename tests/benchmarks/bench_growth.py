@@ -32,11 +32,6 @@ ALLOWED = {
     ("codebook of 16 slots", 32, 33): "33 rows need a sixth plane, and both polarities do not fit",
 }
 """Exceptions: (family, size, next size), with the reason."""
-ALLOWED_AT_1 = {
-    ("b", 32, 33): "both polarities of 33 stops need 12 planes, which leave too little scratch",
-    ("c", 32, 64): "both polarities of 25 numbers fit, those of 57 do not; -O2 groups the times",
-}
-"""Further exceptions at -O1, which does not search for groups and places of event times."""
 
 
 def frame(slots: int, text: str) -> str:
@@ -131,13 +126,10 @@ def measure(text: str, level: int) -> tuple[int | str, float, float]:
     return words, process_time() - start, memory
 
 
-def too_much(
-    family: str, level: int, sizes: tuple[int, int], words: tuple[int | str, int | str]
-) -> str:
+def too_much(family: str, sizes: tuple[int, int], words: tuple[int | str, int | str]) -> str:
     """Why the growth between two sizes is too large; empty if it is not."""
     (size, larger), (before, after) = sizes, words
-    allowed = ALLOWED | ALLOWED_AT_1 if level == 1 else ALLOWED
-    if isinstance(before, str) or (family, size, larger) in allowed:
+    if isinstance(before, str) or (family, size, larger) in ALLOWED:
         return ""
     if isinstance(after, str):
         return f"CLIFF: {after}"
@@ -166,7 +158,7 @@ def main() -> None:
                 last = known.get(before)
                 fault = ""
                 if last:
-                    fault = too_much(family, asked.level, (before, now), (last, known[now]))
+                    fault = too_much(family, (before, now), (last, known[now]))
                 both = isinstance(last, int) and isinstance(known[now], int)
                 growth = f"{known[now] / last:.2f}" if both else ""  # type: ignore[operator]
                 columns = f"{growth:>8}{'':>9}" if now == before + 1 else f"{'':>8}{growth:>9}"

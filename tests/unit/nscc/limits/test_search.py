@@ -13,9 +13,9 @@ from marks import slow
 from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.limits.families import families, random_rows
-from nscc.limits.survey import GIVE_UP_AFTER, SizeTrial, candidates, explore, largest
+from nscc.limits.survey import GIVE_UP_AFTER, SizeTrial, candidates, explore
 from nscc.pipeline import Options
-from nscc.program.limits import bits_needed, impossible_from, largest_with
+from nscc.program.limits import bits_needed, impossible_from, largest, largest_with
 from nscc.source import Source
 
 

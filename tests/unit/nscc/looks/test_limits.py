@@ -33,6 +33,34 @@ def test_a_state_of_any_range_is_counted_before_it_is_made() -> None:
     assert f" {10**15 + 1} " in said
 
 
+@pytest.mark.parametrize("last", ["12", "N - 4"])
+def test_a_state_that_does_not_fit_names_the_largest_that_does(last: str) -> None:
+    """As a number, its end is replaced; as a formula, the frame gets shorter."""
+    chip = replace(SMALL_WELL, digital_registers=("R0", "R1", "R2", "R3", "R4", "R5", "R12"))
+
+    def text(slots: int, last: str) -> str:
+        return (
+            f"nsl 2\nframe {slots} slots of 1ms\nsense b when light > 45% at n > 0\n"
+            f"state c : 0..{last} = 0\nnext c = c + 1 when b and c < {last}\n"
+            "open when true\nread c\n"
+        )
+
+    with pytest.raises(Rejected) as caught:
+        nscc.compile(text(16, last), target=chip, level=1)
+    (found,) = caught.value.diagnostics
+    assert found.code == "NS0502"
+    (way,) = found.ways_out
+    if last == "12":
+        assert way.startswith("3 instead of 12 ")
+        fits, next_larger = text(16, "3"), text(16, "4")
+    else:
+        assert way.startswith("frame 7 slots ")
+        fits, next_larger = text(7, last), text(8, last)
+    nscc.compile(fits, target=chip, level=1)
+    with pytest.raises(Rejected):
+        nscc.compile(next_larger, target=chip, level=1)
+
+
 @pytest.mark.parametrize("slots", [1024, 4096])
 def test_a_look_at_every_boundary_of_a_long_frame_is_counted(slots: int) -> None:
     """Nodes x slots of a thousand stages: gigabytes, if they were kept."""

@@ -208,6 +208,22 @@ def test_a_divisor_beyond_2_to_the_40_needs_too_many_halvings() -> None:
     run_passes(Source("p.nsl", ONE + f"image i = exposure / {2**40} read i"), Path(), options)
 
 
+def test_planes_that_do_not_fit_name_how_many_fit() -> None:
+    planes = "".join(f"plane v{i} = exposure > {5 * i + 5}% " for i in range(14))
+
+    def reading(count: int) -> str:
+        return ONE + planes + "read " + ", ".join(f"v{i}" for i in range(count))
+
+    with pytest.raises(Rejected) as caught:
+        program(reading(14))
+    (found,) = caught.value.diagnostics
+    assert found.code == "NS0535"
+    assert found.helps == ("read out the first 10 of 14 images and planes: this compiles",)
+    program(reading(10))
+    with pytest.raises(Rejected):
+        program(reading(11))
+
+
 def test_too_large_values_have_ways_out_that_compile() -> None:
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     with pytest.raises(Rejected) as caught:
