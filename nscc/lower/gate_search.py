@@ -67,11 +67,16 @@ class GateSearch:
         select at a boundary. A generator is a method that finds gates."""
         known: list[Lowered] = []
         for searched in range(level, -1, -1):
-            known += self._of_level(searched)
-            fits = bool(known) and min(known, key=_PRICE).fits
+            known += sorted(self._of_level(searched), key=_PRICE)[:1]
+            fits = any(each.fits for each in known)
             if not self.problem.demands or (searched == 1 and fits):
                 break
-        return min(known, key=_PRICE, default=None)
+        # Refresh counts here, so that more effort never costs words.
+        return min(
+            known,
+            key=lambda each: (each.price[:2], each.schedule.words_total, each.price),
+            default=None,
+        )
 
     def _of_level(self, level: int) -> list[Lowered]:
         """Return the best solutions of the generators (methods that find gates) at a level of
