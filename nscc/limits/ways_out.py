@@ -3,9 +3,8 @@
 A similar program keeps the target, the slot length and the user's limits. It does less: only the
 used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. A
 program with senses gets the used codes, smaller states or fewer slots; one with images or planes
-only the used codes; several buckets only fewer slots and codebooks. The numbers of values, rows and
-slots are found by search. Codebooks that the user would have to provide are replaced by
-pseudo-random rows."""
+only the used codes; several buckets only codebooks. The numbers of values, rows and slots are found
+by search. Codebooks that the user would have to provide are replaced by pseudo-random rows."""
 
 from __future__ import annotations
 
@@ -101,7 +100,8 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
     if not KINDS.of(program).has_simpler_programs:
         return
     yield from _fewer_rows(program, attempt, most)
-    yield from _fewer_slots(program, attempt, level)
+    if len(program.buckets) == 1:
+        yield from _fewer_slots(program, attempt, level)
     for source, change, why in _of_other_classes(program):
         lowered = attempt(source, "open", level)
         if lowered is not None:
