@@ -112,12 +112,15 @@ def test_a_worker_that_is_killed_loses_nothing(serial: tuple[Path, bytes]) -> No
 
 def test_killed_at_random_moments_it_goes_on(serial: tuple[Path, bytes]) -> None:
     folder, table = serial
+    begin = time.perf_counter()
+    finished(folder, "serial", 0)  # nothing is left to compute
+    longest_s = 3 * (time.perf_counter() - begin)
     moments = random.Random(7)
     done = []
     for kill in range(20):
         process = started(folder, "moments", 2 if kill % 5 == 4 else 0)
         with suppress(subprocess.TimeoutExpired):
-            process.wait(moments.uniform(0.2, 6))
+            process.wait(moments.uniform(0.2, longest_s))
         with suppress(ProcessLookupError):  # it was done before
             os.killpg(process.pid, signal.SIGKILL)
         process.communicate()

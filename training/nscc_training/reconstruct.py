@@ -114,14 +114,14 @@ def likelihoods(classes: Sequence[str], scores: Floats32) -> dict[str, float]:
 
 def _decoded(folder: RunFolder, frame: Path, force: bool, dark: Path | None) -> Reconstruction:
     """Decode the frame file `frame` with the run in `folder`, and measure the time, without that of
-    reading the frame.
+    reading the files.
 
     `dark` is a dark frame file to subtract, or None; `force` makes mismatches warnings. Raises
     Rejected (NS0819) for files that are not frames, and for mismatches as `reconstructed` does.
     Whether the run names classes is not checked."""
-    # The clock starts after the frame is read: the tuple is evaluated from left to right.
-    read, begin = read_frame(frame), working_s()
+    read = read_frame(frame)
     dark_frames = None if dark is None else read_dark(dark, folder.setup.buckets)
+    begin = working_s()
     light, messages = reconstructed(folder, read, str(frame), dark_frames, force=force)
     seconds = working_s() - begin
     return Reconstruction(light, folder.setup.still, len(read.frame) > 1, messages, seconds)

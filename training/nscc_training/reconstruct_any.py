@@ -4,7 +4,7 @@ other cameras, also without a network."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -18,7 +18,7 @@ from nscc.program.problems import counted
 from nscc_runtime.formats import Content
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.progress import Progress, unseen
-from nscc_training.any_code.frames import CodedFrame, read_coded_frames
+from nscc_training.any_code.frames import read_coded_frames
 from nscc_training.array_files import (
     MOST,
     ambiguous_axes,
@@ -109,14 +109,16 @@ def method_for(still: bool, method: Method | None = None) -> Method:
     return method or "network"
 
 
-def gap_tv_clip(measured: Measured[Array], iterations: int = _ITERATIONS) -> Floats32:
+def gap_tv_clip(
+    measured: Measured[Array], iterations: int = _ITERATIONS, weight: float | None = None
+) -> Floats32:
     """Return the clip (N, rows, cols) that `iterations` of GAP-TV reconstruct from a batch of one,
     in the unit of the measurement, at least 0.
 
-    Of several weights of total variation, the one is used that best predicts pixels that are left
-    out."""
+    `weight` is that of total variation. None tries several weights, and takes the one that best
+    predicts pixels that are left out."""
     relative, white = _relative(measured)
-    weight, _ = best_weight(relative, iterations)
+    weight = best_weight(relative, iterations)[0] if weight is None else weight
     clip = with_weight(weight, iterations)(relative)
     return np.asarray(clip[0].clip(min=0) * white, np.float32)
 
@@ -130,16 +132,17 @@ def _relative(measured: Measured[Array]) -> tuple[Measured[Array], float]:
     return measured.over(np.array([white], np.float32)), white
 
 
-def chosen_for_clip(measured: Measured[Array]) -> tuple[Method, str]:
+def chosen_for_clip(measured: Measured[Array]) -> tuple[Method, str, float]:
     """Return the method for a clip from `measured`, a batch of one in any unit: GAP-TV if it
     predicts pixels that are left out of the measurement better than the network, by more than
     chance, else the network.
 
-    The second result is a sentence that says why it is not the network, and is empty if it is."""
+    The second result is a sentence that says why it is not the network, and is empty if it is. The
+    third is the weight of total variation with which GAP-TV predicts best."""
     from nscc_training.any_code.decode import decoded_clip
 
     relative, _ = _relative(measured)
-    _, gap_tv = best_weight(relative, _ITERATIONS)
+    weight, gap_tv = best_weight(relative, _ITERATIONS)
     network = prediction_errors(
         relative, lambda without: np.asarray(decoded_clip(without.tensors()).numpy())
     )
@@ -147,12 +150,13 @@ def chosen_for_clip(measured: Measured[Array]) -> tuple[Method, str]:
     # common error does not count. Noise of the values is common to both squares.
     lead = (network - network.mean()) ** 2 - (gap_tv - gap_tv.mean()) ** 2
     if lead.mean() <= _CHANCE * lead.std() / math.sqrt(lead.size):
-        return "network", ""
-    return "gap-tv", (
+        return "network", "", weight
+    reason = (
         "GAP-TV predicts pixels that are left out better than the network (standard deviation of "
         f"the error {100 * gap_tv.std():.4g} % of white instead of {100 * network.std():.4g} %), "
         "so GAP-TV found the clip; --method network uses the network"
     )
+    return "gap-tv", reason, weight
 
 
 def merged_still(measured: Measured[Array]) -> Floats32:
@@ -196,11 +200,17 @@ def reconstruct_any(
     doubts: list[Diagnostic] = []
     coded_frames = read_coded_frames(frame, program, dark, doubts.append)
     still = (kind or ("image" if coded_frames[0].is_still else "video")) == "image"
-    begin, reason = working_s(), ""
-    given, method = method, method_for(still, method)
-    if given is None and method == "network" and not still:
-        method, reason = chosen_for_clip(coded_frames[0].clip())
-    lights = [_light(coded, still, method, progress) for coded in coded_frames]
+    begin = working_s()
+    if still:
+        method, reason = method_for(still, method), ""
+        lights = [_still(coded.still(), method) for coded in coded_frames]
+    else:
+        clips, method, reason = _clips((coded.clip() for coded in coded_frames), method, progress)
+        # Decoders return light per slot of mean length.
+        lights = [
+            clip * (coded.slot_us / coded.slot_us.mean()).astype(np.float32)[:, None, None]
+            for clip, coded in zip(clips, coded_frames, strict=True)
+        ]
     light = np.stack(lights, axis=-1) if len(lights) > 1 else lights[0]
     full = np.stack([coded.saturated for coded in coded_frames])
     messages = (*doubts, *overexposed(str(frame), full))
@@ -216,32 +226,37 @@ def reconstruct_any(
     )
 
 
-def _light(coded: CodedFrame, still: bool, method: Method, progress: Progress) -> Floats32:
-    """Return the reconstruction of one colour, a still or a clip, by `method`: electrons over the
-    frame (rows, cols), or per slot (N, rows, cols).
-
-    Decoders return light per slot of mean length; here it is multiplied by the length of each slot.
-    """
-    measured = coded.still() if still else coded.clip()
-    if still and method == "merge":
+def _still(measured: Measured[Array], method: Method) -> Floats32:
+    """Return the light (rows, cols) over the frame of a batch of one still, by merging neighbours
+    if `method` is "merge", else by the network, in the unit of the measurement."""
+    if method == "merge":
         return merged_still(measured)
-    if still:
-        from nscc_training.any_code.decode import decoded_still
+    from nscc_training.any_code.decode import decoded_still
 
-        return np.asarray(decoded_still(measured.tensors())[0].numpy())
-    light = _clip(measured, method, progress)
-    slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
-    return np.asarray(light * slots[:, None, None])
+    return np.asarray(decoded_still(measured.tensors())[0].numpy())
 
 
-def _clip(measured: Measured[Array], method: Method, progress: Progress) -> Floats32:
-    """Return the clip (N, rows, cols) of a batch of one, by the network if `method` is "network",
-    else by GAP-TV, in the unit of the measurement per slot."""
-    if method != "network":
-        return gap_tv_clip(measured)
-    from nscc_training.any_code.decode import decoded_clip
+def _clips(
+    measurements: Iterable[Measured[Array]], method: Method | None, progress: Progress
+) -> tuple[list[Floats32], Method, str]:
+    """Return the clip (N, rows, cols) of each of the `measurements`, batches of one, in their unit
+    per slot, the method that found the clips, and why it is not the network ("" if it is).
 
-    return np.asarray(decoded_clip(measured.tensors(), progress=progress)[0].numpy())
+    `method` None takes the network if torch is installed, unless GAP-TV predicts left-out pixels of
+    the first measurement better. `progress` receives the network's stages."""
+    clips: list[Floats32] = []
+    chosen, reason, weight = method_for(still=False, method=method), "", None
+    for measured in measurements:
+        if method is None and chosen == "network" and not clips:
+            chosen, reason, weight = chosen_for_clip(measured)
+        if chosen == "network":
+            from nscc_training.any_code.decode import decoded_clip
+
+            clip = decoded_clip(measured.tensors(), progress=progress)[0].numpy()
+        else:
+            clip, weight = gap_tv_clip(measured, weight=weight), None
+        clips.append(clip)
+    return clips, chosen, reason
 
 
 _KEYS = frozenset(("mask", "meas"))
@@ -380,20 +395,19 @@ def reconstruct_measurement(
 
     `noise` is in the unit of the measurement. `method` None takes the network if torch is
     installed, unless GAP-TV predicts left-out pixels of the first measurement better."""
-    begin, reason = working_s(), ""
-    given, method = method, method_for(still=False, method=method)
+    begin = working_s()
     # The decoders are made for masks up to 1.
     most = measurement.mask.max()
     opened = np.asarray(measurement.mask / most, np.float32)[None, None]
-    clips: list[Floats32] = []
-    for values in measurement.values:
+
+    def measured(values: Floats) -> Measured[Array]:
+        """Return one measurement (rows, cols) in the unit of the largest value of the mask."""
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
         scaled = (values / most, np.minimum(variance / most**2, MOST**2))
         value, spread = (np.asarray(array, np.float32)[None, None] for array in scaled)
-        measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
-        if given is None and method == "network" and not clips:
-            method, reason = chosen_for_clip(measured)
-        clips.append(_clip(measured, method, progress))
+        return Measured(value, opened, spread, np.zeros(value.shape, bool))
+
+    clips, method, reason = _clips(map(measured, measurement.values), method, progress)
     light = np.concatenate(clips)
     return Reconstruction(
         light,

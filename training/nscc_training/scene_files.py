@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from contextlib import suppress
 from glob import glob
+from os.path import commonpath
 from pathlib import Path
 
 import numpy as np
@@ -129,10 +130,25 @@ def frame_size(path: Path) -> tuple[int, int]:
     return rows, cols
 
 
-def labels(files: Iterable[Path]) -> dict[str, str]:
-    """Return a label for each file name: the name without its ending, if no other file has the
-    same. Otherwise the ending follows after an underscore (`a_png`). Of files with one name in
-    different folders, one label remains."""
-    paths = list(files)
-    alike = Counter(path.stem for path in paths)
-    return {p.name: p.stem if alike[p.stem] == 1 else p.name.replace(".", "_") for p in paths}
+def names_of(files: Collection[Path]) -> dict[Path, Path]:
+    """Return a name for each file: its name without the folder, or if several files have this name,
+    its path below their common folder. So clips `left/1.mp4` and `right/1.mp4` stay apart."""
+    places = {path: path.absolute() for path in files}
+    alike = Counter(path.name for path in places)
+    folder = commonpath(place.parent for place in places.values()) if places else ""
+    return {
+        path: Path(path.name) if alike[path.name] == 1 else place.relative_to(folder)
+        for path, place in places.items()
+    }
+
+
+def labels(names: Iterable[Path]) -> dict[Path, str]:
+    """Return a label for each of the `names`, as `names_of` returns them, for names of arrays: the
+    name without its ending, if no other file has the same. Otherwise the ending follows after an
+    underscore (`a_png`). Folders stand before an underscore, too."""
+    stems = {name: "_".join(name.with_suffix("").parts) for name in names}
+    alike = Counter(stems.values())
+    return {
+        name: stem if alike[stem] == 1 else stem + name.suffix.replace(".", "_")
+        for name, stem in stems.items()
+    }

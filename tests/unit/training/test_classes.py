@@ -26,6 +26,7 @@ from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.runs import evaluate  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
+from nscc_training.loop.validation import validation_scenes  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
 from nscc_training.made_scenes import DIRECTIONS, moving_texture  # noqa: E402
 from nscc_training.protocol_scenes.classes import ClassWindow  # noqa: E402
@@ -44,7 +45,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return trained(tmp_path_factory.mktemp("classes") / "run", **CLASSES)
 
 
-def class_folders(root: Path, side: int = 64, count: int = 2) -> Path:
+def class_folders(root: Path, side: int = 64, count: int = 2, name: str = "{label}{n}") -> Path:
     """Write clips that move left and right into folders of these names."""
     for label in ("left", "right"):
         (root / label).mkdir(parents=True)
@@ -52,7 +53,7 @@ def class_folders(root: Path, side: int = 64, count: int = 2) -> Path:
             generator = np.random.default_rng([number, len(label)])
             clip = moving_texture(generator, 16, side, label, 1.5)
             stored = np.rint(255 * np.moveaxis(clip, 0, 2)).astype(np.uint8)
-            savemat(root / label / f"{label}{number}.mat", {"orig": stored})
+            savemat(root / label / f"{name.format(label=label, n=number)}.mat", {"orig": stored})
     return root
 
 
@@ -96,6 +97,39 @@ def test_each_patch_has_the_class_of_its_scene() -> None:
     named = [DIRECTIONS[int(row.argmax())] for row in batch.classes]
     assert named == [labels[name.split(" ")[0]] for name in batch.names]
     assert batch.patches(2, 4).classes.tolist() == batch.classes[2:4].tolist()
+
+
+def test_files_with_one_name_in_folders_of_two_classes_stay_apart(
+    run: Path, tmp_path: Path
+) -> None:
+    """Their items, arrays, digests and validation classes are those of each file."""
+    folder = class_folders(tmp_path / "clips", name="{n}")
+    files = ["left/0.mat", "left/1.mat", "right/0.mat", "right/1.mat"]
+    for number in range(2):  # the other class has other clips of these names
+        assert (folder / files[number]).read_bytes() != (folder / files[2 + number]).read_bytes()
+    result, arrays = evaluate(EvaluationSettings(str(run), folder, "class-v1"))
+    assert [item["file"] for item in result["items"]] == files
+    assert [entry["file"] for entry in result["data"]] == files
+    assert {name for name in arrays if name.endswith("_truth")} == {
+        f"{folder_name}_{n}_0_truth" for folder_name in ("left", "right") for n in range(2)
+    }
+    data = {
+        **CLASSES["data"],
+        "train": str(folder),
+        "val": str(folder),
+        "classes": ["left", "right"],
+    }
+    setup = make_setup(settings_of(CLASSES | {"data": data}))
+    scenes = load_scenes(
+        replace(setup.settings.data, val="procedural"), False, 16, 0, classes=DIRECTIONS
+    )
+    own = load_scenes(
+        replace(setup.settings.data, train="procedural"), False, 16, 0, classes=setup.classes
+    )
+    assert [scene.name for scene in own.val] == [scene.name for scene in scenes.train] == files
+    shown = validation_scenes(setup, own)
+    truths = {str(scene.file): scene.truth_e.tolist() for scene in shown}
+    assert truths == {name: [1, 0] if "left" in name else [0, 1] for name in files}
 
 
 def test_the_loss_is_the_negative_logarithm_of_the_likelihood_of_the_right_class() -> None:

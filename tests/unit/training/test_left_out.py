@@ -47,7 +47,7 @@ def test_the_method_that_predicts_better_is_chosen(
     white = np.quantile(measured.mean(), 0.995)
     answer = torch.from_numpy(clip[None] / white if is_right else np.full_like(clip, 0.5)[None])
     monkeypatch.setattr(decode, "decoded_clip", lambda _measured: answer.float())
-    method, reason = chosen_for_clip(measured)
+    method, reason, _ = chosen_for_clip(measured)
     assert method == ("network" if is_right else "gap-tv")
     assert bool(reason) != is_right
 
@@ -69,4 +69,4 @@ def test_noise_of_the_pixels_that_are_left_out_does_not_hide_the_better_method(
         return torch.from_numpy((0.7 * found + 0.3 * clip / white).astype(np.float32))
 
     monkeypatch.setattr(decode, "decoded_clip", closer)
-    assert chosen_for_clip(measured) == ("network", "")
+    assert chosen_for_clip(measured) == ("network", "", weight)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from functools import partial
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
@@ -11,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Floats, Floats32
-from nscc.diagnostics.diagnostic import rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import file_sha256
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes.colour import Colours, linear
@@ -26,12 +27,18 @@ from nscc_runtime.scenes.picture_files import (
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
-from nscc_training.data.moving import light_of_picture, moving, pictures_below, shown_picture
+from nscc_training.data.moving import (
+    Picture,
+    light_of_picture,
+    moving,
+    pictures_below,
+    shown_picture,
+)
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
 from nscc_training.protocols import load_protocol
 from nscc_training.random_streams import DrawStream
-from nscc_training.scene_files import CLIPS, centre_of, data_files, frames_in
+from nscc_training.scene_files import CLIPS, centre_of, data_files, frames_in, names_of
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
 
@@ -97,10 +104,7 @@ def load_scenes(
     would share a scene; NS0812 for an import path."""
     kind = _Kind(settings, still, slots, seed, classes, tell)
     train = (
-        [
-            SourceScene(path.name, file_sha256(path), light_of_picture(path))
-            for path in pictures_below(Path(settings.train))
-        ]
+        [_of_picture(path, kind) for path in pictures_below(Path(settings.train))]
         if pictures
         else _load(settings.train, kind, "train")
     )
@@ -159,6 +163,17 @@ class _Kind:
         )
 
 
+def _of_picture(path: Path, kind: _Kind) -> SourceScene:
+    """Return the light of the picture at `path` for lessons. Raise Rejected (NS0811) for a picture
+    from which a still of two patches by two cannot be cut."""
+    light = light_of_picture(path)
+    if kind.still and min(light.shape) < 2 * kind.settings.patch:
+        rows, cols = light.shape
+        side = 2 * kind.settings.patch
+        raise _unusable(path.name, f"it is {rows} x {cols}, but lessons need {side} x {side}")
+    return SourceScene(path.name, file_sha256(path), light)
+
+
 def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
     """Return the scenes of a source, converted as `kind` says: "procedural", a Python function
     (module:name), or the files in a folder.
@@ -196,8 +211,8 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
     )
     return [
         replace(scene, label=class_of(path, kind.classes) if kind.classes else "")
-        for path in files
-        for scene in _read(path, kind)
+        for path, name in names_of(files).items()
+        for scene in _read(path, name.as_posix(), kind)
     ]
 
 
@@ -227,74 +242,62 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
     return scenes
 
 
-def _read(path: Path, kind: _Kind) -> list[SourceScene]:
-    """Return the scenes of the file `path`: a still; the first frames of a video; clips of a camera
-    that turns in a linear panorama; or clips whose layers are cut from a display photograph."""
+def _read(path: Path, name: str, kind: _Kind) -> list[SourceScene]:
+    """Return the scenes of the file `path`, called `name`: a still; the first frames of a video; or
+    as many clips as the setting `paths`, of a camera that turns in a linear panorama, or whose
+    layers are cut from a display photograph.
+
+    The file's digest and the seed determine the motion in such clips."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
         chosen = kind.settings.transfer or ("linear" if suffix == ".mat" else "srgb")
         transfer: Transfer = "linear" if chosen == "linear" else "srgb"
         light = _clip_light(path, frames_in(path), transfer, kind)
-        return [_scene(path.name, light, kind, digest)]
+        return [_scene(name, light, kind, digest)]
     pages = open_pages(path)
     if pages.count > 1 and not kind.still:
         light = _clip_light(path, read_frames(path), pages.colours, kind)
-        return [_scene(path.name, light, kind, digest)]
+        return [_scene(name, light, kind, digest)]
+    if suffix not in DISPLAY:
+        still = kind.light(only_picture(path, pages), pages.colours, str(path))
+        if kind.still:
+            return [_scene(name, still, kind, digest)]
+    size = max(kind.settings.patch, _CAMERA_SIDE)
     if suffix in DISPLAY:
-        return _moved(path, digest, kind)
-    still = kind.light(only_picture(path, pages), pages.colours, str(path))
-    if not kind.still:
-        return _turned(still.astype(np.float32), path.name, digest, kind)
-    return [_scene(path.name, still, kind, digest)]
+        picture = shown_picture(light_of_picture(path))
+        curve: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
+        make: Callable[[np.random.Generator], Array]
+        make = partial(_moved, picture, curve, kind.slots, size)
+    else:
+        make = partial(_turned, still.astype(np.float32), kind, size)
+    # A seed takes numbers: the first 32 bits of the digest.
+    seeds = (kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16))
+    return [
+        _scene(f"{name}, path {index}", make(np.random.default_rng([*seeds, index])), kind, digest)
+        for index in range(kind.settings.paths)
+    ]
 
 
-def _turned(panorama: Floats32, name: str, digest: str, kind: _Kind) -> list[SourceScene]:
-    """Return clips of a camera that turns in `panorama` (rows, cols), as many as the setting
-    `paths`. The scenes are called after `name`, that of the file. The file's `digest` and the seed
-    determine its paths.
+def _turned(panorama: Floats32, kind: _Kind, size: int, generator: np.random.Generator) -> Floats32:
+    """Return a clip (slots, size, size) of a camera that turns in `panorama` (rows, cols), on a
+    path that `generator` draws.
 
     Light is divided by its 99 % quantile. It is then put in display encoding if the settings treat
     stored values as light, because such runs learn from display values."""
-    size = max(kind.settings.patch, _CAMERA_SIDE)
-    scenes = []
-    for index, generator in enumerate(_generators(digest, kind)):
-        light = turned(panorama, generator, kind.slots, size)
-        light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
-        if kind.settings.transfer == "linear":
-            light = srgb(np.clip(light, 0, 1))
-        scenes.append(_scene(f"{name}, path {index}", light, kind, digest))
-    return scenes
+    light = turned(panorama, generator, kind.slots, size)
+    light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
+    return srgb(np.clip(light, 0, 1)) if kind.settings.transfer == "linear" else light
 
 
-def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
-    """Return synthetic clips whose layers all come from the photograph at `path`; its `digest` and
-    the seed determine their motion.
+def _moved(
+    picture: Picture, curve: Transfer, slots: int, size: int, generator: np.random.Generator
+) -> Floats:
+    """Return the light of a synthetic clip (slots, size, size) whose layers all come from
+    `picture`, an array for display; `generator` draws their motion. `curve` is that of the clip.
 
     Clips of different files share no content, so that training and validation stay separate."""
-    size = max(kind.settings.patch, _CAMERA_SIDE)
-    picture = shown_picture(light_of_picture(path))
-    transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
-    return [
-        _scene(
-            f"{path.name}, path {index}",
-            linear(moving([picture], generator, kind.slots, size), transfer),
-            kind,
-            digest,
-        )
-        for index, generator in enumerate(_generators(digest, kind))
-    ]
-
-
-def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
-    """Return a generator of random numbers for each clip that is made of a file, as many as the
-    setting `paths`. The file's `digest` (hexadecimal), the seed and the number of the clip
-    determine it."""
-    return [
-        # A seed takes numbers: the first 32 bits of the digest.
-        np.random.default_rng([kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index])
-        for index in range(kind.settings.paths)
-    ]
+    return linear(moving([picture], generator, slots, size), curve)
 
 
 def _clip_light(
@@ -340,14 +343,19 @@ def _scene(name: str, light: Array, kind: _Kind, digest: str | None = None) -> S
                 "dark where it should saturate"
             )
     if reason:
-        raise rejected(
-            "NS0811",
-            f"'{name}' cannot be used as a scene of this configuration",
-            notes=(reason,),
-            helps=("remove it from the folder, or change [data] patch or [shutter] slots",),
-        )
+        raise _unusable(name, reason)
     if kind.still and not _MOST_LIGHT**-0.25 < light.max() < _MOST_LIGHT**0.25:
         # Stills have an arbitrary unit; far from 1 their powers and sums overflow float32.
         light = light.astype(np.float64) / (float(light.max()) or 1.0)
     values = np.ascontiguousarray(light, np.float32)
     return SourceScene(name, digest or sha256(values.tobytes()).hexdigest(), values)
+
+
+def _unusable(name: str, reason: str) -> Rejected:
+    """Return the exception (NS0811) for a scene `name` that training cannot use, for a `reason`."""
+    return rejected(
+        "NS0811",
+        f"'{name}' cannot be used as a scene of this configuration",
+        notes=(reason,),
+        helps=("remove it from the folder, or change [data] patch or [shutter] slots",),
+    )

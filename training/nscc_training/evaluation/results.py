@@ -26,7 +26,7 @@ from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.file_scenes import scenes_in
 from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
-from nscc_training.scene_files import labels
+from nscc_training.scene_files import labels, names_of
 from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
@@ -65,11 +65,13 @@ def usable_scenes(
             scenes.append(scene)
             continue
         code = {} if scene.damage is None else {"code": scene.damage.code}
-        left_out.append({"file": scene.file, **scene.place, "reason": scene.reason, **code})
+        left_out.append(
+            {"file": scene.file.as_posix(), **scene.place, "reason": scene.reason, **code}
+        )
         if scene.damage is not None:
             damages.append(scene.damage)
             # Frames before the damage of a file do not count.
-            scenes = [s for s in scenes if s is None or s.file.name != scene.file]
+            scenes = [s for s in scenes if s is None or s.file != scene.file]
         elif not protocol.still:
             scenes.append(None)
     if damages and not any(scenes):
@@ -130,7 +132,7 @@ class Scorer:
             reconstruction is put into `reconstructions` by the task's key."""
             for task in tasks:
                 result_e, seconds = decode(task.scene, task.index)
-                _refuse_non_finite(result_e, task.scene.file.name)
+                _refuse_non_finite(result_e, task.scene.file.as_posix())
                 reconstructions[task.key] = task.scene.result(result_e).astype(np.float32)
                 items = task.scene.items(result_e)
                 yield Done(task, PointRow(task.key, {"items": items, "seconds": seconds}))
@@ -170,7 +172,7 @@ class _SceneTask:
     def label(self) -> str:
         """The task as text, which is also its key."""
         scene = self.scene
-        return f"{self.number}, {self.index}: {scene.file.name} {scene.crop} {scene.frame}"
+        return f"{self.number}, {self.index}: {scene.file} {scene.crop} {scene.frame}"
 
     key = label
 
@@ -255,6 +257,7 @@ def result_of(
             helps=("name a folder with other scenes, or convert these to the protocol's form",),
         )
     values = [number(item[protocol.metrics[0]]) for item in items]
+    names = names_of(files)
     report = {
         "schema": SCHEMA,
         "protocol": protocol.name,
@@ -263,7 +266,7 @@ def result_of(
         "settings": settings,
         "sees": sees,
         "stage": "hard",
-        "data": [stamp(path) for path in files],
+        "data": [{**stamp(path), "file": names[path].as_posix()} for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
         "items": items,
@@ -275,12 +278,12 @@ def result_of(
         "left_out": list(left_out),
         **extra_keys,
     }  # fmt: skip
-    called, arrays = labels(files), {}
+    called, arrays = labels(names.values()), {}
     for scene, _, reconstruction, _ in scored_scenes:
         if reconstruction is None:
             continue
         place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]
-        label = "_".join([called.get(scene.file.name, scene.file.name), *map(str, place)])
+        label = "_".join([called.get(scene.file, scene.file.as_posix()), *map(str, place)])
         truth = scene.truth_e
         kind = ("class", "image", "video")[truth.ndim - 1]
         arrays[f"{label}_{kind}"] = reconstruction

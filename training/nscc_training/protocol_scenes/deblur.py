@@ -60,7 +60,7 @@ def moments(path: Path, index: int, protocol: Protocol) -> Iterator[DeblurMoment
     for number in range(int(protocol["views"])):
         if light.shape != tuple(protocol["panorama"]):
             reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
-            yield Unusable(path.name, {"view": number}, reason)
+            yield Unusable(path, {"view": number}, reason)
             continue
         drawn = np.random.default_rng((protocol["view_seed"], index, number))
         clip = turned(light.astype(np.float32), drawn, slots, size).astype(np.float64)
@@ -77,7 +77,7 @@ def exposed_moment(
     light is not finite."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
-        return Unusable(path.name, {"view": number}, "half of it is dark")
+        return Unusable(path, {"view": number}, "half of it is dark")
     wanted_e = protocol.mid_grey_e
     assert wanted_e is not None
     return DeblurMoment(path, None, number, clip * (wanted_e / grey), protocol)

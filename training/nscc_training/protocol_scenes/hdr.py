@@ -77,7 +77,7 @@ def crops(
     light = light_of(path, protocol)
     if light.shape != tuple(protocol["panorama"]):
         reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
-        yield Unusable(path.name, {"crop": [0, 0]}, reason)
+        yield Unusable(path, {"crop": [0, 0]}, reason)
     else:
         yield from crops_of(path, light, protocol, fraction)
 
@@ -110,13 +110,13 @@ def exposed_crop(
     share = float(protocol["saturated_fraction"]) if fraction is None else fraction
     well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}
     if not np.isfinite(light).all():
-        return Unusable(path.name, place, "its light is not finite")
+        return Unusable(path, place, "its light is not finite")
     # "higher" takes the light of a pixel, which is then exactly at the full well.
     level = float(np.quantile(light, 1 - share, method="higher"))
     if level <= 0:
-        return Unusable(path.name, place, "it is dark at the percentile that should saturate")
+        return Unusable(path, place, "it is dark at the percentile that should saturate")
     scaled = light * (well_e / level)
     saturated = float(np.mean(scaled >= well_e))
     if abs(saturated - share) > float(protocol["saturated_tolerance"]):
-        return Unusable(path.name, place, f"{saturated:.1%} saturate instead of {share:.0%}")
+        return Unusable(path, place, f"{saturated:.1%} saturate instead of {share:.0%}")
     return Crop(path, corner, None, scaled, protocol)

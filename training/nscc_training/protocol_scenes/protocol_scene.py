@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +13,7 @@ import numpy as np
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_training.protocols import Protocol
+from nscc_training.scene_files import names_of
 
 Item = dict[str, Any]
 """A scored picture or frame as JSON values: its file, its place in the file, and its metrics."""
@@ -22,9 +23,10 @@ Item = dict[str, Any]
 class ProtocolScene(ABC):
     """A scene of a protocol: its light, and its place in a file.
 
-    `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows, cols). `crop` is
-    the corner (row, column) of a crop in its picture, `frame` the first frame of a window in its
-    clip; both are None where they do not apply."""
+    `file` is the name of the file as `names_of` returns it. `light_e` is in electrons over the
+    frame (rows, cols), or per slot (N, rows, cols). `crop` is the corner (row, column) of a crop in
+    its picture, `frame` the first frame of a window in its clip; both are None where they do not
+    apply."""
 
     file: Path
     crop: tuple[int, int] | None
@@ -55,7 +57,7 @@ class ProtocolScene(ABC):
         """Return the scored items of a reconstruction as JSON values: one for the scene, or one for
         each frame, with file, place and metrics."""
         crop = None if self.crop is None else list(self.crop)
-        place = {"file": self.file.name, "crop": crop, "frame": self.frame}
+        place = {"file": self.file.as_posix(), "crop": crop, "frame": self.frame}
         return [{**place, **self.scores(result_e)}]
 
 
@@ -66,7 +68,7 @@ class Unusable:
     `damage` is the error of a file that cannot be read; None if only the content of the scene is
     unsuitable."""
 
-    file: str
+    file: Path
     place: Mapping[str, Any]
     reason: str
     damage: Diagnostic | None = None
@@ -75,16 +77,19 @@ class Unusable:
 def in_files(
     files: Sequence[Path], scenes_of: Callable[[Path, int], Iterable[ProtocolScene | Unusable]]
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes that `scenes_of` returns for each file and its index.
+    """Yield the scenes that `scenes_of` returns for each file and its index, under the names of
+    `names_of`.
 
     A file for which it raises Rejected is `Unusable`, with the first error, and the next file
     follows."""
+    names = names_of(files)
     for index, path in enumerate(files):
         try:
-            yield from scenes_of(path, index)
+            for scene in scenes_of(path, index):
+                yield replace(scene, file=names[path])
         except Rejected as rejected:
             error = rejected.diagnostics[0]
-            yield Unusable(path.name, {}, error.message, error)
+            yield Unusable(names[path], {}, error.message, error)
 
 
 def on_unit_range(light_e: Array, result_e: Array, peak_e: float) -> tuple[Array, Array]:

@@ -54,7 +54,12 @@ class SciClip(ProtocolScene):
         top = float(self.protocol["data_range"])
         pairs = enumerate(zip(self.truth_e, self.result(result_e), strict=True))
         return [
-            {"file": self.file.name, "crop": None, "frame": k, **frame_scores(truth, frame, top)}
+            {
+                "file": self.file.as_posix(),
+                "crop": None,
+                "frame": k,
+                **frame_scores(truth, frame, top),
+            }
             for k, (truth, frame) in pairs
         ]
 

@@ -80,7 +80,7 @@ def windows_of(
     for number, light in enumerate(lights):
         rows, cols = light.shape
         if min(rows, cols) < size:
-            yield Unusable(path.name, start, f"{rows} x {cols} is smaller than {size} x {size}")
+            yield Unusable(path, start, f"{rows} x {cols} is smaller than {size} x {size}")
             return
         window.append(centre_of(light, size))
         if len(window) == count:
@@ -88,7 +88,7 @@ def windows_of(
             yield exposed_window(path, number + 1 - count, clip, srgb, protocol)
             window = []
     if number + 1 < count:
-        yield Unusable(path.name, start, f"it has {number + 1} frames, but a window has {count}")
+        yield Unusable(path, start, f"it has {number + 1} frames, but a window has {count}")
 
 
 def exposed_window(
@@ -102,7 +102,7 @@ def exposed_window(
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(
-            path.name, {"frame": first}, "it is dark at the percentile that should fill a well"
+            path, {"frame": first}, "it is dark at the percentile that should fill a well"
         )
     # In a film of several coded frames, each frame fills a well on average.
     scale_e = float(protocol["full_well_e"]) / level * int(protocol.values.get("film", 1))

@@ -20,6 +20,7 @@ from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training import turning_camera  # noqa: E402
+from nscc_training.any_code.lessons import LessonSet  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch, ExposureSet, Scenes, SourceScene, cut_batch, load_scenes  # noqa: E402
 from nscc_training.data.exposures import quantiles  # noqa: E402
@@ -378,6 +379,27 @@ def test_one_panorama_is_too_few_however_many_its_paths(tmp_path: Path) -> None:
     panorama(tmp_path / "p.hdr", 1)
     with pytest.raises(Rejected, match="NS0811"):
         loaded(tmp_path, paths=20)
+
+
+@pytest.mark.parametrize(("side", "is_refused"), [(31, True), (32, False)])
+def test_stills_for_lessons_are_cut_from_pictures_of_two_patches_by_two(
+    tmp_path: Path, side: int, is_refused: bool
+) -> None:
+    import cv2
+
+    cv2.imwrite(str(tmp_path / "small.png"), np.full((side, 64), 90, np.uint8))
+    settings = DataSettings(str(tmp_path), patch=16)
+    if is_refused:
+        with pytest.raises(Rejected, match="NS0811") as refusal:
+            load_scenes(settings, still=True, slots=4, seed=0, pictures=True)
+        assert "31 x 64, but lessons need 32 x 32" in str(refusal.value)
+        return
+    scenes = load_scenes(settings, still=True, slots=4, seed=0, pictures=True)
+    lessons = LessonSet(
+        [scene.light for scene in scenes.train],
+        settings_of({"decoder": {"lessons": "stills"}, "data": {"patch": 16}}),
+    )
+    assert {lessons[step].light.shape for step in range(8)} == {(4, 1, 16, 16)}
 
 
 @pytest.mark.parametrize(("name", "best"), [("away", -1), ("near", None)])
