@@ -5,12 +5,11 @@
 //            fields allow
 // slots      16 of 125 us, 2000 us in all
 // lowering   edges; encoding: event times in groups and places 1 x 20
-// digital    R0 scratch; R1 fall time, place, bit 1; R2 fall time, place, bit 2; R3 fall time,
-//            place, bit 3; R4 fall time, place, bit 4; R5 fall time, place, bit 5; R6 fall at
-//            boundary 11; R7 fall at boundary 12; R8 fall at boundary 13; R9 fall at boundary 14;
-//            R10 fall at boundary 15; R11 fall at boundary 16; R12 fall time, place, bit 0
+// digital    R0 scratch; R1 fall time, place, bit 0; R2 fall time, place, bit 1; R3 fall time,
+//            place, bit 2; R4 fall time, place, bit 3; R5 fall time, place, bit 4; R6 fall time,
+//            place, bit 5
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      91 stored in 17 kernels, 91 a frame; 62 more load the codes and prepare readout
+// words      84 stored in 17 kernels, 84 a frame; 40 more load the codes and prepare readout
 // time       the exposure begins 2 us after the frame's first word and ends 2002 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
@@ -48,7 +47,7 @@ void k0() {
 void k1() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R3, R4, R5);                // NOR R0, R3, R4, R5
+        NOR(R0, R4, R5, R6);                // NOR R0, R4, R5, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -60,7 +59,7 @@ void k1() {
 void k2() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R2, R4, R5);                // NOR R0, R2, R4, R5
+        NOR(R0, R3, R5, R6);                // NOR R0, R3, R5, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -72,7 +71,7 @@ void k2() {
 void k3() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R2, R3, R5);                // NOR R0, R2, R3, R5
+        NOR(R0, R3, R4, R6);                // NOR R0, R3, R4, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -84,7 +83,7 @@ void k3() {
 void k4() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R2, R3, R4);                // NOR R0, R2, R3, R4
+        NOR(R0, R3, R4, R5);                // NOR R0, R3, R4, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -96,7 +95,7 @@ void k4() {
 void k5() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R4, R5);                // NOR R0, R1, R4, R5
+        NOR(R0, R2, R5, R6);                // NOR R0, R2, R5, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -108,7 +107,7 @@ void k5() {
 void k6() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R3, R5);                // NOR R0, R1, R3, R5
+        NOR(R0, R2, R4, R6);                // NOR R0, R2, R4, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -120,7 +119,7 @@ void k6() {
 void k7() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R3, R4);                // NOR R0, R1, R3, R4
+        NOR(R0, R2, R4, R5);                // NOR R0, R2, R4, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -132,7 +131,7 @@ void k7() {
 void k8() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R2, R5);                // NOR R0, R1, R2, R5
+        NOR(R0, R2, R3, R6);                // NOR R0, R2, R3, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -144,7 +143,7 @@ void k8() {
 void k9() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R2, R4);                // NOR R0, R1, R2, R4
+        NOR(R0, R2, R3, R5);                // NOR R0, R2, R3, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -156,89 +155,88 @@ void k9() {
 void k10() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        NOR(R0, R1, R2, R3);                // NOR R0, R1, R2, R3
+        NOR(R0, R2, R3, R4);                // NOR R0, R2, R3, R4
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 3 words, 1.5 us; launched at boundary 11
+// 4 words, 1.6 us; launched at boundary 11
 // writes A: stops.nsl:4: open when n < stop
 void k11() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R6);                          // WHERE R6
+        NOR(R0, R1, R5, R6);                // NOR R0, R1, R5, R6
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 3 words, 1.5 us; launched at boundary 12
+// 4 words, 1.6 us; launched at boundary 12
 // writes A: stops.nsl:4: open when n < stop
 void k12() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R7);                          // WHERE R7
+        NOR(R0, R1, R4, R6);                // NOR R0, R1, R4, R6
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 3 words, 1.5 us; launched at boundary 13
+// 4 words, 1.6 us; launched at boundary 13
 // writes A: stops.nsl:4: open when n < stop
 void k13() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R8);                          // WHERE R8
+        NOR(R0, R1, R4, R5);                // NOR R0, R1, R4, R5
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 3 words, 1.5 us; launched at boundary 14
+// 4 words, 1.6 us; launched at boundary 14
 // writes A: stops.nsl:4: open when n < stop
 void k14() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R9);                          // WHERE R9
+        NOR(R0, R1, R3, R6);                // NOR R0, R1, R3, R6
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 3 words, 1.5 us; launched at boundary 15
+// 4 words, 1.6 us; launched at boundary 15
 // writes A: stops.nsl:4: open when n < stop
 void k15() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R10);                         // WHERE R10
+        NOR(R0, R1, R3, R5);                // NOR R0, R1, R3, R5
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 28 words, 4 us; launched at boundary 16
+// 16 words, 2.8 us; launched at boundary 16
 // writes A: stops.nsl:4: open when n < stop
 void k16() {
     scamp5_kernel_begin();
         SLOW_CLOCK
-        WHERE(R11);                         // WHERE R11
+        NOR(R0, R1, R3, R4);                // NOR R0, R1, R3, R4
+        WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
-        SET(R0);                            // SET R0
-        REFRESH(R12);                       // REFRESH.read R12; REFRESH.write R12
         REFRESH(R1);                        // REFRESH.read R1; REFRESH.write R1
         REFRESH(R2);                        // REFRESH.read R2; REFRESH.write R2
         REFRESH(R3);                        // REFRESH.read R3; REFRESH.write R3
         REFRESH(R4);                        // REFRESH.read R4; REFRESH.write R4
         REFRESH(R5);                        // REFRESH.read R5; REFRESH.write R5
         REFRESH(R6);                        // REFRESH.read R6; REFRESH.write R6
-        REFRESH(R7);                        // REFRESH.read R7; REFRESH.write R7
-        REFRESH(R8);                        // REFRESH.read R8; REFRESH.write R8
-        REFRESH(R9);                        // REFRESH.read R9; REFRESH.write R9
-        REFRESH(R10);                       // REFRESH.read R10; REFRESH.write R10
-        REFRESH(R11);                       // REFRESH.read R11; REFRESH.write R11
     scamp5_kernel_end();
 }
 
@@ -341,19 +339,12 @@ void expose() {
 // plane, and again and again during what takes long.
 void refresh_codes() {
     scamp5_kernel_begin();
-        SET(R0);
-        REFRESH(R12);
         REFRESH(R1);
         REFRESH(R2);
         REFRESH(R3);
         REFRESH(R4);
         REFRESH(R5);
         REFRESH(R6);
-        REFRESH(R7);
-        REFRESH(R8);
-        REFRESH(R9);
-        REFRESH(R10);
-        REFRESH(R11);
     scamp5_kernel_end();
 }
 
@@ -362,29 +353,9 @@ struct Match {
     uint8_t row, col, row_mask, col_mask;
 };
 
-const Match code_r12[] = {
+const Match code_r1[] = {
     {0, 2, 253, 253}, {0, 3, 254, 252}, {1, 0, 252, 254}, {1, 2, 254, 252},
     {2, 0, 252, 253}, {2, 1, 253, 252},
-};
-
-void load_r12() {
-    scamp5_kernel_begin();
-        SET(R0);
-        CLR(R12, R1);
-    scamp5_kernel_end();
-    for (const Match &match : code_r12) {
-        scamp5_load_pattern(R1, match.row, match.col, match.row_mask,
-                            match.col_mask);
-        scamp5_kernel_begin();
-            OR(R12, R1);
-            CLR(R1);
-        scamp5_kernel_end();
-    }
-}
-
-const Match code_r1[] = {
-    {0, 0, 253, 253}, {0, 1, 252, 254}, {0, 1, 254, 252}, {1, 0, 254, 252},
-    {2, 2, 253, 252}, {3, 2, 252, 253},
 };
 
 void load_r1() {
@@ -402,7 +373,8 @@ void load_r1() {
 }
 
 const Match code_r2[] = {
-    {0, 0, 252, 255}, {0, 2, 254, 252}, {1, 1, 254, 254}, {3, 0, 252, 253},
+    {0, 0, 253, 253}, {0, 1, 252, 254}, {0, 1, 254, 252}, {1, 0, 254, 252},
+    {2, 2, 253, 252}, {3, 2, 252, 253},
 };
 
 void load_r2() {
@@ -420,7 +392,7 @@ void load_r2() {
 }
 
 const Match code_r3[] = {
-    {0, 2, 252, 253}, {1, 0, 252, 254}, {2, 1, 253, 252},
+    {0, 1, 252, 254}, {0, 2, 252, 253}, {1, 3, 254, 252}, {3, 0, 252, 253},
 };
 
 void load_r3() {
@@ -435,13 +407,11 @@ void load_r3() {
             CLR(R0);
         scamp5_kernel_end();
     }
-    scamp5_kernel_begin();
-        NOT(R3);
-    scamp5_kernel_end();
 }
 
 const Match code_r4[] = {
-    {0, 2, 253, 252}, {2, 0, 252, 253},
+    {0, 1, 253, 252}, {1, 1, 252, 254}, {2, 0, 252, 254}, {2, 2, 252, 253},
+    {2, 2, 253, 252},
 };
 
 void load_r4() {
@@ -459,7 +429,7 @@ void load_r4() {
 }
 
 const Match code_r5[] = {
-    {1, 0, 252, 254}, {2, 3, 252, 252}, {3, 1, 252, 252},
+    {0, 0, 254, 254}, {0, 2, 253, 252}, {2, 0, 252, 253}, {2, 0, 253, 252},
 };
 
 void load_r5() {
@@ -476,51 +446,25 @@ void load_r5() {
     }
 }
 
+const Match code_r6[] = {
+    {0, 0, 253, 252}, {1, 0, 252, 254}, {1, 1, 254, 252}, {2, 3, 253, 252},
+};
+
 void load_r6() {
     scamp5_kernel_begin();
-        CLR(R6);
+        CLR(R6, R0);
     scamp5_kernel_end();
-    scamp5_load_pattern(R6, 0, 1, 252, 252);
-}
-
-void load_r7() {
-    scamp5_kernel_begin();
-        CLR(R7);
-    scamp5_kernel_end();
-    scamp5_load_pattern(R7, 3, 0, 252, 252);
-}
-
-void load_r8() {
-    scamp5_kernel_begin();
-        CLR(R8);
-    scamp5_kernel_end();
-    scamp5_load_pattern(R8, 3, 3, 252, 252);
-}
-
-void load_r9() {
-    scamp5_kernel_begin();
-        CLR(R9);
-    scamp5_kernel_end();
-    scamp5_load_pattern(R9, 2, 2, 252, 252);
-}
-
-void load_r10() {
-    scamp5_kernel_begin();
-        CLR(R10);
-    scamp5_kernel_end();
-    scamp5_load_pattern(R10, 1, 1, 252, 252);
-}
-
-void load_r11() {
-    scamp5_kernel_begin();
-        CLR(R11);
-    scamp5_kernel_end();
-    scamp5_load_pattern(R11, 0, 0, 252, 252);
+    for (const Match &match : code_r6) {
+        scamp5_load_pattern(R0, match.row, match.col, match.row_mask,
+                            match.col_mask);
+        scamp5_kernel_begin();
+            OR(R6, R0);
+            CLR(R0);
+        scamp5_kernel_end();
+    }
 }
 
 void load_codes() {
-    load_r12();
-    refresh_codes();
     load_r1();
     refresh_codes();
     load_r2();
@@ -532,16 +476,6 @@ void load_codes() {
     load_r5();
     refresh_codes();
     load_r6();
-    refresh_codes();
-    load_r7();
-    refresh_codes();
-    load_r8();
-    refresh_codes();
-    load_r9();
-    refresh_codes();
-    load_r10();
-    refresh_codes();
-    load_r11();
     refresh_codes();
 }
 
