@@ -70,7 +70,7 @@ def test_a_check_notes_the_loaders_that_cannot_take_a_program(tmp_path: Path) ->
             for name in ("kernels", "rows", "runs"):
                 assert f"most_{name} = {getattr(loader, name)};" in text
     said = {}
-    for slots in (512, 1024):
+    for slots in (200, 2048):
         path = tmp_path / f"{slots}.nsl"
         path.write_text(
             f"nsl 1\nframe {slots} slots of 250us\ncode stop : 1..N\nopen when n < stop\n"
@@ -78,8 +78,8 @@ def test_a_check_notes_the_loaders_that_cannot_take_a_program(tmp_path: Path) ->
         run = CliRunner().invoke(check.command, [str(path)])
         assert run.exit_code == 0
         said[slots] = run.stderr
-    assert "NS0507" not in said[512]
-    assert "1025 rows of its schedule, but it holds 1024" in said[1024]
+    assert "NS0507" not in said[200]
+    assert "2049 rows of its schedule, but it holds 1024" in said[2048]
 
 
 def test_a_refresh_changes_nothing() -> None:
