@@ -222,7 +222,7 @@ OF_SOME_PROGRAMS = (
     "nscc.neighbours.pictures_proof",
     "nscc.stream.passes",
 )
-_GATES = ["nscc.logic.encodings"]
+_GATES = ["nscc.logic.cover", "nscc.logic.encodings", "nscc.logic.events"]
 _LOOKS = ["nscc.looks.passes", "nscc.looks.looks_proof"]
 _IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.pictures_proof"]
 
