@@ -10,6 +10,7 @@ from plan_cases import CASES, case, moving_light
 from reference_programs import sensor_of
 
 from nscc.words.container import Container
+from nscc_runtime.caches import Recent
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.execution import block_scene
 from nscc_runtime.execution.block_program import _in_use
@@ -228,7 +229,7 @@ def test_scenes_that_share_sums_of_light_are_as_if_each_had_its_own() -> None:
         np.arange(40, 150),
         sensor_of(container),
     )
-    shared: block_scene.LightMeans = {}
+    shared = Recent(64)
     for left in ("adc", *optional(), "dark,-shot", "crosstalk,-prnu", "adc"):
         chosen = selected("all").without(*left.split(",-"))
         scenes = [
@@ -237,7 +238,7 @@ def test_scenes_that_share_sums_of_light_are_as_if_each_had_its_own() -> None:
         ]
         alone, together = (expose_pixels(scene, 3, 0).exposure_e for scene in scenes)
         assert alone.tobytes() == together.tobytes(), left
-    assert 2 < len(shared) < len(optional())
+    assert 2 < len(shared._found) < len(optional())
 
 
 def test_resets_that_no_read_follows_are_left_out() -> None:

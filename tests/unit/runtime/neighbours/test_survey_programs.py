@@ -152,7 +152,8 @@ def signed_bits(host: Values, e: Array, last: Values) -> Values:
     large = abs(value) > level(20)
     small = abs(value) - large * level(20) > level(10)
     size = large * level(20) + small * level(10)
-    return {"b1": large, "b0": small, "back": np.where(value < 0, -size, size)}
+    sign = value < 0
+    return {"sign": sign, "b1": large, "b0": small, "back": np.where(sign, -size, size)}
 
 
 MODELS: dict[str, Model] = {
