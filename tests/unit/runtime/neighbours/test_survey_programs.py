@@ -152,8 +152,7 @@ def signed_bits(host: Values, e: Array, last: Values) -> Values:
     large = abs(value) > level(20)
     small = abs(value) - large * level(20) > level(10)
     size = large * level(20) + small * level(10)
-    sign = value < 0
-    return {"sign": sign, "b1": large, "b0": small, "back": np.where(sign, -size, size)}
+    return {"b1": large, "b0": small, "back": np.where(value < 0, -size, size)}
 
 
 MODELS: dict[str, Model] = {
