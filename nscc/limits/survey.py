@@ -19,13 +19,7 @@ from nscc.limits.families import Family, families
 from nscc.lower.resources import time_text
 from nscc.options import Options
 from nscc.pipeline import run_passes
-from nscc.program.limits import (
-    MOST_SLOTS,
-    Count,
-    bits_needed,
-    impossible_from,
-    largest_with,
-)
+from nscc.program.limits import MOST_SLOTS, Count, bits_needed, impossible_from, largest_with
 from nscc.record import Record
 from nscc.source import Source
 from nscc.words.legality import refuse_planes

@@ -86,7 +86,7 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     """Return the error (NS0603) for more words at a boundary than `--max-words-per-slot` allows.
 
     `level` is the optimisation level; the best lowering (a way to compute the exposure) must have
-    overfull boundaries, of which the fullest is named. The error is proved if in every lowering the
+    overfull boundaries. The error names the fullest of them. It is proved if in every lowering the
     analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words

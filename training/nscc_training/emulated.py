@@ -18,6 +18,7 @@ from torch import Tensor
 
 from nscc.arrays import Array, Floats
 from nscc.words.container import Container
+from nscc_runtime.caches import Recent
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import CommonCode, Exchange, FixedCodes
 from nscc_runtime.light import Light
@@ -150,17 +151,13 @@ class MeasuredTables:
         """Begin without a table."""
         self.table: EmulatedSensor | None = None
         self._shutters: Tensor | None = None
-        self._recent: dict[bytes, EmulatedSensor] = {}
+        self._recent = Recent(_RECENT)
 
     def use(self, shutters: Tensor, measure: Callable[[], EmulatedSensor]) -> None:
         """Set `table` to the emulated sensor of a tile of shutters (N, r, c). Call `measure` only
         if none of the recent `_RECENT` tables is for these shutters."""
         self._shutters = shutters.detach().cpu().to(torch.uint8)
-        key = self._shutters.numpy().tobytes()
-        self.table = self._recent.pop(key, None) or measure()
-        self._recent[key] = self.table
-        if len(self._recent) > _RECENT:
-            self._recent.pop(next(iter(self._recent)))
+        self.table = self._recent.of(self._shutters.numpy().tobytes(), measure)
 
     def arrange(self, shutters: Tensor, measure: Callable[[], EmulatedSensor]) -> None:
         """Set `table` to the emulated sensor of a tile that has the present shutters at other

@@ -28,8 +28,6 @@ _BLOCK, _MARGIN = 256, 32
 
 The margin is larger than the receptive field of decoders."""
 
-Arrays = Array
-
 
 def container_of(setup: TrainingSetup) -> Container:
     """Compile the program of a run's present shutters. Raise Rejected if it does not fit its
@@ -44,7 +42,7 @@ def container_of(setup: TrainingSetup) -> Container:
 @torch.no_grad()
 def scene_by_model(
     setup: TrainingSetup,
-    light_e: Arrays,
+    light_e: Array,
     seed: int,
     tile: Tensor | None = None,
     model: SensorModel | None = None,
@@ -77,7 +75,7 @@ def scene_by_chip(
     setup: TrainingSetup,
     container: Container,
     sensor: Sensor,
-    light_e: Arrays,
+    light_e: Array,
     effects: str,
     seeds: tuple[int, int],
 ) -> tuple[Floats, float]:
@@ -109,7 +107,7 @@ def scene_by_chip(
 
 @torch.no_grad()
 def scene_by_words(
-    setup: TrainingSetup, container: Container, light_e: Arrays
+    setup: TrainingSetup, container: Container, light_e: Array
 ) -> tuple[Floats, float]:
     """Capture a scene as the words of a program expose it, without noise, and decode it. Return the
     light in electrons and the seconds of both.
