@@ -19,8 +19,7 @@ from typing import Any
 
 from nscc_training.evaluation.paper_tables import NOT_RUN, dagger, results_named
 from nscc_training.evaluation.results import compare, mean_of
-from nscc_training.measures import number
-from nscc_training.statistics import bootstrap
+from nscc_training.measures import bootstrap, number
 
 EVALUATIONS = Path(__file__).resolve().parents[1] / "training/results/evaluations"
 _WORDS = ("mean", "gain", "value", "row", "against", "verdict", "columns")

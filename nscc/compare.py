@@ -71,8 +71,7 @@ def _compile_for_chip(path: Path, target: Target, level: int, noise_of: NoiseOf 
         late = first_error.data.get("resource") == "slot_us"
         needed = float(first_error.data["required"]) if late else None
         return OnChip(target, first_error=first_error, shortest_slot_us=needed)
-    container = compiled.container
-    assert container is not None
+    container = compiled.built
     noise = noise_of(container) if noise_of is not None else None
     kind, layout = KINDS.of(container), compiled.layout
     planes = counted(len(container.code_registers), "plane of code", "planes of code")

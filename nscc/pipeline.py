@@ -188,6 +188,13 @@ class Compiled(Record):
     diagnostics: tuple[Diagnostic, ...]
 
     @property
+    def built(self) -> Container:
+        """The container. Raises ValueError if it is unknown whether the program fits."""
+        if self.container is None:
+            raise ValueError("no words were found")
+        return self.container
+
+    @property
     def lowered(self) -> Lowered | None:
         """The chosen words of a frame; None for a chip without logic, or if it is unknown whether
         the program fits."""

@@ -347,9 +347,8 @@ def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
     Raises Rejected with all errors. Warnings become Python warnings, which name the line that
     called the caller of this function."""
     compiled = compile_source(text, folder, options)
-    assert compiled.container is not None  # programs that do not fit are rejected
     warn(compiled.diagnostics, stacklevel=4)  # the line that called `compile`
-    return ShutterProgram(text.name, compiled.container, compiled, options)
+    return ShutterProgram(text.name, compiled.built, compiled, options)
 
 
 def load(path: str | os.PathLike[str]) -> ShutterProgram:

@@ -12,9 +12,10 @@ from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import TARGET
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, target_option, values_given
+from nscc_cli.options import OUT, PATH, target_option
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import (
+    chip_at,
     host_value_options,
     link_options,
     placing_options,
@@ -23,12 +24,10 @@ from nscc_cli.runtime_options import (
 from nscc_cli.support import (
     NumberRange,
     Subcommands,
-    progress,
     refuse_ignored,
     say,
     say_done,
 )
-from nscc_runtime.device.link_settings import LinkSettings
 from nscc_runtime.request import Request
 
 _LONGEST_S = 1e6
@@ -113,13 +112,11 @@ def _report(error: Exception) -> None:
 @link_options
 def info(port: str, as_json: bool, **options: Any) -> None:
     """Print the description of the loader at PORT, its memory, and the program it holds."""
-    from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.messages import info_json, info_text
 
-    with SerialLink(port, **values_given(LinkSettings, options)) as link:
-        device_info = DeviceChip(link).info()
-        status = link.run(link.host.status)
+    with chip_at(port, options) as chip:
+        device_info = chip.info()
+        status = chip.link.run(chip.link.host.status)
     click.echo(
         info_json(device_info, status) if as_json else info_text(device_info, status), nl=False
     )
@@ -134,13 +131,10 @@ def info(port: str, as_json: bool, **options: Any) -> None:
 def upload(port: str, program: Path, **options: Any) -> None:
     """Send a program to the device at PORT; parts that the device already holds are not sent
     again."""
-    from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
-
     container, messages = load_program(program, options)
     say(list(messages))
-    with SerialLink(port, **values_given(LinkSettings, options)) as link:
-        sent = DeviceChip(link, progress=progress).upload(container)
+    with chip_at(port, options) as chip:
+        sent = chip.upload(container)
     say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
 
@@ -168,8 +162,6 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 
     `meta` in each frame file contains the time of exposure and the program's SHA-256."""
     from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
-    from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.host_setting import host_settings
 
@@ -198,8 +190,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
                 "--pixels needs a program, but none is named",
                 helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
             )
-    with SerialLink(port, **values_given(LinkSettings, options)) as link:
-        chip = DeviceChip(link, progress=progress)
+    with chip_at(port, options) as chip:
         target = container.target if container else target_of(chip, options["target"])
         sensor = sensor_of(target, options)
         check_adc(target)
@@ -231,13 +222,11 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     from nscc.chips.load import target_toml
     from nscc.files import write_whole
     from nscc_runtime.device.captured_frames import target_of
-    from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.measured_times import measured
 
-    with SerialLink(port, **values_given(LinkSettings, options)) as link:
-        target = target_of(DeviceChip(link), options["target"])
-        times = measured(link, target)
+    with chip_at(port, options) as chip:
+        target = target_of(chip, options["target"])
+        times = measured(chip.link, target)
     write_whole(out, target_toml(times.of(target)).encode())
     say_done(
         f"wrote {out}: a launch {times.launch_us:g} us, an analog word "

@@ -24,11 +24,10 @@ from nscc_cli.support import (
     show,
 )
 from nscc_cli.tradeoff_files import kept_rows
-from nscc_training.baselines.tv_settings import TvSettings
-from nscc_training.command_settings import EvaluationSettings, FigureSettings
+from nscc_training.command_settings import EvaluationSettings, FigureSettings, TvSettings
 
 if TYPE_CHECKING:
-    from nscc.arrays import Array
+    from nscc_training.evaluation.results import Evaluated
 
 
 class _Evaluations(Subcommands):
@@ -218,7 +217,7 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
 
 
 def _of_scenes(
-    evaluate: Callable[..., tuple[dict[str, Any], dict[str, Array]]],
+    evaluate: Callable[..., Evaluated],
     known: Mapping[str, Any],
     save: Path | None,
     **outputs: Any,

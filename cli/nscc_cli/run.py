@@ -24,6 +24,7 @@ from nscc_cli.frames import (
 from nscc_cli.options import OUT, PATH, values_given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import (
+    chip_at,
     fit_option,
     host_value_options,
     link_options,
@@ -37,7 +38,6 @@ from nscc_cli.support import (
     say,
     say_done,
 )
-from nscc_runtime.device.link_settings import LinkSettings
 from nscc_runtime.request import Request
 from nscc_runtime.scene_settings import Scene
 
@@ -249,8 +249,6 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     scene is only recorded in the files."""
     from nscc.words.readout import converter_of
     from nscc_runtime.device.captured_frames import exposed
-    from nscc_runtime.device.device_chip import DeviceChip
-    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.host_setting import host_settings
     from nscc_runtime.response import response_of
@@ -292,11 +290,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
             file = expose_by_host(place, container, sensor, options["patience"])
         frame, meta, effects = file.frame, file.meta, everything()
     else:
-        with (
-            timings.measure("expose_s"),
-            SerialLink(place, **values_given(LinkSettings, options)) as link,
-        ):
-            chip = DeviceChip(link, sensor, progress)
+        with timings.measure("expose_s"), chip_at(place, options, sensor) as chip:
             repeat = options["repeat"]
             frame, meta = exposed(chip, container, light, repeat, progress, *settings)
             effects = chip.effects

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
 import click
 
 from nscc_cli.options import (
@@ -13,10 +17,16 @@ from nscc_cli.options import (
     section,
     sensor_options,
     together,
+    values_given,
 )
+from nscc_cli.support import progress
 from nscc_runtime.device.link_settings import LinkSettings
 from nscc_runtime.request import Request
 from nscc_runtime.scene_settings import Scene
+
+if TYPE_CHECKING:
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.sensor import Sensor
 
 scene_option = section(SCENE, declared(Scene, "name"))
 
@@ -75,6 +85,20 @@ host_value_options = section(
 
 link_options = section(DEVICE, declared(LinkSettings, show=True))
 """Options of commands that open a serial port."""
+
+
+@contextmanager
+def chip_at(
+    port: str, options: Mapping[str, Any], sensor: Sensor | None = None
+) -> Iterator[DeviceChip]:
+    """Yield the chip at a serial port, which is opened with the `options` of `link_options`, and
+    closed at the end of the `with` block. `sensor` models the chip; uploads show their progress."""
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
+
+    with SerialLink(port, **values_given(LinkSettings, options)) as link:
+        yield DeviceChip(link, sensor, progress)
+
 
 measured_options = together(
     declared(Request, "seed", "device_seed", show=True),

@@ -166,11 +166,8 @@ def _container(
     from nscc_training.tradeoff.emulator import PROGRAM
 
     path = Path("default.nsl")
-    container = compile_source(
-        Source(path.name, PROGRAM), Path(), compile_options(options)
-    ).container
-    assert container is not None  # programs that do not fit are rejected
-    return with_pixels(container, path, options["pixels"]), ()
+    compiled = compile_source(Source(path.name, PROGRAM), Path(), compile_options(options))
+    return with_pixels(compiled.built, path, options["pixels"]), ()
 
 
 def _scenes(
@@ -288,7 +285,7 @@ def images(file: Path, level: int, **places: Any) -> int:
     Noise is the standard deviation of the error that a kernel's words add, relative to one word.
     Among programs that fit the registers' range, the compiler takes the one with the fewest words.
     Exits with status 1 if no image has a kernel."""
-    from nscc_training.tradeoff.images import images_study
+    from nscc_training.tradeoff.synthesis import images_study
 
     outputs = output_files(places)
     study = images_study(file, level)

@@ -57,7 +57,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
     the files that they name, the texts `of`, the versions of the packages, and the processor."""
     if not files:
         return ExperimentStore()
-    from nscc_training.experiments.stopwatch import processor_name
+    from nscc_training.experiments.study import processor_name
 
     refuse_inputs(*files.values())
     option_values = {
@@ -90,8 +90,7 @@ def run_study(
     `of` decide whether they are used again, together with the packages' versions and the processor.
     """
     from nscc_runtime.pictures.sheet import png_of
-    from nscc_training.experiments.stopwatch import processor_name
-    from nscc_training.experiments.study import measure
+    from nscc_training.experiments.study import measure, processor_name
     from nscc_training.experiments.study_table import csv_text
 
     device = study.device or processor_name()

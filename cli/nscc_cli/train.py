@@ -14,8 +14,7 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
     """Print a configuration of defaults, in which comments explain each key, and end the command.
     Without the option (`value` False), do nothing."""
     if value and not context.resilient_parsing:
-        from nscc_training.config import config_toml
-        from nscc_training.settings import RunSettings
+        from nscc_training.settings import RunSettings, config_toml
 
         click.echo(config_toml(RunSettings(), remarks=True), nl=False)
         context.exit()
@@ -52,7 +51,7 @@ def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> N
 
     The configuration is checked, and its shutters are compiled, before the first step. The same
     command resumes an interrupted run."""
-    from nscc_training.config import load_config
+    from nscc_training.settings import load_config
 
     if config.is_dir():
         from nscc_training.own_folder import folder_settings

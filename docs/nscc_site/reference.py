@@ -11,9 +11,8 @@ import click
 from nscc.chips.load import builtin_target, target_names
 from nscc.diagnostics.explain import page
 from nscc.diagnostics.render import names
-from nscc_cli.group import group
+from nscc_cli.group import COMMANDS, group
 from nscc_cli.support import CommonCommand
-from nscc_cli.table import COMMANDS
 from nscc_runtime.effects import registered
 from nscc_runtime.sensor import default_sensor
 from nscc_site.tool import block, said, table

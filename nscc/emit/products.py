@@ -59,9 +59,8 @@ def word_product(
     `kind`. Raises Rejected as `emitted` does, and for C++ as `devkit_program` does."""
     from nscc.emit.listing import schedule_text
 
-    lowered, container = compiled.lowered, compiled.container
+    lowered, container = compiled.lowered, compiled.built
     assert lowered is not None
-    assert container is not None
     match product:
         case "planes":
             raise rejected(

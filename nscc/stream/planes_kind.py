@@ -68,8 +68,7 @@ class BitPlanes(ProgramKind):
         The products are "planes" (bit planes with their times, .npz) and "schedule" (a text).
         Raises Rejected for products of words, which a chip without logic does not have, and for
         planes (NS0511) if the pixels have no codes."""
-        container, name = compiled.container, stem + SUFFIXES[product]
-        assert container is not None
+        container, name = compiled.built, stem + SUFFIXES[product]
         if product == "planes":
             return {name: texts.planes_bytes(container)}
         if product == "schedule":

@@ -17,10 +17,10 @@ from time import perf_counter
 import torch
 from torch.profiler import ProfilerActivity, profile
 
-from nscc_training.config import settings_of
 from nscc_training.loop import train as loop
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.steps import window
+from nscc_training.settings import settings_of
 
 CASES = {
     "unet2d, class b": {"shutter": {"class": "b", "slots": 256}},

@@ -151,7 +151,7 @@ def test_files_that_a_page_names_are_there(page: str) -> None:
 
 
 def test_every_command_is_listed_by_its_task() -> None:
-    from nscc_cli.table import GROUPS
+    from nscc_cli.group import GROUPS
 
     text = (ROOT / "docs/commands.md").read_text()
     sections = dict(re.findall(r"^## ([^\n]*)\n(.*?)(?=^## |\Z)", text, re.M | re.S))

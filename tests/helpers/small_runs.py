@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from scipy.io import savemat
 
-from nscc_training.config import settings_of
 from nscc_training.loop.train import train
+from nscc_training.settings import settings_of
 
 SMALL: dict[str, dict[str, Any]] = {
     "data": {"patch": 16, "scenes": 2, "val_items": 1},

@@ -9,13 +9,12 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from nscc_training.config import settings_of
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
 from nscc_training.loop.setup import TrainingSetup, make_setup
-from nscc_training.loop.step_loss import pull, trial_of
-from nscc_training.loop.steps import decoded, loss_of
+from nscc_training.loop.steps import decoded, loss_of, pull, trial_of
 from nscc_training.sensor_model import laid
+from nscc_training.settings import settings_of
 
 CPU = torch.device("cpu")
 

@@ -11,8 +11,7 @@ torch = pytest.importorskip("torch")
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
 from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
-from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
-from nscc_training.decoders.unrolled import Refined, Unrolled  # noqa: E402
+from nscc_training.decoders.unet import ClipUNet, Refined, StillUNet, Unrolled  # noqa: E402  # noqa: E402
 
 MOST = 600_000
 OURS = [

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from nscc_training.statistics import summary
+from nscc_training.measures import summary
 
 
 def test_variance_of_values_far_from_zero_is_exact() -> None:

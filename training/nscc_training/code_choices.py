@@ -38,7 +38,7 @@ RELAXATIONS = (*SLOPED, "tried", *SEARCHED)
 pass. `sigmoid` uses soft shutters in the forward pass, with a temperature that a schedule lowers.
 `gumbel` (codebooks; `sigmoid` for other classes) uses soft shapes and a random soft choice of them.
 `tried` uses hard shutters without a gradient; the loop tries other codes around them
-(`nscc_training.loop.step_loss`). `search` moves many places of a code together; the decoder, which
+(`nscc_training.loop.steps`). `search` moves many places of a code together; the decoder, which
 is not trained meanwhile, compares the results (`nscc_training.loop.searching`). `arrange` is a
 search that gives the initial shutters other places, and changes none of them."""
 

@@ -454,3 +454,14 @@ class SweepSettings:
         notation="tcp://HOST:PORT",
     )
     again: bool = key(Flag(), "Compute failed points again", False)
+
+
+@dataclass(frozen=True)
+class TvSettings:
+    """How clips are reconstructed by total variation: the number of iterations of the method, and
+    the weight of total variation."""
+
+    iterations: int = key(Integer(1, 10000), "Iterations of total variation", 40)
+    weight: float = key(
+        Number(0, 10, low_excluded=True), "Weight of total variation, for values 0..1", 0.1
+    )

@@ -17,6 +17,7 @@ import torch
 from torch import Tensor
 
 from nscc.arrays import Array, Floats
+from nscc.chips.target import Target
 from nscc.words.container import Container
 from nscc_runtime.caches import Recent
 from nscc_runtime.effects import Selection, selected
@@ -305,3 +306,19 @@ def _measured(
     # Subtract the variance of rounding, 1/12: codes are rounded when the table is used.
     variance = np.maximum(squares - np.square(sums) - 1 / 12, 0)
     return sums, np.sqrt(variance), full
+
+
+def light_on_array(light_e: Array, slots: int, target: Target) -> Light:
+    """Return `light_e`, electrons over a frame (rows, cols) or per slot (N, rows, cols), as light
+    on the array of `target`.
+
+    The light of a frame is spread evenly over `slots` slots; light per slot keeps its own N slots.
+    A scene smaller than the array is extended by its edge pixels; of a larger scene the upper left
+    part is taken."""
+    visible = light_e[..., : target.rows, : target.cols].astype(np.float32)
+    missing = (target.rows - visible.shape[-2], target.cols - visible.shape[-1])
+    margins = [(0, 0)] * (visible.ndim - 2) + [(0, count) for count in missing]
+    padded = np.pad(visible, margins, mode="edge")
+    if padded.ndim == 2:
+        return Light.of_still(padded, np.full(slots, 1 / slots))
+    return Light.of_clip(padded)

@@ -93,8 +93,7 @@ def import_mask(
         except Rejected as error:
             reasons.append(f"class {spec.kind}: {error.diagnostics[0].message}")
             continue
-        container = compiled_program.container
-        assert container is not None
+        container = compiled_program.built
         assert container.pixel_codes is not None
         lanes = container.table.shutter_of_code[container.pixel_codes]
         # Each pair of the program's and the mask's shutter of a pixel is compared once.

@@ -9,9 +9,8 @@ from typing import Any
 from nscc.diagnostics.diagnostic import rejected
 from nscc.program.problems import counted
 from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, PICTURES
-from nscc_training.config import settings_of
 from nscc_training.scene_files import CLIPS, files_in, frame_size
-from nscc_training.settings import RunSettings
+from nscc_training.settings import RunSettings, settings_of
 
 _PATCHES = (128, 96, 64, 48, 32)
 """Sides of patches in pixels. A network sees more of a scene in larger patches, but a step takes

@@ -169,8 +169,7 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> tuple[dict[str, Int
     whose pixels are not a repetition of this tile, and Rejected with the compiler's errors."""
     target = chip.table or load_target(chip.target, Path())
     compiled_program = compile_file(path, Options(level=0, target=target))
-    container = compiled_program.container
-    assert container is not None
+    container = compiled_program.built
     refuse_pictures(
         container,
         "a run cannot begin with a program that has images or planes",
@@ -228,8 +227,7 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> Ints:
 def words_per_slot(compiled_program: Compiled) -> float:
     """Return the number of instruction words of a frame divided by its slots; 0 for a chip without
     words. The program must have a container: it compiled. A container is a compiled program."""
-    container = compiled_program.container
-    assert container is not None
+    container = compiled_program.built
     return container.words_per_frame / container.slots
 
 

@@ -10,10 +10,10 @@ from nscc.diagnostics.diagnostic import rejected
 from nscc.files import reads
 from nscc.words.container import Container
 from nscc_runtime.scene_settings import Transfer
-from nscc_training.config import load_config
 from nscc_training.design.text import SLOT_DECIMALS
 from nscc_training.programs import SENSOR_FILE, TARGET_FILE
 from nscc_training.protocols import load_protocol, packaged
+from nscc_training.settings import load_config
 
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 WEIGHTS = "decoder.safetensors"

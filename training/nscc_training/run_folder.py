@@ -14,14 +14,13 @@ from nscc.diagnostics.diagnostic import rejected
 from nscc.files import file_sha256, read_whole, reads
 from nscc.npy import check_size
 from nscc_training.codes_files import load_codes
-from nscc_training.config import load_config
 from nscc_training.encoders import Encoder
 from nscc_training.import_paths import is_import_path
 from nscc_training.loop.setup import TrainingSetup, make_setup, started_encoder
 from nscc_training.problems import is_out_of_memory, one_line
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
 from nscc_training.run_files import CONFIG, run_path
-from nscc_training.settings import RunSettings
+from nscc_training.settings import RunSettings, load_config
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 """Files of a run whose digests are stored in its result."""

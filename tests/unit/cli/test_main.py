@@ -20,8 +20,7 @@ import pytest
 from nscc_command import invoke
 
 from nscc import __version__, installation
-from nscc_cli.group import group
-from nscc_cli.table import COMMANDS
+from nscc_cli.group import COMMANDS, group
 
 GOOD = (
     "nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\npixels stop = 1 + x % 4\n"

@@ -15,13 +15,13 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture
 from nscc_training import load_run
 from nscc_training.command_settings import DecoderStudySettings
-from nscc_training.config import settings_of
 from nscc_training.decoders.declared import DECODERS, DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.loop.setup import make_setup
 from nscc_training.programs import Chip, compiled, program_of
 from nscc_training.sensor_model import SensorModel, differentiable_capture
+from nscc_training.settings import settings_of
 from nscc_training.tradeoff.decoder import decoder_points
 
 CHIP = Chip("dual-tap", 1000.0)

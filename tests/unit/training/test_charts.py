@@ -20,10 +20,9 @@ from nscc_runtime.scenes import Scene
 from nscc_training.command_settings import STAGES, JointRequest
 from nscc_training.experiments.study import StudyResult
 from nscc_training.tradeoff.decoder import decoder_diagram
-from nscc_training.tradeoff.images import images_diagram
 from nscc_training.tradeoff.joint import Joint, joint_diagram
 from nscc_training.tradeoff.sensor import sensor_diagram
-from nscc_training.tradeoff.synthesis import synthesis_diagram
+from nscc_training.tradeoff.synthesis import images_diagram, synthesis_diagram
 from nscc_training.views import result_sheet, run_sheet, sensor_sheet
 
 METRICS = """step,split,psnr_db,correct

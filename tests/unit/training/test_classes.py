@@ -21,7 +21,6 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
 from nscc_training import load_run  # noqa: E402
 from nscc_training.command_settings import EvaluationSettings  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.runs import evaluate  # noqa: E402
@@ -29,7 +28,8 @@ from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.validation import validation_scenes  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
 from nscc_training.made_scenes import DIRECTIONS, moving_texture  # noqa: E402
-from nscc_training.protocol_scenes.classes import ClassWindow  # noqa: E402
+from nscc_training.protocol_scenes.clips import ClassWindow  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 CLASSES: dict[str, dict[str, Any]] = {
     "shutter": {"class": "d", "slots": 16, "tile": [2, 2], "slot_us": 1000.0},

@@ -17,9 +17,9 @@ from nscc.compiler import compile_file  # noqa: E402
 from nscc.container_proof import replayed  # noqa: E402
 from nscc.pipeline import Options  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
-from nscc_training.config import load_config  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
+from nscc_training.settings import load_config  # noqa: E402
 
 RESULTS = ROOT / "training" / "results"
 SHIPPED = sorted(path.parent for path in (RESULTS / "shipped").rglob("result.json"))

@@ -11,9 +11,8 @@ from nscc_command import invoke
 pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_training.config import config_toml, load_config, settings_of
 from nscc_training.decoders.declared import DECODERS
-from nscc_training.settings import RunSettings
+from nscc_training.settings import RunSettings, config_toml, load_config, settings_of
 
 
 def test_printed_settings_are_read_back() -> None:

@@ -29,7 +29,6 @@ from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256  # noqa: E
 from nscc_runtime.simulate import simulate  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.command_settings import EvaluationSettings  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, MeasuredTables, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.results import result_text  # noqa: E402
 from nscc_training.evaluation.runs import evaluate  # noqa: E402
@@ -42,6 +41,7 @@ from nscc_training.reconstruct import reconstructed  # noqa: E402
 from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 RUNS = ROOT / "training/results/shipped"
 TILE = (2, 2)

@@ -14,7 +14,7 @@ from nscc_command import invoke
 torch = pytest.importorskip("torch")
 
 from nscc_training.any_code import lessons  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 RECIPE = ROOT / "training/grids/gpu.toml"
 

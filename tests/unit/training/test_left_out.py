@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from nscc_training.left_out import best_weight, prediction_errors, with_weight
 from nscc_training.measured import Measured
+from nscc_training.reconstruct_any import best_weight, prediction_errors, with_weight
 
 
 def coded(noise: float) -> tuple[Measured, np.ndarray]:

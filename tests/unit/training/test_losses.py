@@ -11,9 +11,9 @@ torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training import metrics  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.losses import LEAST_ERROR, LOSSES, Loss  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 
 def pair(error: float) -> tuple[torch.Tensor, torch.Tensor]:

@@ -13,7 +13,7 @@ from nscc_command import invoke
 from numpy.typing import NDArray
 
 from nscc_training import metrics
-from nscc_training.statistics import bootstrap, paired, summary
+from nscc_training.measures import bootstrap, paired, summary
 
 Picture = NDArray[np.float64]
 

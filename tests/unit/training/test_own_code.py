@@ -13,11 +13,10 @@ from nscc_command import invoke
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data.sources import load_scenes  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
-from nscc_training.settings import DataSettings  # noqa: E402
+from nscc_training.settings import DataSettings, settings_of  # noqa: E402
 
 CODE = """
 import numpy as np

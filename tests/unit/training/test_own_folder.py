@@ -20,11 +20,10 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_runtime.scenes import picture_files  # noqa: E402
 from nscc_runtime.scenes.picture_files import read_picture  # noqa: E402
 from nscc_training import scene_files  # noqa: E402
-from nscc_training.config import load_config  # noqa: E402
 from nscc_training.data import ExposureSet, cut_batch, load_scenes  # noqa: E402
 from nscc_training.own_folder import folder_settings  # noqa: E402
 from nscc_training.scene_files import frame_size, frames_in  # noqa: E402
-from nscc_training.settings import DataSettings  # noqa: E402
+from nscc_training.settings import DataSettings, load_config  # noqa: E402
 
 
 def folder(path: Path, ending: str, *sides: int) -> Path:

@@ -9,7 +9,7 @@ import numpy as np
 from nscc.arrays import Floats, Floats32
 from nscc_training.baselines.dictionary import dictionary_clip, made_dictionary
 from nscc_training.baselines.gap_tv import INNER, TIME, WEIGHT, gap_tv_of
-from nscc_training.baselines.tent_loop import tent_sums
+from nscc_training.baselines.merge_loop import tent_sums
 from nscc_training.baselines.tv_loop import Clip, tv_denoise
 from nscc_training.measured import Measured
 

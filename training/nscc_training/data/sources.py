@@ -35,7 +35,7 @@ from nscc_training.data.moving import (
     shown_picture,
 )
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
-from nscc_training.protocol_scenes.classes import class_folders, class_of, moving_texture
+from nscc_training.protocol_scenes.clips import class_folders, class_of, moving_texture
 from nscc_training.protocols import load_protocol
 from nscc_training.random_streams import DrawStream
 from nscc_training.scene_files import CLIPS, centre_of, data_files, frames_in, names_of

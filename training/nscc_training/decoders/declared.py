@@ -96,9 +96,9 @@ _OWN = (
     Decoder(
         "fcnet", f"{_HERE}.blocks:BlockNet", {"paper": (4096,), "small": (96,)}, any_code=False
     ),
-    Decoder("unrolled", f"{_HERE}.unrolled:Unrolled", _UNROLLED, needs_code=_PROJECTS),
+    Decoder("unrolled", f"{_HERE}.unet:Unrolled", _UNROLLED, needs_code=_PROJECTS),
     Decoder(
-        "any", "nscc_training.any_code.decoder:AnyCode",
+        "any", "nscc_training.any_code.decode:AnyCode",
         {"paper": (32, 64, 96), "small": (32, 64, 96)}, stills=True,
         needs_code="simulates the capture of a clip with its code, so it needs the code",
         fixed_channels=True, scales=True, two_buckets=True,
@@ -112,7 +112,7 @@ _OWN = (
         "classifier", f"{_HERE}.classifier:Classifier",
         {"paper": (64, 128, 256), "small": (16, 32, 64)}, clips=False, classifies=True,
     ),
-    Decoder("refined", f"{_HERE}.unrolled:Refined", _UNROLLED, needs_code=_PROJECTS),
+    Decoder("refined", f"{_HERE}.unet:Refined", _UNROLLED, needs_code=_PROJECTS),
 )  # fmt: skip
 DECODERS = {decoder.name: decoder for decoder in _OWN}
 

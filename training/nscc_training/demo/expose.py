@@ -154,8 +154,7 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
         )
     program = _program_of(settings) if run is None else like.program
     target = None if like.target is None else str(like.target)
-    compiled = compile_file(program, Options(target=target)).container
-    assert compiled is not None  # programs that come with nscc, or a run, compile
+    compiled = compile_file(program, Options(target=target)).built
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
@@ -217,8 +216,7 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 
     `request` chooses effects and seed; `listener` receives progress. `scene` has the exposure with
     which the coded frame was exposed."""
-    container = compile_file(examples()[LOOKING], Options()).container
-    assert container is not None  # example programs compile
+    container = compile_file(examples()[LOOKING], Options()).built
     begin = working_s()
     laid = laid_lights(scene, container.slot_us, container.target, progress=listener.progress)
     frame_arrays = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told

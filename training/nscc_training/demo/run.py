@@ -14,12 +14,7 @@ from nscc_runtime.progress import Progress
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
 from nscc_training.command_settings import DemoSettings, Method
-from nscc_training.demo.expose import (
-    DARK_FRAMES,
-    DARK_SEED,
-    Exposed,
-    exposed,
-)
+from nscc_training.demo.expose import DARK_FRAMES, DARK_SEED, Exposed, exposed
 from nscc_training.demo.sheet import Shown, demo_sheet, readouts_text
 from nscc_training.demo.subject import subject
 from nscc_training.reconstruct_any import reconstruct_any

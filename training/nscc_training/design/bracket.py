@@ -60,9 +60,7 @@ def camera(
             for k, (first, last) in enumerate(pairwise(ends), start=1)
         )
     text = f"nsl 1\n{frame_text(slots, slot_us)}\n{rules}"
-    compiled = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
-    assert compiled.container is not None
-    return compiled.container
+    return compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target)).built
 
 
 def merged_bracket(

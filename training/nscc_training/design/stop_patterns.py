@@ -19,7 +19,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import simulate
-from nscc_training.baselines.hdr import merged
+from nscc_training.baselines.merge_loop import merged
 from nscc_training.code_choices import RANKS, over_array
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.scene import peak_of, stops_tried

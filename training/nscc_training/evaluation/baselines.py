@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nscc.arrays import Array, Bools
+from nscc.arrays import Bools
 from nscc.diagnostics.diagnostic import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.command_settings import EvaluationSettings
 from nscc_training.evaluation import methods
 from nscc_training.evaluation.methods import CapturedScene, Light, Method, captured
 from nscc_training.evaluation.results import (
+    Evaluated,
     Scored,
     Scorer,
     also_saturated,
@@ -148,7 +149,7 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 
 def evaluate_baseline(
     protocol: Protocol, wanted: EvaluationSettings, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, Array]]:
+) -> Evaluated:
     """Return the result of the baseline `wanted.subject` on the folder of scenes `wanted.data`, as
     JSON values, and the arrays of `--save` by name.
 
@@ -289,7 +290,7 @@ def evaluate_sci8(
     iterations: int,
     weight: float,
     scorer: Scorer | None = None,
-) -> tuple[dict[str, Any], dict[str, Array]]:
+) -> Evaluated:
     """Return the result of `method` on the benchmark clips in the files `paths`, as JSON values,
     and the arrays of `--save` by name.
 

@@ -27,13 +27,13 @@ from nscc_training.command_settings import FigureSettings
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS
 from nscc_training.design.bracket import camera
+from nscc_training.emulated import light_on_array
 from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
-from nscc_training.light_on_array import light_on_array
-from nscc_training.loop.decoding import container_of, decoded_frame
+from nscc_training.loop.decoding import decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 from nscc_training.protocol_scenes.file_scenes import readable, scenes_in
-from nscc_training.protocol_scenes.hdr import ENDINGS
+from nscc_training.protocol_scenes.panoramas import ENDINGS
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import load_protocol
 from nscc_training.run_files import run_capture
@@ -166,7 +166,7 @@ def _shot_of(
     request = Request.of(effects=settings.effects, seed=seed, device_seed=seed)
     coded, usual = (
         simulate(container, light, setup.sensor, request).frame
-        for container in (container_of(setup), camera(setup.slots, setup.chip.slot_us))
+        for container in (setup.compiled().built, camera(setup.slots, setup.chip.slot_us))
     )
     # frame[0], saturated[0]: the only bucket.
     decoded_light = decoded_frame(setup, coded.frame[0], coded.saturated[0])

@@ -34,6 +34,7 @@ from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.evaluation.results import (
+    Evaluated,
     Scored,
     Scorer,
     also_saturated,
@@ -70,9 +71,7 @@ def row_of(name: str, target: Target) -> LookSchedule:
     return LookSchedule(at, (level_steps(percent, "%", target),) * len(at))
 
 
-def evaluate_looks(
-    wanted: EvaluationSettings, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, Array]]:
+def evaluate_looks(wanted: EvaluationSettings, scorer: Scorer | None = None) -> Evaluated:
     """Return the result of `wanted.subject`, a method of UNDECODED, on a folder of panoramas, as
     JSON values, and the arrays of `--save` by name.
 
@@ -220,6 +219,4 @@ def _compiled(schedule: LookSchedule, target: Target) -> Container:
     """Return the compiled program of pixels that look as the schedule says, with `SLOTS` slots of
     125 us. Raise Rejected if it does not fit the chip."""
     text = looking_text(schedule, SLOTS, 125.0, target, None, "")
-    container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
-    assert container is not None
-    return container
+    return compile_source(Source("looks.nsl", text), Path(), Options(target=target)).built

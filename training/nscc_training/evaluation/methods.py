@@ -12,12 +12,12 @@ import numpy as np
 from nscc.arrays import Bools, Floats, Floats32
 from nscc_training.baselines import sci
 from nscc_training.baselines.dictionary import made_dictionary
-from nscc_training.baselines.hdr import merged
+from nscc_training.baselines.merge_loop import merged
 from nscc_training.baselines.tv_loop import denoise
 from nscc_training.code_choices import over_array
+from nscc_training.protocol_scenes.clips import ClipWindow
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
-from nscc_training.protocol_scenes.video import ClipWindow
 
 if TYPE_CHECKING:
     from torch import Tensor

@@ -21,19 +21,21 @@ from nscc.files import Product, read_whole
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.experiments.engine import Done, PointRow, results, rows_in
-from nscc_training.measures import number, stamp
+from nscc_training.measures import number, paired, stamp, summary
 from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.file_scenes import scenes_in
 from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import labels, names_of
-from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
 _MEANS = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
 """Metrics of hdr-v1 that are also reported at other fractions of saturated pixels."""
 _MOST_REASONS = 5
 """Most reasons in the message that no scene can be used."""
+
+Evaluated = tuple[dict[str, Any], dict[str, Array]]
+"""A result as JSON values, and the arrays of `--save` by name."""
 
 
 class Scored(NamedTuple):
@@ -238,7 +240,7 @@ def result_of(
     parameters: int = 0,
     flops: int | None = None,
     **extra_keys: Any,
-) -> tuple[dict[str, Any], dict[str, Array]]:
+) -> Evaluated:
     """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
 
     The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.

@@ -25,6 +25,7 @@ from nscc_training.decoders.decoder_building import flops, parameter_count
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
 from nscc_training.evaluation.looks_rows import UNDECODED, evaluate_looks
 from nscc_training.evaluation.results import (
+    Evaluated,
     Scored,
     Scorer,
     also_saturated,
@@ -34,7 +35,7 @@ from nscc_training.evaluation.results import (
 from nscc_training.loop.validation import by_chip, by_model, validation_scenes
 from nscc_training.problems import listed
 from nscc_training.programs import SENSOR_FILE
-from nscc_training.protocol_scenes.classes import class_windows
+from nscc_training.protocol_scenes.clips import class_windows
 from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
@@ -52,7 +53,7 @@ def evaluate_run(
     protocol: Protocol,
     wanted: EvaluationSettings,
     scorer: Scorer | None = None,
-) -> tuple[dict[str, Any], dict[str, Array]]:
+) -> Evaluated:
     """Return the result of a run with its hard shutters on the scenes in the folder `wanted.data`,
     as JSON values, and the arrays of `--save` by name.
 
@@ -100,9 +101,7 @@ def evaluate_run(
     return _run_result(folder, protocol, wanted, files, scored_scenes, left_out, extra_keys)
 
 
-def evaluate_validation(
-    folder: RunFolder, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, Array]]:
+def evaluate_validation(folder: RunFolder, scorer: Scorer | None = None) -> Evaluated:
     """Return the result of a run on its validation scenes, with the run's effects, as JSON values,
     and the arrays of `--save` by name.
 
@@ -179,7 +178,7 @@ def _run_result(
     scored_scenes: Sequence[Scored],
     left_out: list[dict[str, Any]],
     extra_keys: dict[str, Any],
-) -> tuple[dict[str, Any], dict[str, Array]]:
+) -> Evaluated:
     """Return the result of scored scenes, with the settings of the run, as JSON values, and the
     arrays of `--save` by name.
 
@@ -288,9 +287,7 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
         )
 
 
-def evaluate(
-    wanted: EvaluationSettings, scorer: Scorer | None = None
-) -> tuple[dict[str, Any], dict[str, Array]]:
+def evaluate(wanted: EvaluationSettings, scorer: Scorer | None = None) -> Evaluated:
     """Return the result of a baseline or of a run, as JSON values, and the arrays of `--save` by
     name. `wanted` names subject, protocol, data and options; `scorer` keeps scores (None: in
     memory).

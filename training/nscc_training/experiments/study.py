@@ -1,14 +1,16 @@
-"""Studies: a grid of points whose time is measured with their figures, a table and a diagram.
+"""Studies: points whose time is measured, a table and a diagram.
 
-Each repeat measures all points in turn, so that disturbances of the machine are spread over all of
-them."""
+Each repeat of a study measures all points in turn, so that disturbances of the machine are spread
+over all of them."""
 
 from __future__ import annotations
 
+import platform
 from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.experiment_store import ExperimentStore
@@ -16,11 +18,87 @@ from nscc.requirements import line_for
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.experiments.engine import Done, Figures, PointRow, results, rows_in
-from nscc_training.experiments.stopwatch import Stopwatch
 from nscc_training.experiments.study_table import Refused
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+
+_CPUINFO = Path("/proc/cpuinfo")
+"""Where Linux describes the processor."""
+
+
+def processor_name() -> str:
+    """Return the name of this machine's processor, or if the system does not tell it, its
+    architecture."""
+    try:
+        lines = _CPUINFO.read_text(errors="replace").splitlines()
+    except OSError:
+        lines = []
+    for line in lines:
+        name, _, value = line.partition(":")
+        if name.strip() == "model name" and value.strip():
+            return " ".join(value.split())
+    return platform.processor() or platform.machine() or "unknown processor"
+
+
+T = TypeVar("T")
+
+SHORT_MS = 500.0
+"""First runs shorter than this are repeated, because they may mainly consist of filling caches."""
+
+
+class Stopwatch:
+    """A stopwatch that leaves out first runs, in which code is compiled and data is loaded.
+
+    Runs of one `kind`, such as one method on data of one shape, share this overhead. `setting`
+    distinguishes the runs of a kind. `clock` returns seconds; tests replace it."""
+
+    def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
+        """Begin with nothing loaded."""
+        self._clock = clock
+        self._seen: set[Hashable] = set()
+
+    def ran(self, kind: Hashable, *settings: Hashable) -> None:
+        """Record that a kind and these settings of it have already run, so that `ms` does not run
+        them twice."""
+        self._seen.update((kind, *((kind, setting) for setting in settings)))
+
+    def ms(
+        self,
+        kind: Hashable,
+        setting: Hashable,
+        run: Callable[[], T],
+        first: Callable[[], Any] | None = None,
+    ) -> tuple[T, float]:
+        """Call `run` and return its result and its time in milliseconds.
+
+        Before the first run of a `kind`, `first` is called (None: `run`), and its time is dropped.
+        If the first run of a `setting` takes less than `SHORT_MS`, it is repeated, and the second
+        result counts. So a long run is repeated at most once for its kind, and not at all if
+        `first` is shorter."""
+        if kind not in self._seen:
+            if first is None:
+                run()
+                self.ran(kind, setting)
+            else:
+                first()
+                self.ran(kind)
+        result, taken_ms = timed_ms(run, self._clock)
+        if (kind, setting) not in self._seen:
+            self.ran(kind, setting)
+            if taken_ms < SHORT_MS:
+                result, taken_ms = timed_ms(run, self._clock)
+        return result, taken_ms
+
+
+def timed_ms(run: Callable[[], T], clock: Callable[[], float] = perf_counter) -> tuple[T, float]:
+    """Call `run` once and return its result and its time in milliseconds. `clock` returns
+    seconds."""
+    begin = clock()
+    result = run()
+    return result, (clock() - begin) * 1e3
+
 
 DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 """Codes of programs that do not fit a chip, by their first characters."""

@@ -17,7 +17,6 @@ from nscc.container_proof import shutters_of_pixels
 from nscc.words.container import Container
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.code_choices import LOOKS
-from nscc_training.config import config_toml
 from nscc_training.data import Scenes
 from nscc_training.decoders.decoder_building import flops, parameter_count
 from nscc_training.least_squares import solve
@@ -25,10 +24,10 @@ from nscc_training.loop.decoding import scene_by_words
 from nscc_training.loop.setup import TrainingSetup, started_encoder
 from nscc_training.loop.validation import as_trained, by_model, validated
 from nscc_training.measures import METRIC_NAMES, means_text, score_text
-from nscc_training.programs import CAPTURE_FILE, CODES_FILE, compiled, program_of, words_per_slot
+from nscc_training.programs import CAPTURE_FILE, CODES_FILE, program_of, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.sensor_model import shared_out
-from nscc_training.settings import RunSettings
+from nscc_training.settings import RunSettings, config_toml
 
 _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
     ("as trained", {}, 1.0),
@@ -56,8 +55,7 @@ def artifacts(
     most time. Raises Rejected with the compiler's errors if the shutters do not fit the chip."""
     from safetensors.torch import save
 
-    build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
-    assert build.container is not None
+    build = setup.compiled()
     remark = (
         f"Shutters of class {setup.encoder.spec.kind}, learned by nscc train with the decoder "
         f"beside them\n(step {step}, seed {setup.settings.train.seed}, "
@@ -88,7 +86,7 @@ def artifacts(
         "config_sha256": config_digest(setup.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
-        "stages": _stages(setup, shown, build.container),
+        "stages": _stages(setup, shown, build.built),
         "stages_note": f"{METRIC_NAMES[metrics[0]]} of {len(shown)} validation scenes, as the "
         "protocol counts it, without noise",
         "robustness": robustness,

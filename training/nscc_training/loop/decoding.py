@@ -16,9 +16,8 @@ from nscc_runtime.looked_light import OPEN
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import simulate
-from nscc_training import programs
 from nscc_training.code_choices import LOOKS
-from nscc_training.light_on_array import light_on_array
+from nscc_training.emulated import light_on_array
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out
@@ -27,16 +26,6 @@ _BLOCK, _MARGIN = 256, 32
 """Side in pixels of the blocks in which large frames are decoded, and the margin of the blocks.
 
 The margin is larger than the receptive field of decoders."""
-
-
-def container_of(setup: TrainingSetup) -> Container:
-    """Compile the program of a run's present shutters. Raise Rejected if it does not fit its
-    chip."""
-    container = programs.compiled(
-        programs.program_of(setup.encoder, setup.chip), setup.chip
-    ).container
-    assert container is not None
-    return container
 
 
 @torch.no_grad()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -14,16 +15,22 @@ from nscc.chips.load import load_target, parse_target, read_target
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.npy import check_size
+from nscc.pipeline import Compiled
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
-from nscc_training.any_code.decoder import AnyCode
+from nscc_training.any_code.decode import AnyCode
 from nscc_training.code_choices import ARRANGE, LOOKS, SLOPED, STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.decoder_building import make_decoder
 from nscc_training.design.chip import most_steps
-from nscc_training.emulated import CHIPS, EmulatedSensor, MeasuredTables, emulated_sensor
+from nscc_training.emulated import (
+    CHIPS,
+    EmulatedSensor,
+    MeasuredTables,
+    emulated_sensor,
+)
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.base import Codes
 from nscc_training.encoders.bumps import Bump
@@ -106,6 +113,19 @@ class TrainingSetup:
             self.follow_codes()
         return self.tables.table
 
+    def compiled(self, *, every_code: bool = False) -> Compiled:
+        """Compile and prove the program of the present codes. With `every_code` it must work for
+        every legal code. Raise Rejected if it does not fit the chip."""
+        files = programs.program_of(self.encoder, self.chip)
+        return programs.compiled(files, self.chip, every_code=every_code)
+
+    def words_per_slot(self) -> float | None:
+        """Return the words per slot of the present codes; None if the compiler refuses them."""
+        with suppress(Rejected):
+            every_code = self.settings.shutter.codes == "open"
+            return programs.words_per_slot(self.compiled(every_code=every_code))
+        return None
+
     def start_random(self, *numbers: int, near: Codes | None = None) -> None:
         """Set the encoder to random codes that compile for the chip, drawn with the run's seed and
         `numbers`.
@@ -128,7 +148,7 @@ class TrainingSetup:
                     # No move of a single pixel: these codes shall differ clearly from `near`.
                     codes = moved(self.encoder.spec, near, generator, single_share=0.0)
                     self.encoder.load_codes(codes)
-                programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
+                self.compiled()
             except (Rejected, ValueError):  # ValueError: `require` forbids the moved codes
                 if attempt == _MOST_DRAWS - 1:
                     raise
@@ -165,11 +185,9 @@ class TrainingSetup:
 
         def measure() -> EmulatedSensor:
             """Compile the present codes and measure their emulated sensor."""
-            build = programs.compiled(programs.program_of(self.encoder, self.chip), self.chip)
-            assert build.container is not None
-            effects = self.settings.sensor.effects
+            container, effects = self.compiled().built, self.settings.sensor.effects
             return emulated_sensor(
-                build.container, self.encoder.spec.tile, self.sensor, effects, self.chips
+                container, self.encoder.spec.tile, self.sensor, effects, self.chips
             )
 
         tables = self.tables

@@ -19,14 +19,13 @@ from torch.optim.swa_utils import AveragedModel
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.npy import check_size
-from nscc_training.config import load_config, values_of
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.optimizers import Muon
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.problems import listed
 from nscc_training.run_files import CONFIG
-from nscc_training.settings import RunSettings
+from nscc_training.settings import RunSettings, load_config, values_of
 
 CHECKPOINT = "checkpoint.safetensors"
 _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}

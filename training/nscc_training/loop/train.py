@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Callable, Iterable, Sequence
-from contextlib import closing, nullcontext, suppress
+from contextlib import closing, nullcontext
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -16,21 +16,26 @@ from torch import Tensor, nn
 from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn
 from torch.utils.data import DataLoader, Dataset
 
-from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc.diagnostics.diagnostic import rejected
 from nscc.files import write_together
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress as Track
 from nscc_runtime.progress import unseen
 from nscc_training.any_code.lessons import Lesson, LessonSet
 from nscc_training.code_choices import SEARCHED
-from nscc_training.config import config_toml
 from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch, load_scenes
 from nscc_training.data.moving import shown_picture
 from nscc_training.draws import generator_of
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
-from nscc_training.loop.optimizers import optimizers_of
+from nscc_training.loop.optimizers import (
+    anneal,
+    codes_learn,
+    cycle_of,
+    optimizers_of,
+    set_rates,
+    settling_step,
+)
 from nscc_training.loop.ranks import Ranks
-from nscc_training.loop.schedule import anneal, codes_learn, cycle_of, set_rates, settling_step
 from nscc_training.loop.searching import search, within
 from nscc_training.loop.setup import TrainingSetup, make_setup
 from nscc_training.loop.state import (
@@ -43,14 +48,13 @@ from nscc_training.loop.state import (
     tensors_of,
 )
 from nscc_training.loop.state import unpack as unpacked
-from nscc_training.loop.step_loss import StepLoss, lesson_losses
-from nscc_training.loop.steps import finite_norm
+from nscc_training.loop.steps import StepLoss, finite_norm, lesson_losses
 from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.measures import means_text
-from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
+from nscc_training.programs import TARGET_FILE, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.random_streams import DrawStream
-from nscc_training.settings import RunSettings
+from nscc_training.settings import RunSettings, config_toml
 
 METRICS = "metrics.csv"
 """The log of a run, a table with a line for each validation."""
@@ -450,15 +454,7 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
     run.log.add(step, "train", loss=loss, dead_share=dead)
-    words = None
-    with suppress(Rejected):
-        words = words_per_slot(
-            compiled(
-                program_of(setup.encoder, setup.chip),
-                setup.chip,
-                every_code=settings.shutter.codes == "open",
-            )
-        )
+    words = setup.words_per_slot()
     learned = tensors_of(setup) if run.state.average is not None else None
     if run.state.average is not None:
         setup.decoder.load_state_dict(run.state.average.module.state_dict())
@@ -490,7 +486,7 @@ def take_best(run: TrainingRun) -> None:
     if run.progress.best is not None:
         _begin_again(run, run.progress.best)
         return
-    words = words_per_slot(compiled(program_of(setup.encoder, setup.chip), setup.chip))
+    words = words_per_slot(setup.compiled())
     if not within(setup.settings.shutter, words):
         raise rejected(
             "NS0850",

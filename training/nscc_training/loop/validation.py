@@ -13,16 +13,14 @@ from nscc.arrays import Array, Floats
 from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
-from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
+from nscc_training.loop.decoding import scene_by_chip, scene_by_model
 from nscc_training.loop.setup import TrainingSetup
-from nscc_training.measures import decibels, number
-from nscc_training.protocol_scenes.classes import with_class
+from nscc_training.measures import decibels, number, summary
+from nscc_training.protocol_scenes.clips import ClipWindow, with_class
 from nscc_training.protocol_scenes.file_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
-from nscc_training.protocol_scenes.video import ClipWindow
 from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel
-from nscc_training.statistics import summary
 
 Decode = Callable[[Array, int], tuple[Floats, float]]
 """A function that captures and decodes a scene, given its light in electrons and its index.
@@ -135,7 +133,7 @@ def by_chip(
     `sensor` replaces the run's sensor; None keeps it. `effects` are written as for `--effects`.
     `seed` is that of the chip. Each scene has its own noise, which `seed` and the scene's index
     determine."""
-    container, used = container_of(setup), setup.sensor if sensor is None else sensor
+    container, used = setup.compiled().built, setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, seeds=(1000 * seed + index, seed)
     )

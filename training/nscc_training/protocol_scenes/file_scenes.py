@@ -12,12 +12,17 @@ import numpy as np
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_training import made_scenes
-from nscc_training.protocol_scenes.classes import class_folders
-from nscc_training.protocol_scenes.deblur import exposed_moment, moments
-from nscc_training.protocol_scenes.hdr import ENDINGS, crops, crops_of, exposed_crop
+from nscc_training.protocol_scenes.clips import class_folders, exposed_window, windows, windows_of
+from nscc_training.protocol_scenes.panoramas import (
+    ENDINGS,
+    crops,
+    crops_of,
+    exposed_crop,
+    exposed_moment,
+    moments,
+)
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
 from nscc_training.protocol_scenes.sci import read_sci_clip
-from nscc_training.protocol_scenes.video import exposed_window, windows, windows_of
 from nscc_training.protocols import PROCEDURAL, Protocol, load_protocol
 from nscc_training.random_streams import DrawStream
 from nscc_training.scene_files import CLIPS, data_files, files_in

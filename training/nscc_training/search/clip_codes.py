@@ -27,7 +27,7 @@ from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
 from nscc_training.design.stop_patterns import Progress, cheapest
-from nscc_training.light_on_array import light_on_array
+from nscc_training.emulated import light_on_array
 from nscc_training.metrics import psnr
 from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name

@@ -26,12 +26,12 @@ from nscc_training.design.chip import DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
+from nscc_training.emulated import light_on_array
 from nscc_training.encoders.base import Encoder
 from nscc_training.evaluation.looks_rows import ROWS as LOOKING_ROWS
 from nscc_training.evaluation.looks_rows import SLOTS, looked_light, row_of
 from nscc_training.evaluation.methods import CLIPS, STILLS, CapturedScene
 from nscc_training.experiments.engine import Figures
-from nscc_training.light_on_array import light_on_array
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.programs import Chip
@@ -122,8 +122,7 @@ class BenchScenes:
         mean unless all are.
 
         `shutters` are the codes, or the looks, that the program was compiled from."""
-        container = compiled.container
-        assert container is not None
+        container = compiled.built
         scores = (
             self._looked_db(container, scene, index)
             if isinstance(shutters, LookSchedule)

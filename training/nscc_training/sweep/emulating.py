@@ -124,8 +124,7 @@ def _capture(values: Values, threads: int) -> Figures:
     from nscc_runtime import capture
 
     compiled = compiled_of(values)
-    assert compiled.container is not None
-    container = with_pixels(compiled.container, "the program")
+    container = with_pixels(compiled.built, "the program")
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
         container,

@@ -10,8 +10,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import write_whole
 from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
-from nscc_training.baselines.tv_settings import TvSettings
-from nscc_training.command_settings import EvaluationSettings
+from nscc_training.command_settings import EvaluationSettings, TvSettings
 from nscc_training.experiments.engine import Figures
 from nscc_training.protocols import NAMES, PROCEDURAL, load_protocol
 from nscc_training.scene_files import folders_of
@@ -89,7 +88,7 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
     """Return the mean of each score over the `items` that have it, by name; None if no value is
     finite. Values are numbers, or "inf"; "inf" is left out of the mean. Places such as `file` and
     `crop` are no scores. A crop without dark pixels, for example, has no score for them."""
-    from nscc_training.statistics import summary
+    from nscc_training.measures import summary
 
     means = {}
     for name in dict.fromkeys(name for item in items for name in item):

@@ -21,7 +21,14 @@ from nscc_training.experiments.study_table import csv_of
 from nscc_training.sweep.grid import Grid, of_parts
 from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointTask
-from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
+from nscc_training.sweep.sweep_report import (
+    Table,
+    csv_text,
+    diagram_of,
+    parquet_bytes,
+    report_html,
+    table_of,
+)
 from nscc_training.sweep.work import FAILED, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
@@ -87,8 +94,6 @@ def sweep(
     draw progress; `report` receives a text on the work to do. Raises Rejected: NS0834 for a damaged
     store in `out`, NS0835 if the scheduler does not answer, NS0836 if workers have other files or
     another version of nscc."""
-    from nscc_training.sweep.sweep_report import diagram_of, report_html
-
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
     with store_in(out, report) as store:
@@ -280,12 +285,12 @@ def _executor(how: SweepSettings, count: int) -> AbstractContextManager[Executor
     """Return the context in which points are computed, as the settings `how` say: by workers of a
     scheduler, by processes on this machine (at most `count`), or in this process."""
     if how.scheduler is not None:
-        from nscc_training.sweep.cluster import scheduler_workers
+        from nscc_training.sweep.work import scheduler_workers
 
         return scheduler_workers(how.scheduler)
     workers = processors() if how.workers is None else how.workers
     if workers:
-        from nscc_training.sweep.cluster import local_workers
+        from nscc_training.sweep.work import local_workers
 
         return local_workers(min(workers, count), how.threads)
     return nullcontext(serially)

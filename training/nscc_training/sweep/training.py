@@ -10,12 +10,11 @@ from pathlib import Path
 from nscc.toml.kinds import Axis, TextKind
 from nscc.toml.schema import Key
 from nscc.toml.toml_text import written
-from nscc_training.config import load_config, settings_of
 from nscc_training.experiments.engine import Figures
 from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import folders_of
-from nscc_training.settings import SCHEMA, RunSettings
+from nscc_training.settings import SCHEMA, RunSettings, load_config, settings_of
 from nscc_training.sweep.point import PointKind, PointTask, Values
 from nscc_training.sweep.point_programs import axis, text_files
 

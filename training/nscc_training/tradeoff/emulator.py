@@ -20,7 +20,7 @@ from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.precision import Point
-from nscc_runtime.planning.audit import audit
+from nscc_runtime.planning.audit import SLACK, audit
 from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_request import PlanRequest
@@ -30,8 +30,7 @@ from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_training.command_settings import EmulatorStudySettings
 from nscc_training.experiments.engine import Figures
-from nscc_training.experiments.stopwatch import timed_ms
-from nscc_training.experiments.study import NotMeasured, StudyPoint, StudyResult
+from nscc_training.experiments.study import NotMeasured, StudyPoint, StudyResult, timed_ms
 from nscc_training.experiments.study_table import Refused
 
 _MOST_BYTES = 1 << 28
@@ -166,6 +165,11 @@ class MeasuredPlan:
     def tolerance_e(self) -> float:
         """The tolerance in electrons."""
         return self.plan.tolerance_e or 0.0
+
+    @property
+    def keeps_promise(self) -> bool:
+        """Whether the measured error is at most `SLACK` times the tolerance."""
+        return self.measured_e <= SLACK * self.tolerance_e
 
     @property
     def predicted_e(self) -> float:

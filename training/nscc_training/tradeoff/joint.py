@@ -14,9 +14,15 @@ from nscc_runtime.pictures.precision import Guide, Panel, Point, PointReading, p
 from nscc_training.command_settings import JointRequest
 from nscc_training.experiments.study import NotMeasured, Study, StudyPoint, StudyResult
 from nscc_training.experiments.study_table import refusals_text, table_text
-from nscc_training.tradeoff.decoder_stage import decoding
 from nscc_training.tradeoff.joint_bench import Bench
-from nscc_training.tradeoff.joint_stages import compiling, effects, lowering, refused, slots
+from nscc_training.tradeoff.joint_stages import (
+    compiling,
+    decoding,
+    effects,
+    lowering,
+    refused,
+    slots,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -73,9 +73,8 @@ class Bench:
         """Return the container of a compiled program with codes for its pixels: `codes` (arrays by
         field), or None for those of the request. Raises Rejected for codes that the program does
         not have."""
-        assert compiled.container is not None
         pixels = self.request.pixels if codes is None else codes
-        return with_pixels(compiled.container, self.request.program, pixels)
+        return with_pixels(compiled.built, self.request.program, pixels)
 
     @cached_property
     def container(self) -> Container:

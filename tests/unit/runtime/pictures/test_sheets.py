@@ -52,7 +52,7 @@ from nscc_training.tradeoff.emulator import (
     EmulatorStudy,
     MeasuredPlan,
 )
-from nscc_training.tradeoff.emulator_diagrams import budget_diagram, promise_diagram, study_diagram
+from nscc_training.tradeoff.emulator_study import budget_diagram, promise_diagram, study_diagram
 
 RNG = np.random.default_rng(0)
 

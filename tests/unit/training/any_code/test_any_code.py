@@ -553,8 +553,7 @@ def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
     """Of runs that have learned nothing: those that they began with."""
     from safetensors.torch import load_file, save_file
 
-    from nscc_training.any_code.decode import WEIGHTS, write_shipped
-    from nscc_training.any_code.decoder import AnyCode
+    from nscc_training.any_code.decode import WEIGHTS, AnyCode, write_shipped
     from nscc_training.any_code.network import ClipDenoiser
     from nscc_training.decoders.declared import DecoderTask
 
@@ -572,7 +571,7 @@ def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
 
 def test_tiles_give_the_clip_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
     """Sides that no tile divides, mirrored in all ways, in single precision."""
-    from nscc_training.any_code import decode, tiles
+    from nscc_training.any_code import decode, stages
 
     monkeypatch.setattr(decode, "bf16_where_multiplied", nullcontext)
     generator = np.random.default_rng(5)
@@ -580,7 +579,7 @@ def test_tiles_give_the_clip_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> No
     mask = (generator.random(clip.shape) < 0.5).astype(np.float32)
     frame = (mask * clip).sum(axis=0)
     whole = any_clip(frame, mask, 4)
-    monkeypatch.setattr(tiles, "MOST_VALUES", 4 * 96 * 96)
+    monkeypatch.setattr(stages, "MOST_VALUES", 4 * 96 * 96)
     in_tiles = any_clip(frame, mask, 4)
     assert np.abs(in_tiles - whole).max() < 1e-4
     assert np.abs(in_tiles - whole).max() > 0

@@ -15,9 +15,8 @@ from scipy.io import savemat
 
 pytest.importorskip("torch")
 
-from nscc_training.baselines.hdr import merge_neighbours, merged
+from nscc_training.baselines.merge_loop import merge_neighbours, merged, tent_sums
 from nscc_training.baselines.sci import adjoint, admm_tv, bilinear, gap_tv, thin_out
-from nscc_training.baselines.tent_loop import tent_sums
 from nscc_training.baselines.tv_loop import tv_denoise
 
 Volume = NDArray[np.float64]

@@ -7,7 +7,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.baselines.hdr import merged  # noqa: E402
+from nscc_training.baselines.merge_loop import merged  # noqa: E402
 from nscc_training.baselines.sparse_coding import (  # noqa: E402
     blurred,
     coded_still,

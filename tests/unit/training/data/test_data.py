@@ -21,11 +21,10 @@ from safetensors.torch import load_file  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training import turning_camera  # noqa: E402
 from nscc_training.any_code.lessons import LessonSet  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch, ExposureSet, Scenes, SourceScene, cut_batch, load_scenes  # noqa: E402
 from nscc_training.data.exposures import quantiles  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
-from nscc_training.settings import DataSettings  # noqa: E402
+from nscc_training.settings import DataSettings, settings_of  # noqa: E402
 from nscc_training.turning_camera import turned, view  # noqa: E402
 
 WELL = 30000.0

@@ -10,7 +10,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.baselines.hdr import merged  # noqa: E402
+from nscc_training.baselines.merge_loop import merged  # noqa: E402
 from nscc_training.decoders import unet  # noqa: E402
 from nscc_training.decoders.declared import DecoderTask  # noqa: E402
 from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402

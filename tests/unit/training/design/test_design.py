@@ -24,7 +24,7 @@ from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene, laid_lights
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import simulate
-from nscc_training.baselines.hdr import merged
+from nscc_training.baselines.merge_loop import merged
 from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule

@@ -22,15 +22,15 @@ torch = pytest.importorskip("torch")
 from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.baselines.hdr import merged  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.baselines.merge_loop import merged  # noqa: E402
 from nscc_training.evaluation.baselines import BASELINES, Baseline  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
-from nscc_training.protocol_scenes.hdr import Crop, exposed_crop  # noqa: E402
+from nscc_training.protocol_scenes.clips import encoded, windows  # noqa: E402
+from nscc_training.protocol_scenes.panoramas import Crop, exposed_crop  # noqa: E402
 from nscc_training.protocol_scenes.protocol_scene import Unusable  # noqa: E402
-from nscc_training.protocol_scenes.video import encoded, windows  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 
 def test_a_still_run_is_evaluated_on_crops(tmp_path: Path) -> None:

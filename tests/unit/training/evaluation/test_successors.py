@@ -17,9 +17,9 @@ from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.encoder_classes import scattered
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
 from nscc_training.evaluation.methods import CapturedScene
-from nscc_training.protocol_scenes.deblur import DeblurMoment, moments
+from nscc_training.protocol_scenes.clips import ClipWindow
 from nscc_training.protocol_scenes.file_scenes import files_of
-from nscc_training.protocol_scenes.video import ClipWindow
+from nscc_training.protocol_scenes.panoramas import DeblurMoment, moments
 from nscc_training.protocols import load_protocol
 from nscc_training.sensor_model import SensorModel
 

@@ -15,8 +15,8 @@ from safetensors.torch import load_file  # noqa: E402
 from small_runs import CLIP, FILES, STILL, changed, run  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 
 @pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])

@@ -12,10 +12,10 @@ torch = pytest.importorskip("torch")
 
 from nscc.chips.load import load_target  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.encoders import Encoder  # noqa: E402
 from nscc_training.loop.setup import make_setup, started_encoder  # noqa: E402
 from nscc_training.programs import Chip  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 TILE = [[8, 2], [3, 1]]
 HEAD = "nsl 1\nframe 8 slots of 125us\n"

@@ -23,10 +23,10 @@ from small_runs import run  # noqa: E402
 from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn  # noqa: E402
 
 from nscc_training.baselines import tensor_tv  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
 from nscc_training.loop.ranks import Ranks  # noqa: E402
 from nscc_training.sensor_model import SensorModel  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 DATA = {"patch": 16, "scenes": 3, "val_items": 2}
 TRAIN = {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.05, "device": "cpu"}

@@ -22,19 +22,19 @@ from safetensors.torch import load_file  # noqa: E402
 from small_runs import CLIP, FILES, STILL, changed, run  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
-from nscc_training.loop.ranks import Ranks  # noqa: E402
-from nscc_training.loop.schedule import (  # noqa: E402
+from nscc_training.loop.optimizers import (  # noqa: E402
     anneal,
     codes_learn,
     cycle_of,
     set_rates,
     settling_step,
 )
+from nscc_training.loop.ranks import Ranks  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.sensor_model import read_out  # noqa: E402
+from nscc_training.settings import config_toml, settings_of  # noqa: E402
 
 
 @pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])

@@ -28,14 +28,13 @@ from trial_problems import (  # noqa: E402
 )
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
 from nscc_training.draws import generator_of  # noqa: E402
 from nscc_training.loop.setup import TrainingSetup  # noqa: E402
-from nscc_training.loop.step_loss import pull, trial_of  # noqa: E402
-from nscc_training.loop.steps import decoded, window  # noqa: E402
+from nscc_training.loop.steps import decoded, pull, trial_of, window  # noqa: E402  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.sensor_model import laid  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 SLOTS, SIDE = 64, 20
 

@@ -29,13 +29,16 @@ from trial_problems import (  # noqa: E402
     tried_gradients,
 )
 
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.draws import generator_of  # noqa: E402
 from nscc_training.encoders.base import decided  # noqa: E402
 from nscc_training.loop.setup import TrainingSetup  # noqa: E402
-from nscc_training.loop.step_loss import pull, trial_of  # noqa: E402
-from nscc_training.loop.steps import decoded  # noqa: E402
+from nscc_training.loop.steps import (  # noqa: E402
+    decoded,
+    pull,
+    trial_of,
+)
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 SHAPE = (1, 2)
 """Of the patches whose codes are all counted out."""

@@ -16,17 +16,17 @@ from small_runs import SMALL  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.code_choices import ORDERED  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
 from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
-from nscc_training.loop import searching  # noqa: E402
+from nscc_training.loop import steps as searching  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.search.choose import design_motion  # noqa: E402
 from nscc_training.search.expected import Motion, speeds_of, texture_of, told_db  # noqa: E402
 from nscc_training.search.moves import MOVING, arranged, moved, repeated  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),

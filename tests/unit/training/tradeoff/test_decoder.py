@@ -20,7 +20,6 @@ torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.command_settings import DecoderStudySettings  # noqa: E402
-from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
 from nscc_training.evaluation.methods import CLIPS, CapturedScene  # noqa: E402
@@ -29,6 +28,7 @@ from nscc_training.loop.decoding import decoded_frame  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocol_scenes.file_scenes import protocol_of, some_scenes  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
+from nscc_training.settings import settings_of  # noqa: E402
 from nscc_training.tradeoff import decoder  # noqa: E402
 from nscc_training.tradeoff.decoder import (  # noqa: E402
     decoder_points,

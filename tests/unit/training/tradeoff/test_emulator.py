@@ -41,8 +41,7 @@ from nscc_training.tradeoff.emulator import (
     error,
     floor_ms,
 )
-from nscc_training.tradeoff.emulator_study import EmulatorBenches
-from nscc_training.tradeoff.emulator_text import keeps_promise, studies_text
+from nscc_training.tradeoff.emulator_study import EmulatorBenches, studies_text
 
 ROWS, COLS, SLOTS = 48, 32, 4
 TEXT = f"""nsl 1
@@ -143,7 +142,7 @@ def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
         is_found((PLANNED, f"{tolerance:g}e"), away_e, away_e / sensor.electrons_per_lsb)
         assert asked.tolerance_e == tolerance
         assert asked.measured_e == pytest.approx(away_e)
-        assert keeps_promise(asked)
+        assert asked.keeps_promise
     assert first.budget.tolerance_e == 10.0
     for point in first.points:
         assert len(point.times_ms) == (POOLED if "reference" in point.method else 3)
@@ -249,12 +248,12 @@ def study(program: AnalysedProgram) -> EmulatorStudy:
 
 def test_an_exceeded_tolerance_is_reported(study: EmulatorStudy, folder: Path, monkeypatch) -> None:
     [asked] = study.measured_plans
-    assert keeps_promise(asked)
+    assert asked.keeps_promise
     # The tolerance of 5 electrons has a tenth of slack.
-    assert keeps_promise(replace(asked, measured_e=5.49))
+    assert replace(asked, measured_e=5.49).keeps_promise
     assert "BROKEN" not in studies_text([study], 1.0)
     broken = replace(study, measured_plans=(replace(asked, measured_e=5.51),))
-    assert not keeps_promise(broken.measured_plans[0])
+    assert not broken.measured_plans[0].keeps_promise
     assert "PROMISE BROKEN" in studies_text([broken], 1.0)
     monkeypatch.setattr(EmulatorBenches, "results", lambda *_: (broken,))
     done = invoke(["tradeoff", "emulator", "p.nsl", "-o", "out"], folder)

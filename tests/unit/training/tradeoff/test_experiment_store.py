@@ -157,7 +157,7 @@ import sys, time
 from dataclasses import dataclass
 from pathlib import Path
 from nscc.experiment_store import ExperimentStore
-from nscc_training.experiments.engine import Done, PointRow, results
+from nscc_training.experiments.study import Done, PointRow, results
 
 @dataclass(frozen=True)
 class Item:

@@ -13,7 +13,7 @@ from nscc.neighbours.picture_report import picture_report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc_training.experiments.study import measure
-from nscc_training.tradeoff.images import images_study
+from nscc_training.tradeoff.synthesis import images_study
 
 TEXT = (
     "nsl 3\nframe 1 slots of 1ms\nopen when true\n"

@@ -34,7 +34,7 @@ from nscc_training.experiments.study import measure as measure_study
 from nscc_training.experiments.study_table import COLUMNS
 from nscc_training.tradeoff.joint import Joint, advised, joint_diagram, joint_study, si_seconds
 from nscc_training.tradeoff.joint_bench import Bench, rms_percent, scaled_text
-from nscc_training.tradeoff.slots import in_fewer, with_slot_us
+from nscc_training.tradeoff.joint_stages import in_fewer, with_slot_us
 
 SIDE, SLOTS = 32, 8
 QUICK = Options(level=0)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from nscc_training.experiments.stopwatch import SHORT_MS, Stopwatch
+from nscc_training.experiments.study import SHORT_MS, Stopwatch
 
 
 class Method:

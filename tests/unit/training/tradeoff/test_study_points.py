@@ -9,8 +9,8 @@ from dataclasses import replace
 import pytest
 
 from nscc_runtime.pictures.precision import Point, dominated
-from nscc_training.experiments import stopwatch
-from nscc_training.experiments.stopwatch import processor_name
+from nscc_training.experiments import study
+from nscc_training.experiments.study import processor_name
 from nscc_training.experiments.study_table import (
     COLUMNS,
     Refused,
@@ -119,7 +119,7 @@ def test_table_names_a_case_once() -> None:
 def test_the_processor_has_a_name(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert processor_name()
     info = tmp_path / "cpuinfo"
-    monkeypatch.setattr(stopwatch, "_CPUINFO", info)
+    monkeypatch.setattr(study, "_CPUINFO", info)
     assert processor_name(), "there is no such file elsewhere"
     info.write_text("processor\t: 0\nmodel name\t: Some   Chip (R) 3 GHz\nmodel name: other\n")
     assert processor_name() == "Some Chip (R) 3 GHz"
