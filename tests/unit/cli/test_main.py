@@ -322,6 +322,40 @@ def test_a_second_interrupt_ends_at_once_without_a_traceback(folder: Path) -> No
     assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
 
 
+AT_IMPORT = """
+import os, signal, sys
+
+class Interrupts:
+    left = int(sys.argv.pop(1))
+
+    def find_spec(self, *_):
+        self.left -= 1
+        if self.left == 0:
+            os.kill(os.getpid(), signal.SIGINT)
+
+from nscc_cli.__main__ import main
+sys.meta_path.insert(0, Interrupts())
+raise SystemExit(main())
+"""
+
+
+@pytest.mark.parametrize("number", [1, 2, 3, 5, 8, 13, 21, 34, 55])
+def test_an_interrupt_while_modules_are_imported_prints_no_traceback(
+    number: int, folder: Path
+) -> None:
+    """The interrupt comes at the import with this number after the start of `nscc`."""
+    ended = subprocess.run(
+        [sys.executable, "-c", AT_IMPORT, str(number), "check", "ok.nsl"],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+    )
+    assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
+
+
 def test_a_caller_that_handles_interrupts_keeps_its_handler(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
