@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from contextlib import suppress
 from glob import glob
 from os.path import commonpath
@@ -66,14 +66,23 @@ def folders_of(text: str) -> list[Path]:
 
 
 def data_files(
-    folder: Path, endings: Collection[str], contents: str, kind_text: str, expected: str
+    folder: Path,
+    endings: Collection[str],
+    contents: str,
+    kind_text: str,
+    expected: str,
+    *,
+    by_class: bool = False,
 ) -> list[Path]:
-    """Return the files with one of `endings` in `folder`, sorted by name; `folder` may be a
-    pattern, as `files_in` takes it. Raise Rejected (NS0811) if there are none.
+    """Return the scene files with one of `endings` in `folder`, sorted by name; `folder` may be a
+    pattern, as `files_in` takes it. With `by_class`, they are in folders in it, one for each class
+    (see `class_of`). Raise Rejected (NS0811) if there are none.
 
     Three arguments are parts of the message: the folder has no `contents`, files of this kind have
     the endings (`kind_text`, such as "clips end in"), and the user should name a folder of
     `expected`."""
+    if by_class and folder.is_dir():
+        folder /= "*"
     matching = files_in(folder, endings)
     if not matching:
         exists = any(map(Path.is_dir, folders_of(str(folder))))
@@ -85,6 +94,22 @@ def data_files(
             helps=(f"name a folder of {expected}",),
         )
     return matching
+
+
+def class_of(path: Path, classes: Sequence[str]) -> str:
+    """Return which of `classes` the file `path` belongs to: the name of its folder. Raises Rejected
+    (NS0811) for another name."""
+    name = path.parent.name
+    if name not in classes:
+        raise rejected(
+            "NS0811",
+            f"the folder of '{path}' is not named after a class",
+            notes=(f"the classes are {', '.join(classes)[:200]}",),
+            helps=(
+                "put the clips of each class into a folder of its name, or change [data] classes",
+            ),
+        )
+    return name
 
 
 def centre_of(frame: Array, size: int) -> Array:

@@ -35,10 +35,10 @@ from nscc_training.data.moving import (
     shown_picture,
 )
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
-from nscc_training.protocol_scenes.clips import class_folders, class_of, moving_texture
+from nscc_training.protocol_scenes.clips import moving_texture
 from nscc_training.protocols import load_protocol
 from nscc_training.random_streams import DrawStream
-from nscc_training.scene_files import CLIPS, centre_of, data_files, frames_in, names_of
+from nscc_training.scene_files import CLIPS, centre_of, class_of, data_files, frames_in, names_of
 from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
 
@@ -200,14 +200,14 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
         return [
             replace(_scene(name, light, kind), label="".join(label)) for name, light, label in drawn
         ]
-    folder, endings = Path(source), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
     kind_text = "stills" if kind.still else "clips"
     files = data_files(
-        class_folders(folder) if kind.classes else folder,
-        endings,
+        Path(source),
+        LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY),
         f"{kind_text} for training",
         f"{kind_text} end in",
         "such files, `procedural`, or a function as module:name",
+        by_class=bool(kind.classes),
     )
     return [
         replace(scene, label=class_of(path, kind.classes) if kind.classes else "")

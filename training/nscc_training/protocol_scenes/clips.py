@@ -11,14 +11,13 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Array, Floats, Floats32
-from nscc.diagnostics.diagnostic import rejected
 from nscc_training import curves, made_scenes, metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics import mean_square_error
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
 from nscc_training.protocols import Protocol
 from nscc_training.random_streams import DrawStream
-from nscc_training.scene_files import centre_of, frames_in, light_in
+from nscc_training.scene_files import centre_of, class_of, frames_in, light_in
 
 
 @dataclass(frozen=True, eq=False)
@@ -170,28 +169,6 @@ def class_windows(
             yield window
 
     return in_files(files, of_class)
-
-
-def class_folders(folder: Path) -> Path:
-    """Return the pattern with which `files_in` finds the files of all classes in a folder; a path
-    that is no folder is returned as it is."""
-    return folder / "*" if folder.is_dir() else folder
-
-
-def class_of(path: Path, classes: Sequence[str]) -> str:
-    """Return which of `classes` the file `path` belongs to: the name of its folder. Raises Rejected
-    (NS0811) for another name."""
-    name = path.parent.name
-    if name not in classes:
-        raise rejected(
-            "NS0811",
-            f"the folder of '{path}' is not named after a class",
-            notes=(f"the classes are {', '.join(classes)[:200]}",),
-            helps=(
-                "put the clips of each class into a folder of its name, or change [data] classes",
-            ),
-        )
-    return name
 
 
 def moving_texture(

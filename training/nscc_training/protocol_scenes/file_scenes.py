@@ -12,7 +12,7 @@ import numpy as np
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_training import made_scenes
-from nscc_training.protocol_scenes.clips import class_folders, exposed_window, windows, windows_of
+from nscc_training.protocol_scenes.clips import exposed_window, windows, windows_of
 from nscc_training.protocol_scenes.panoramas import (
     ENDINGS,
     crops,
@@ -51,14 +51,13 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 
     For sci8, `folder` may be a file. For class-v1 it holds a folder for each class; the name
     `procedural` stands for no files."""
-    if protocol.classifies:
-        if str(folder) == PROCEDURAL:
-            return []
-        folder = class_folders(folder)
+    if protocol.classifies and str(folder) == PROCEDURAL:
+        return []
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
     endings, kind_text, expected = _WANTED[protocol.name]
-    return data_files(folder, endings, f"data for protocol {protocol.name}", kind_text, expected)
+    contents, by_class = f"data for protocol {protocol.name}", protocol.classifies
+    return data_files(folder, endings, contents, kind_text, expected, by_class=by_class)
 
 
 def scenes_in(
