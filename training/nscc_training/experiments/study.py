@@ -171,7 +171,11 @@ class Study:
     Attributes
     ----------
     points : sequence of StudyPoint
-        The grid.
+        The grid: products of axes (`itertools.product`), one after the other. `synthesis` is one
+        product: programs, lowerings, levels. `sensor` has one for shutters, one for looks and one
+        for readouts, and `emulator` one for methods with a tolerance and one without, because a
+        tolerance means nothing to the reference. In `decoder` and in the stages of a program,
+        each method has settings of its own, such as iterations, stages or number formats.
     text : callable
         Returns the table and further lines for the terminal.
     diagrams : mapping

@@ -27,12 +27,13 @@ from nscc_runtime.planning.plan import Decision, Plan
 from nscc_training.command_settings import EmulatorStudySettings
 from nscc_training.experiments.study import Study, StudyResult
 from nscc_training.experiments.study_table import three_digits
-from nscc_training.tradeoff import emulator as studied
 from nscc_training.tradeoff.emulator import (
+    DRAWN,
     ELECTRONS,
     LSB,
     PLANNED,
     REFERENCE,
+    SUMMED,
     WITH_PLANNING,
     EmulatorBench,
     EmulatorStudy,
@@ -44,8 +45,6 @@ from nscc_training.tradeoff.emulator import (
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-    from nscc_runtime.planning.audit import SLACK
 
 
 @dataclass(frozen=True)
@@ -215,12 +214,12 @@ _COLUMNS = 3
 """Most panels beside each other."""
 
 _NAMES = {
-    studied.SUMMED: "f32 sum",
-    studied.DRAWN: "per-slot Poisson",
+    SUMMED: "f32 sum",
+    DRAWN: "per-slot Poisson",
     PLANNED: "planned",
-    studied.WITH_PLANNING: "with planning",
+    WITH_PLANNING: "with planning",
 }
-_ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB"}
+_ERRORS = {ELECTRONS: "RMS error, e", LSB: "RMS error after the ADC, LSB"}
 
 
 def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> Figure:
@@ -230,7 +229,7 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
     for study in studies:
         for unit, error in _ERRORS.items():
             points = [point for point in study.points if point.error_unit == unit]
-            [truth] = [point for point in points if point.method == studied.REFERENCE]
+            [truth] = [point for point in points if point.method == REFERENCE]
             guides = (
                 Guide("reference (no error)", "-", time_ms=truth.time_ms),
                 Guide("two references, other draws", "--", error=study.resolution(unit)),
