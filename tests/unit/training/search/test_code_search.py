@@ -19,7 +19,7 @@ from nscc_training.code_choices import ORDERED  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
 from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
-from nscc_training.loop import steps as searching  # noqa: E402
+from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
 from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
