@@ -7,6 +7,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from operator import attrgetter
 
+from nscc.cache.results import Results
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import GeneratorFault, note_fault, solutions
 from nscc.logic.problem import Machine, Problem, Solution
@@ -57,7 +58,24 @@ class GateSearch:
         decoding = Decoding(self.plan, self.problem, self.actions, solution)
         return lay_out(self.program, decoding, self.time, self.most_words)
 
-    def best(self, level: int) -> Lowered | None:
+    def cheapest(self, level: int, results: Results | None) -> Lowered | None:
+        """Return the cheapest solution of a level and the levels below, whether it fits or not;
+        None if none was found.
+
+        A known solution comes from `results` (None: none is known), where a new one is stored,
+        except after a fault of a generator (a method that finds gates)."""
+        if results is None or not self.problem.demands:
+            return self._best(level)
+        context = (self.plan, self.time, self.program.target, self.most_words)
+        key, known = results.find(self.problem, self.machine, level, *context)
+        if known is not None:
+            return self.priced(known)
+        best = self._best(level)
+        if best is not None and not self.faults:
+            results.keep(key, best.solution)
+        return best
+
+    def _best(self, level: int) -> Lowered | None:
         """Return the cheapest solution of a level and the levels below, whether it fits or not;
         None if none was found.
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import inf
 
 from nscc.cache.results import Results
 from nscc.logic.generate import GeneratorFault
 from nscc.lower.decoding import Decoding, problem_of
 from nscc.lower.exposure_plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned, Timeline
-from nscc.lower.gate_search import GateSearch
-from nscc.lower.lowered import Lowered, lay_out
+from nscc.lower.gate_search import ROUNDS, GateSearch
+from nscc.lower.lowered import Lowered
 from nscc.program.program import Program
 from nscc.record import Record
 
@@ -122,23 +123,18 @@ def lower(
     level. Known solutions come from `results`, where new ones are stored, except after a fault of a
     generator (a method that finds gates). `faults` is as in `nscc.logic.generate.solutions`: None
     lets unexpected exceptions propagate."""
-    program, target, time = planned.program, planned.program.target, planned.time
-    problem, actions = problem_of(program, plan, time, planned.opens)
+    program = planned.program
+    problem, actions = problem_of(program, plan, planned.time, planned.opens)
+    search = GateSearch(program, plan, planned.time, problem, actions, most_words, faults)
     # Improvement needs fitting solutions as input; a limit that only the final solution meets would
     # exclude them. So the search is first without the limit.
-    for limit in (None, most_words) if most_words is not None and level >= 2 else (most_words,):
-        search = GateSearch(program, plan, time, problem, actions, most_words=limit, faults=faults)
-        key, known = "", None
-        if results is not None and problem.demands:
-            context = (plan, time, target, limit)
-            key, known = results.find(problem, search.machine, level, *context)
-        best = search.best(level) if known is None else search.priced(known)
-        if best is None:
-            count = len(target.digital_registers)
-            return Misfit(f"no generator found gates with {count} digital registers", searched=True)
-        if results is not None and known is None and not faults:
-            results.keep(key, best.solution)
-        lowered = lay_out(program, best.decoding, time, most_words)
-        if not lowered.overfull:
-            break
-    return lowered
+    if most_words is None or level not in ROUNDS:
+        best = search.cheapest(level, results)
+    else:
+        best = replace(search, most_words=None).cheapest(level, results)
+        if best is not None and replace(best, most_words=most_words).overfull:
+            best = search.cheapest(level, results)
+    if best is None:
+        count = len(program.target.digital_registers)
+        return Misfit(f"no generator found gates with {count} digital registers", searched=True)
+    return best

@@ -90,7 +90,7 @@ class BitWords:
         stay as they are. A plane that nothing reads loses its register at once. Raises
         PictureRefused if registers run out."""
         register, owner = self.bit(node)
-        taken_over = self.lowering.pictures.is_of_version_4 and owner and self.hand_over(owner)
+        taken_over = self.lowering.saves_words and owner and self.hand_over(owner)
         if owner is not None and not taken_over:
             register = self._emit_word("MOV", [register], [(register, owner)])
         self.planes[name] = register
@@ -146,7 +146,7 @@ class BitWords:
             bit = waiting.pop(name)
             # No later value is copied from the register of the last state, so the word that
             # computed its value may write it. Words of older programs stay as they are.
-            if self.lowering.pictures.is_of_version_4 and not waiting:
+            if self.lowering.saves_words and not waiting:
                 self.store(name, bit)
                 continue
             self.lowering.word(op("MOV", [self.planes[name]], [bit[0]]))
@@ -309,8 +309,7 @@ class BitWords:
         Its owner, if any, is then forgotten. Return None if a register is free, if no bit may be
         overwritten, if the word is not OR, NOR or NOT, or before version 4, whose programs keep
         their words."""
-        is_of_version_4 = self.lowering.pictures.is_of_version_4
-        if self.free or not is_of_version_4 or name not in ("OR", "NOR", "NOT"):
+        if self.free or not self.lowering.saves_words or name not in ("OR", "NOR", "NOT"):
             return None
         for register, owner in used:
             if owner is None or self.hand_over(owner):
@@ -351,7 +350,7 @@ class BitWords:
         the word would then have more sources than the chip allows, each condition gives one bit."""
         flat: list[p.Condition] = []
         for node in nodes:
-            planes = _planes_of_or(node) if self.lowering.pictures.is_of_version_4 else []
+            planes = _planes_of_or(node) if self.lowering.saves_words else []
             flat += planes or [node]
         most = self.or_sources
         return [self.bit(node) for node in (flat if most is None or len(flat) <= most else nodes)]
@@ -415,19 +414,17 @@ class BitWords:
         if a == b:  # a plane `and` itself is the plane; `xor` itself is 0
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
             return self._emit_word(name, sources, [first, second])
-        is_of_version_4 = self.lowering.pictures.is_of_version_4
-        if node.op == "and" and is_of_version_4:
-            not_a = self._emit_word("NOT", [a], used=[first])
-            not_b = self._emit_word("NOT", [b], used=[second])
-            return self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
-        if is_of_version_4:
+        saves_words = self.lowering.saves_words
+        if node.op == "xor" and saves_words:
             neither = self._emit_word("NOR", [a, b], used=[])
             only_b = self._emit_word("NOR", [a, neither], used=[first])
             only_a = self._emit_word("NOR", [b, neither], used=[second, (neither, None)])
             return self._emit_word("OR", [only_a, only_b], [(only_a, None), (only_b, None)])
-        not_a = self._emit_word("NOT", [a], used=[])
-        not_b = self._emit_word("NOT", [b], used=[])
+        not_a = self._emit_word("NOT", [a], used=[first] * saves_words)
+        not_b = self._emit_word("NOT", [b], used=[second] * saves_words)
         both = self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
+        if saves_words:
+            return both
         if node.op == "and":
             self.give(first, second)
             return both
@@ -453,7 +450,7 @@ class BitWords:
 
         `directions` are names of these registers. From version 4 on, they need not be cleared first
         if all four are set."""
-        if len(directions) < len(STEERING) or not self.lowering.pictures.is_of_version_4:
+        if len(directions) < len(STEERING) or not self.lowering.saves_words:
             self.lowering.word(op("CLR", list(STEERING)))
         self.lowering.word(op("SET", sorted(directions)))
         self.steered = directions

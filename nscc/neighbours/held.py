@@ -79,12 +79,13 @@ class Emitter(ABC):
 
     `words` are pairs (word, level of IN that it needs). `masked` tells whether FLAG (the bit that
     lets a pixel act) may be 0 in some pixels; analog words have no effect there. `weights` are the
-    program's convolution kernels by name. IN is the level sent to all pixels."""
+    program's convolution kernels by name. `saves_words` tells whether the program is of version 4
+    or later; the words of other programs stay as they are. IN is the level sent to all pixels."""
 
     def __init__(self, pictures: p.Pictures) -> None:
         """Begin with a word that sets FLAG (the bit that lets a pixel act) in all pixels, so that
         analog words act everywhere."""
-        self.pictures = pictures
+        self.pictures, self.saves_words = pictures, pictures.is_of_version_4
         self.weights = pictures.weights_by_name
         self.words: list[Leveled] = [(op("all"), None)]
         self.masked = False

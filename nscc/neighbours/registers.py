@@ -147,7 +147,7 @@ class RegisterEmitter(CountEmitter):
         lasting = {*digital} - written
         # The mask guards nothing while no word writes the masked register. It is taken last, and
         # keeps no plane from frame to frame, because a flood overwrites it.
-        if pictures.is_of_version_4 and self.propagating and target.mask_register:
+        if self.saves_words and self.propagating and target.mask_register:
             digital.append(target.mask_register)
         self.bits = BitWords(self, digital, lasting, target.or_sources)
         self.count_e = pictures.count_steps * target.electrons_per_step

@@ -6,8 +6,10 @@
 The programs are the examples and tests/cases/pass (for the codes of their pixels and for all codes)
 and random programs. A line for each: level, words a frame without refresh, and the generator of the
 solution; then, for this generator (or for each name of --without), the words without it. The table
-at the end shows for each name the wins, and the largest growth of the words without it. A generator
-stays if that is above 3 % for some program with the default lowering.
+at the end shows for each name the wins, and the largest growth of the words and of the largest slot
+without it. A generator stays if that of the words is above 3 % for some program with the default
+lowering, or if the words of all programs together would rise. `balance` changes no words: it stays
+for the largest slot, which sets the shortest slot of a program.
 """
 
 from __future__ import annotations
@@ -117,15 +119,17 @@ def known(made: dict[str, str]) -> dict[str, Generator]:
     return {name: noting(name, generator) for name, generator in GENERATORS.items()}
 
 
-def price(source: Source, base: Path, options: Options) -> tuple[int, str] | None:
-    """Words without refresh, and the encoding; None if nothing fits or no gates are needed."""
+def price(source: Source, base: Path, options: Options) -> tuple[int, int, str] | None:
+    """Words without refresh, those of the largest slot, and the encoding.
+
+    None if nothing fits or no gates are needed."""
     try:
         lowered = run_passes(source, base, options).lowered
     except Rejected:
         return None
     if lowered is None or not lowered.solution.segments():
         return None
-    return lowered.price[2], lowered.solution.encoding
+    return *lowered.price[2:4], lowered.solution.encoding
 
 
 def main() -> None:
@@ -138,7 +142,8 @@ def main() -> None:
     parser.add_argument("--lowering", default="auto")
     asked = parser.parse_args()
     end, made, total = monotonic() + asked.seconds, dict[str, str](), 0
-    wins, most = Counter[str](), dict[str, tuple[float, str]]()
+    wins, without_total = Counter[str](), Counter[str]()
+    most = {figure: dict[str, tuple[float, str]]() for figure in ("words", "largest slot")}
     names = [name for name in asked.without.split(",") if name]
     with patch.dict(GENERATORS, known(made)):
         for level in map(int, asked.levels.split(",")):
@@ -147,21 +152,28 @@ def main() -> None:
                 best = price(source, base, options) if monotonic() < end else None
                 if best is None:
                     continue
-                words, winner = best[0], made.get(best[1], "")
+                words, winner = best[0], made.get(best[2], "")
                 total += words
                 wins[winner] += 1
-                line = f"{title}, -O{level}: {words} words, {winner or best[1]}"
+                line = f"{title}, -O{level}: {words} words, {winner or best[2]}"
                 for name in names or [winner] * bool(winner):
                     with without(name):
                         other = price(source, base, options)
                     line += f"; without {name}: {other[0] if other else 'none'}"
-                    growth = other[0] / words - 1 if other else inf
-                    most[name] = max(most.get(name, (0.0, "")), (growth, f"{title}, -O{level}"))
+                    without_total[name] += (other or best)[0] - words
+                    for index, largest in enumerate(most.values()):
+                        growth = other[index] / best[index] - 1 if other else inf
+                        of_program = growth, f"{title}, -O{level}"
+                        largest[name] = max(largest.get(name, (0.0, "")), of_program)
                 print(line, flush=True)
-    print(f"\n{total} words in all\n{'name':<26}{'wins':>6}{'growth':>10}  program")
+    print(f"\n{total} words in all\n{'name':<26}{'wins':>6}{'words more':>12}  largest growth")
     for name in [*GENERATORS, *IMPROVERS]:
-        growth, program = most.get(name, (0.0, ""))
-        print(f"{name:<26}{wins[name]:>6}{growth:>10.1%}  {program}")
+        growths = ", ".join(
+            f"{figure} {growth:.1%} ({program})"
+            for figure, largest in most.items()
+            for growth, program in [largest.get(name, (0.0, "none"))]
+        )
+        print(f"{name:<26}{wins[name]:>6}{without_total[name]:>12}  {growths}")
 
 
 if __name__ == "__main__":

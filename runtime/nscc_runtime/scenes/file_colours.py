@@ -25,7 +25,7 @@ from nscc_runtime.scenes.colour import (
     luminance_weights,
     srgb_to_linear,
 )
-from nscc_runtime.scenes.pages import Note, Stated
+from nscc_runtime.scenes.pages import Note, Stated, head_of
 
 _TRANSFER = "--transfer selects another curve"
 _SRGB_D50 = (0.2225, 0.7169, 0.0606)
@@ -33,8 +33,6 @@ _SRGB_D50 = (0.2225, 0.7169, 0.0606)
 _ADOBE_D50 = (0.3111, 0.6257, 0.0632)
 _NEAR = 3e-3
 """Curves and luminances that differ by less are equal: profiles store rounded numbers."""
-_HEAD_BYTES = 1 << 16
-"""Number of bytes at the start of a PNG file in which its chunks of colours are looked for."""
 
 
 def of_profile(data: bytes) -> Stated:
@@ -278,6 +276,5 @@ def of_film(path: Path) -> Stated:
 def _has_png_numbers(path: Path) -> bool:
     """Return whether the PNG file `path` states numbers of ITU-T H.273, in a chunk cICP before its
     samples. False for other formats."""
-    with open(path, "rb") as file:
-        head, _, _ = file.read(_HEAD_BYTES).partition(b"IDAT")
+    head, _, _ = head_of(path).partition(b"IDAT")
     return head.startswith(b"\x89PNG") and b"cICP" in head

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from itertools import islice
 from pathlib import Path
@@ -59,7 +59,7 @@ class _Request:
     microseconds. `warn` gets notes on changes of the scene (NS0740, NS0773, NS0776), `progress` the
     frames as they are read. `channel`: red, green or blue (0 to 2) of a colour picture; None for
     its luminance. `factor`: electrons per unit of the scene, instead of an exposure; None to use
-    the exposure."""
+    the exposure. `notes` collects sentences about how the file was read."""
 
     scene: Scene
     window: Window
@@ -68,6 +68,7 @@ class _Request:
     progress: Progress = unseen
     channel: int | None = None
     factor: float | None = None
+    notes: list[str] = field(default_factory=list)
 
     @property
     def name(self) -> str:
@@ -235,18 +236,8 @@ def laid_scene(
     else:
         _refuse(request, "a bracket is one still", "first", "white", "skip")
         files = bracket_files(spec)
-        notes: list[tuple[str, ...]] = []  # `merged` adds one entry, when `_still` calls it
-
-        def merged() -> Stored:
-            """Return the light merged from the photos of a bracket."""
-            return merged_bracket(
-                files,
-                times,
-                request.scene.transfer,
-                lambda pages: notes.append(_say_notes(request, pages)),
-            )
-
-        return replace(_still(request, merged), notes=notes[0])
+        transfer, say_notes = request.scene.transfer, partial(_say_notes, request)
+        return _still(request, lambda: merged_bracket(files, times, transfer, say_notes))
     return _load_path(request, _existing(spec))
 
 
@@ -317,13 +308,11 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
     pages = open_pages(path, large=True)
     if pages.count == 1 and not pages.is_clip:
         _refuse(request, "a still is one frame", "first")
-        notes = _say_notes(request, pages)
-        laid = _still(request, lambda: (next(pages.read()), pages.colours))
-    else:
-        pages = pages if request.scene.single else timed(pages)
-        notes = _say_notes(request, pages)
-        laid = _clip(request, ((frame, pages.colours) for frame in pages.read()), pages.edges)
-    return replace(laid, notes=notes)
+        _say_notes(request, pages)
+        return _still(request, lambda: (next(pages.read()), pages.colours))
+    pages = pages if request.scene.single else timed(pages)
+    _say_notes(request, pages)
+    return _clip(request, ((frame, pages.colours) for frame in pages.read()), pages.edges)
 
 
 def _folder(request: _Request, path: Path) -> PlacedLight:
@@ -333,30 +322,27 @@ def _folder(request: _Request, path: Path) -> PlacedLight:
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
     files = files_of(path, request.scene.skip, request.warn)
-    notes: list[tuple[str, ...]] = []
 
     def frames() -> Iterator[Stored]:
-        """Yield each picture of the folder with its colours, and store the notes of the first one
-        in `notes`."""
-        for picture, pages in read_folder(files, request.scene.skip, request.warn):
-            if not notes:
-                notes.append(_say_notes(request, pages))
+        """Yield each picture of the folder with its colours, and send the notes of the first."""
+        folder = read_folder(files, request.scene.skip, request.warn)
+        for number, (picture, pages) in enumerate(folder):
+            if number == 0:
+                _say_notes(request, pages)
             yield picture, pages.colours
 
-    laid = _clip(request, frames())
-    # `frames` adds an entry with the first picture; `_clip` raises an error if it reads none.
-    return replace(laid, notes=notes[0])
+    return _clip(request, frames())
 
 
-def _say_notes(request: _Request, pages: Pages) -> tuple[str, ...]:
-    """Send the notes of the file `pages` to `warn`, and return them as sentences.
+def _say_notes(request: _Request, pages: Pages) -> None:
+    """Send the notes of the file `pages` to `warn`, and add them to the request's notes.
 
-    Notes on its colours are neither sent nor returned if the request sets the transfer curve. A
-    request for a single colour sends none, because the request for the luminance did."""
+    Notes on its colours are left out if the request sets the transfer curve. A request for a single
+    colour sends none, because the request for the luminance did."""
     notes = pages.notes + (pages.stated.notes if request.scene.transfer is None else ())
     for text, help_text in notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
-    return tuple(f"the scene {text}" for text, _ in notes)
+    request.notes.extend(f"the scene {text}" for text, _ in notes)
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
@@ -439,7 +425,8 @@ def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
     colour = _say_changes(request, stored, colours, placement)
     seconds = request.slot_s
     factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), placement)
-    return PlacedLight(Light.of_still(frame, seconds * factor, factor), placement, colour)
+    light = Light.of_still(frame, seconds * factor, factor)
+    return PlacedLight(light, placement, colour, tuple(request.notes))
 
 
 def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None) -> PlacedLight:
@@ -490,7 +477,7 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
         seconds, rate = overlap.seconds, float(fps)
     if request.scene.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate, edges)
-    return PlacedLight(clip, placement, colour)
+    return PlacedLight(clip, placement, colour, tuple(request.notes))
 
 
 def _say_changes(request: _Request, stored: Array, colours: Colours, placement: Placement) -> bool:

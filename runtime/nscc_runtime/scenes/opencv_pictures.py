@@ -11,11 +11,9 @@ from pathlib import Path
 import numpy as np
 
 from nscc.arrays import Array, Bytes
-from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
+from nscc_runtime.scenes.pages import Pages, UnsupportedPicture, head_of
 from nscc_runtime.scenes.pillow_pictures import pillow_pages
 
-_HEADER_BYTES = 1 << 16
-"""Number of bytes at the start of a file in which its size is looked for."""
 _PFM = re.compile(rb"^P[Ff]\s+(?P<cols>\d+)\s+(?P<rows>\d+)\s")
 _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILINE)
@@ -27,14 +25,14 @@ def png_pages(path: Path) -> Pages:
     """Open the PNG file `path`: by OpenCV for 16 bits per sample, else by Pillow, which composes
     animations. Raises the errors of Pillow for a damaged file."""
     pages = pillow_pages(path)
-    if _head(path)[_PNG_BITS_AT] <= 8 or pages.durations_s is not None:
+    if head_of(path)[_PNG_BITS_AT] <= 8 or pages.durations_s is not None:
         return pages
     return replace(pages, read=_reader(path, decoded), has_8_bits=False)
 
 
 def pfm_pages(path: Path) -> Pages:
     """Return the one picture of the PFM file `path`; raise ValueError if its size is not stated."""
-    match = _PFM.match(_head(path))
+    match = _PFM.match(head_of(path))
     if match is None:
         raise ValueError("its head does not state its size")
     return Pages(((int(match["rows"]), int(match["cols"])),), count=1, read=_reader(path, decoded))
@@ -43,16 +41,10 @@ def pfm_pages(path: Path) -> Pages:
 def radiance_pages(path: Path) -> Pages:
     """Open the one picture of the Radiance file `path`. A comment may look like the line with the
     size, so the largest size counts. Raises ValueError without a size."""
-    sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(_head(path))]
+    sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(head_of(path))]
     if not sizes:
         raise ValueError("its head does not state its size")
     return Pages((max(sizes, key=prod),), count=1, read=_reader(path, _radiance))
-
-
-def _head(path: Path) -> bytes:
-    """Return the first 65536 bytes of the file `path`, or all if there are fewer."""
-    with open(path, "rb") as file:
-        return file.read(_HEADER_BYTES)
 
 
 def _reader(path: Path, decode: Callable[[Bytes], Array]) -> Callable[[], Iterator[Array]]:

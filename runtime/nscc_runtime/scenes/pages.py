@@ -19,6 +19,9 @@ MOST_PIXELS = 1 << 26
 MOST_LARGE_PIXELS = 3 * MOST_PIXELS
 """Largest number of pixels of a scene that is one picture of 8 bits per sample: 201 million."""
 
+_HEAD_BYTES = 1 << 16
+"""Number of bytes at the start of a file in which a format is recognised."""
+
 Note = tuple[str, str]
 """A sentence about a file, without its name, and a remedy."""
 
@@ -63,6 +66,13 @@ class Pages:
     def colours(self) -> Colours:
         """The colours of the file, or else those of its format: linear light, or sRGB."""
         return self.stated.colours or Colours.of("linear" if self.is_light else "srgb")
+
+
+def head_of(path: Path) -> bytes:
+    """Return the first 65536 bytes of the file `path`, or all if there are fewer. Raises OSError if
+    it cannot be read."""
+    with open(path, "rb") as file:
+        return file.read(_HEAD_BYTES)
 
 
 class UnsupportedPicture(Exception):

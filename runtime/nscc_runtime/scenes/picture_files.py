@@ -24,7 +24,7 @@ from nscc_runtime.scenes import (
 )
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
 from nscc_runtime.scenes.film_times import evenly, timed
-from nscc_runtime.scenes.pages import Pages, UnsupportedPicture, check_sizes
+from nscc_runtime.scenes.pages import Pages, UnsupportedPicture, check_sizes, head_of
 
 
 @dataclass(frozen=True)
@@ -82,8 +82,6 @@ DISPLAY = _endings(format_ for format_ in _PICTURE_FORMATS if not format_.is_lig
 PICTURES = LINEAR + DISPLAY
 CLIPS = tuple(sorted(_endings(_CLIP_FORMATS)))
 _FORMATS = _PICTURE_FORMATS + _CLIP_FORMATS
-_HEAD_BYTES = 16
-"""Number of bytes that the patterns of first bytes look at; the longest needs 12."""
 
 
 def format_of(path: Path) -> SceneFormat | None:
@@ -95,8 +93,7 @@ def format_of(path: Path) -> SceneFormat | None:
     by_ending = [format_ for format_ in _FORMATS if path.suffix.lower() in format_.endings]
     if not by_ending:
         return None
-    with open(path, "rb") as file:
-        head = file.read(_HEAD_BYTES)
+    head = head_of(path)
     # Raw files begin like TIFF files: they are recognised by their ending only.
     by_head = [f for f in _FORMATS if f.head.match(head) and ".dng" not in f.endings]
     return next((f for f in (*by_ending, *by_head) if f.head.match(head)), by_ending[0])

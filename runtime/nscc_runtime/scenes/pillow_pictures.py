@@ -12,7 +12,7 @@ import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats
 from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_film, of_pillow
-from nscc_runtime.scenes.pages import Note, Pages, Stated, without_pillow_limit
+from nscc_runtime.scenes.pages import Note, Pages, Stated, head_of, without_pillow_limit
 
 _GREY = ("1", "L", "LA", "La")
 """Pillow's modes of grey pictures of at most 8 bits."""
@@ -20,7 +20,6 @@ _BAND_ROWS = 256
 """Number of rows that are converted at a time."""
 _GAIN_MAPS = (b"hdrgm:Version", b"urn:iso:std:iso:ts:21496", b"tmap")
 """Bytes at the start of a file that has a gain map: Adobe's, that of ISO 21496-1, and in HEIF."""
-_HEAD_BYTES = 1 << 16
 _EXIF_IFD, _INTEROP = 0x8769, 0xA005
 """Tags of the EXIF data that point to the directories of the exposure and of interoperability."""
 _GAIN_MAP: Note = (
@@ -47,8 +46,7 @@ def pillow_pages(path: Path) -> Pages:
         if stated == Stated() and _is_in_adobe_rgb(image):
             stated = of_adobe_rgb()
         gain = any("gainmap" in str(kind).lower() for kind in image.info.get("aux", ()))
-    with open(path, "rb") as file:
-        head = file.read(_HEAD_BYTES)
+    head = head_of(path)
     notes = (_GAIN_MAP,) if gain or any(mark in head for mark in _GAIN_MAPS) else ()
     numbers = range(first, count) if moving else range(1)
 
