@@ -69,12 +69,6 @@ def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
     return f"{edge} time{rank_text}{bucket_text}"
 
 
-def _equality(code: int, base: int, width: int) -> Cube:
-    """Return the cube (a NOR of registers) of the shutters whose planes base .. base + width - 1
-    hold `code`. A plane is the content of a code register."""
-    return tuple((base + bit, code >> bit & 1) for bit in range(width))
-
-
 Events = dict[tuple[str, int, int], list[tuple[int, Indices]]]
 
 
@@ -114,28 +108,6 @@ def _index_planes(problem: Problem, machine: Machine) -> Planes:
     if width > machine.registers - 1:
         raise GaveUp(f"{problem.shutters} shutters leave no register to compute with")
     return binary_planes("shutter number, Gray bit", gray(numbers), width)
-
-
-# Equality tests need no search, but emitting their gates takes about as long as this many steps.
-_STEPS_A_MEMBER = 100
-
-
-def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Return shutter numbers in Gray code; each shutter of a predicate is one test for equality.
-
-    This takes many words and much time, but few stored words: one kernel serves all equality tests,
-    and one kernel inverts each plane (the content of a code register). Raises GaveUp if the planes
-    leave no register for intermediate results, or if the budget is too small."""
-    budget.spend(_STEPS_A_MEMBER * sum(demand.predicate.bit_count() for demand in problem.demands))
-    planes = _index_planes(problem, machine)
-    cubes = tuple(
-        tuple(
-            _equality(gray(int(shutter)), 0, len(planes))
-            for shutter in members(d.predicate, problem.shutters)
-        )
-        for d in problem.demands
-    )
-    return Encoding("shutter number in Gray code, equalities", planes, cubes)
 
 
 def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:

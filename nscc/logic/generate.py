@@ -71,7 +71,8 @@ FROM_LEVEL: dict[Kind, int] = {
 * equality: a few words per demand, for any number of shutters and slots
 * cascade: arbitrary shutters, by search over several levels of gates
 * cover: any predicates, at a cost that grows with them
-* last: the most expensive, every shutter of every predicate separately, with few kernels"""
+* last: the most expensive solutions, tried if a second attempt of the covers found nothing either;
+  nscc has none of its own"""
 
 
 class Generator(Record):
@@ -115,7 +116,6 @@ GENERATORS: dict[str, Generator] = {
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
     "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
-    "gray_index": _emitted("last", encodings.gray_index),
 }
 """nscc's generators, in the order in which those of one kind are tried.
 

@@ -117,9 +117,7 @@ class ChoiceEmitter(RegisterEmitter):
         self.word(op("bus", [register], [then.register]))
         self.everywhere()
         self.give(then, otherwise)
-        low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
-        variance = max(then.variance, otherwise.variance) + 1
-        return Held(register, -then.sign, low, high, variance=variance)
+        return _either(register, -then.sign, then, otherwise)
 
     def _chosen_by_flag(self, node: p.Chosen) -> Held:
         """Emit a choice between two images by a condition, as version 4 does, and return its
@@ -162,9 +160,7 @@ class ChoiceEmitter(RegisterEmitter):
         self._copy(register, sign, source)
         self.everywhere()
         self.give(*(v for v in (then, *([] if in_place else [otherwise])) if v.register != "IN"))
-        low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
-        variance = max(then.variance, otherwise.variance) + 1
-        return Held(register, sign, low, high, variance=variance)
+        return _either(register, sign, then, otherwise)
 
     def _value_or_level(self, node: p.Value) -> Held:
         """Return the register of an image or, if the image is a level, IN (the level sent to all
@@ -210,3 +206,11 @@ class ChoiceEmitter(RegisterEmitter):
             raise PictureRefused("range", self.now, max(map(abs, ends)) / most, available=1.0)
         step_e = self.target.electrons_per_step
         return min(ends) * step_e, max(ends) * step_e
+
+
+def _either(register: str, sign: int, first: Held, second: Held) -> Held:
+    """Return the value in `register`, times `sign`, that is one of two values in each pixel; a word
+    has copied it."""
+    low, high = min(first.low, second.low), max(first.high, second.high)
+    variance = max(first.variance, second.variance) + 1
+    return Held(register, sign, low, high, variance=variance)

@@ -12,7 +12,7 @@ Accumulators of the two halves need two words a place for both images."""
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
@@ -185,11 +185,20 @@ class CountEmitter(Emitter):
             # The only reader takes the accumulator's register; a factor of -1 is its sign.
             sign = first.sign if factor > 0 else -first.sign
             return replace(self.held.pop(first.name), name=None, sign=sign)
-        signed_terms = []
-        for factor, accumulator in terms:
-            term = self.filtered(accumulator, {(0, 0): abs(factor)})
-            signed_terms.append((1 if factor > 0 else -1, term))
-        return self.added(signed_terms)
+        return self.weighted_sum(terms)
+
+    def weighted_sum(self, terms: Iterable[tuple[Fraction, Held]]) -> Held:
+        """Emit the words of a sum of values, each with its factor, and return the register of the
+        result.
+
+        Each term is multiplied before the next one is taken from `terms`, which may emit words.
+        Raises PictureRefused if the words do not fit the chip."""
+        return self.added(
+            [
+                (1 if factor > 0 else -1, self.filtered(value, {(0, 0): abs(factor)}))
+                for factor, value in terms
+            ]
+        )
 
     def _count(
         self,

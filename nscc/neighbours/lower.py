@@ -306,11 +306,7 @@ class Lowering(ChoiceEmitter):
                 if refused.kind != "range":
                     raise
                 self.restore(state)  # the sum of whole terms may be beyond the range
-        signed_terms = []
-        for factor, value in node.terms:
-            term = self.filtered(self.value(value), {(0, 0): abs(factor)})
-            signed_terms.append((1 if factor > 0 else -1, term))
-        return self.added(signed_terms)
+        return self.weighted_sum((factor, self.value(value)) for factor, value in node.terms)
 
     def _with_level(self, node: p.Sum) -> Held:
         """Emit the words of a sum that contains levels (values equal in all pixels), and return the
