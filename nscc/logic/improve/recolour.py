@@ -181,9 +181,8 @@ class _Painter:
         """Append copies of all displaced planes to their homes to `out`, in place, and return it;
         None if a register is missing.
 
-        This is a parallel move. A plane is copied after the plane in its home has left, which is a
-        topological order of the graph "plane -> plane in its home". For each cycle of this graph,
-        one plane waits in a free register."""
+        This is a parallel move. A plane is copied after the plane in its home has left. If planes
+        wait for each other in a circle, one of them moves to a free register meanwhile."""
         frame = self.frame
         # Register that holds each plane now, by the plane's home register.
         current_place = {
@@ -192,46 +191,30 @@ class _Painter:
             if value.home >= 0
         }
         astray = {plane: at for plane, at in current_place.items() if plane != at}
-        if not astray:
-            return out
-        import networkx as nx  # slow to import, and most builds do not need it
-
-        segment = max(
-            (
-                item.segment
-                for item in out
-                if isinstance(item, GateOp) and item.demand_index == CLOSING
-            ),
-            default=0,
+        segments = (
+            item.segment
+            for item in out
+            if isinstance(item, GateOp) and item.demand_index == CLOSING
         )
+        segment = max(segments, default=0)
 
-        def copy(target: int, source: int) -> None:
-            """Append an operation that copies a register to another at the end of the frame."""
+        def copy(target: int, source: int) -> int:
+            """Append an operation that copies a register to another at the end of the frame; return
+            the source, which is the home of the next plane of a circle."""
             out.append(frame.op(False, target, (source,), CLOSING, segment))
+            return source
 
-        # An edge leads from a plane to the plane in its home, which must leave first.
-        waits = nx.DiGraph()
-        waits.add_nodes_from(astray)
-        waits.add_edges_from((plane, at) for plane, at in astray.items() if at in astray)
-        rank = {plane: i for i, plane in enumerate(astray)}
-        # Each circle of waiting planes begins with its lowest plane, so that results are
-        # reproducible.
-        circles = []
-        for circle in nx.simple_cycles(waits):
-            first = circle.index(min(circle, key=rank.__getitem__))
-            circles.append(circle[first:] + circle[:first])
-        # Planes outside of circles can be copied in topological order.
-        waits.remove_nodes_from([plane for circle in circles for plane in circle])
-        for plane in nx.lexicographical_topological_sort(waits, rank.__getitem__):
-            copy(plane, astray[plane])
+        while free_homes := [plane for plane in astray if plane not in astray.values()]:
+            copy(free_homes[0], astray.pop(free_homes[0]))
+        # Only circles are left.
         free = [r for r in range(frame.flag) if r not in current_place and r != frame.masked]
-        if circles and not free:
+        if astray and not free:
             return None
-        # A circle is opened by moving its first plane to a free register meanwhile.
-        for first, *followers in sorted(circles, key=lambda circle: rank[circle[0]]):
-            copy(free[0], astray[first])
-            for plane in followers:
-                copy(plane, astray[plane])
+        while astray:
+            first = next(iter(astray))
+            plane = copy(free[0], astray.pop(first))
+            while plane != first:
+                plane = copy(plane, astray.pop(plane))
             copy(first, free[0])
         return out
 
