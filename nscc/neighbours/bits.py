@@ -3,84 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
+from dataclasses import replace
 
-from nscc.neighbours.held import Emitter, Held, PictureRefused
-from nscc.operations import STEERING, Phase, WordEffect, op, pair
+from nscc.neighbours.digital_registers import DigitalRegisters, Kept
+from nscc.neighbours.held import Held
+from nscc.neighbours.steered_reads import SteeredRead, steered_read
+from nscc.operations import STEERING, op, pair
 from nscc.words import pictures as p
 
 _OF_STEP = {step: name for name, step in STEERING.items()}
 """The register of R1 to R4 that chooses a nearest neighbour, by the neighbour's offset."""
 Offset = tuple[int, int]
 """An offset: columns to the right and rows down."""
-Kept = tuple[str, str | None]
-"""A register that holds a bit, and the plane it belongs to, or None for an intermediate result."""
 
 
-class BitWords:
-    """The digital registers while images and planes are compiled, and the words that fill them.
-
-    `planes` has the register of each plane by name, `uses` the number of its reads that are left,
-    and `free` the free registers. `steered` are the directions that R1 to R4 choose now, None if
-    unknown. R1 to R4, which choose the neighbours to read, are reserved until the last item that
-    reads bits of neighbours. States are in registers that no word of the exposure writes."""
-
-    def __init__(
-        self,
-        lowering: Emitter,
-        registers: Sequence[str],
-        unwritten: Collection[str],
-        or_sources: int | None,
-    ) -> None:
-        """Assign registers to kept and input planes, and count how often each plane is read.
-
-        `lowering` emits the words. `registers` are the free digital registers. `unwritten` are
-        those that the exposure's words never write, which can keep planes from frame to frame.
-        `or_sources` is the most sources of an OR or NOR word, None for any number. Raises
-        PictureRefused ("steering" or "planes") if there are too few registers."""
-        self.lowering = lowering
-        pictures = lowering.pictures
-        expressions = pictures.expressions
-        nodes = [node for each in expressions.values() for node in p.subexpressions(each)]
-        self.steering = [*pictures.steering]
-        self.count_steps, self.or_sources = pictures.count_steps, or_sources
-        # R1 to R4 choose the neighbours to read, so planes may not occupy them meanwhile.
-        self.kept_for_steering = [r for r in registers if self.steering and r in STEERING]
-        if self.steering and len(self.kept_for_steering) < len(STEERING):
-            available = len(self.kept_for_steering)
-            raise PictureRefused("steering", self.steering[0], len(STEERING), available)
-        self.available = [r for r in registers if r not in self.kept_for_steering]
-        self.free = list(self.available)
-        self.planes: dict[str, str] = {}
-        self.uses: dict[str, int] = {}
-        # A register becomes free after the last of these reads.
-        for node in nodes:
-            if isinstance(node, p.Bit):
-                self.uses[node.name] = self.uses.get(node.name, 0) + 1
-        for name in pictures.outputs:
-            self.uses[name] = self.uses.get(name, 0) + 1
-        self.steered: frozenset[str] | None = None
-        # A plane that is kept between frames needs a register that the exposure never writes.
-        lasting = [register for register in self.free if register in unwritten]
-        held = pictures.held_planes
-        for name in held:
-            if not lasting:
-                raise PictureRefused("planes", name, len(held), len(self.planes))
-            self.planes[name] = lasting.pop(0)
-            self.free.remove(self.planes[name])
-            self.uses[name] = self.uses.get(name, 0) + 1  # never freed
-
-    def begin(self, name: str) -> None:
-        """Begin the words of the image, plane or state `name`; items must begin in the order of the
-        program.
-
-        If neither this item nor a later one reads bits of neighbours, R1 to R4, which choose
-        neighbours, become free."""
-        if name in self.steering:
-            self.steering.remove(name)
-        elif not self.steering:
-            self.available += self.kept_for_steering
-            self.free += self.kept_for_steering
-            self.kept_for_steering = []
+class BitWords(DigitalRegisters):
+    """The words that fill the digital registers while images and planes are compiled."""
 
     def declare(self, name: str, node: p.Condition) -> None:
         """Emit the words that compute the plane `name`, which then owns the register of the result.
@@ -89,10 +27,10 @@ class BitWords:
         4 take over that plane's register instead if nothing else reads it; words of older programs
         stay as they are. A plane that nothing reads loses its register at once. Raises
         PictureRefused if registers run out."""
-        register, owner = self.bit(node)
+        register, owner = self.shortest(node)
         taken_over = self.lowering.saves_words and owner and self.hand_over(owner)
         if owner is not None and not taken_over:
-            register = self._emit_word("MOV", [register], [(register, owner)])
+            register = self.emit_word("MOV", [register], [(register, owner)])
         self.planes[name] = register
         # `give` takes back one use, and so frees the register of a plane that nothing reads.
         self.uses[name] = self.uses.get(name, 0) + 1
@@ -115,21 +53,12 @@ class BitWords:
                 # That was the read by its own next value.
                 self.uses[state.name] -= 1
             else:
-                bit = self.bit(state.next)
+                bit = self.shortest(state.next)
                 # That state may step first. Without a register for a copy, it has to step later.
                 if bit[1] in names and self.free:
-                    bit = self._emit_word("MOV", [bit[0]], [bit]), None
+                    bit = self.emit_word("MOV", [bit[0]], [bit]), None
                 nexts[state.name] = bit
         return nexts
-
-    def refresh(self, name: str) -> None:
-        """Emit the words that write the plane `name` again, so that its register keeps the bits for
-        another frame.
-
-        `name` must have a register."""
-        register = self.planes[name]
-        for word in pair("REFRESH", register, [register]):
-            self.lowering.word(word)
 
     def step(self, nexts: dict[str, Kept]) -> None:
         """Emit the words that give all states their next values. `nexts` is the result of
@@ -142,7 +71,7 @@ class BitWords:
             read = {owner for _, owner in waiting.values()}
             name = next((name for name in waiting if name not in read), None)
             if name is None:  # each waits for another, and `next_bits` had no register for a copy
-                raise self._no_free_register()
+                raise self.no_free_register()
             bit = waiting.pop(name)
             # No later value is copied from the register of the last state, so the word that
             # computed its value may write it. Words of older programs stay as they are.
@@ -152,24 +81,6 @@ class BitWords:
             self.lowering.word(op("MOV", [self.planes[name]], [bit[0]]))
             self.give(bit)
 
-    def copy(self, register: str, owner: str | None) -> str:
-        """Emit a word that copies a bit to a free register, and return that register.
-
-        `owner` is the plane that owns the bit, or None; the copy counts as a read. Raises
-        PictureRefused if no register is free."""
-        return self._emit_word("MOV", [register], [(register, owner)])
-
-    def hand_over(self, name: str) -> bool:
-        """Return whether the caller is the only remaining reader of the plane `name`.
-
-        If so, the plane is forgotten, and its register belongs to the caller. Otherwise nothing
-        changes."""
-        if self.uses[name] != 1:
-            return False
-        self.uses[name] = 0
-        del self.planes[name]
-        return True
-
     def store(self, name: str, bit: Kept) -> None:
         """Emit a word that writes a bit, (register, owner), to the register of the plane `name`;
         the bit has then been read.
@@ -177,67 +88,6 @@ class BitWords:
         If the word before wrote the bit, which nothing else reads, that word writes the plane's
         register instead, unless it reads that register."""
         self.write(self.planes[name], bit)
-
-    def write(self, register: str, bit: Kept) -> None:
-        """Emit a word that writes a bit, (register, owner), to any digital register; the bit has
-        then been read.
-
-        If the word before wrote the bit to a register without an owner, that word writes `register`
-        instead, unless it reads `register`."""
-        (source, owner), words = bit, self.lowering.words
-        # A comparison ends with a word that sets FLAG everywhere; the word before wrote the bit.
-        index = -2 if words[-1][0].operation.effect is WordEffect.FLAG_ALL else -1
-        last = words[index][0]
-        digital = last.operation.effect in (WordEffect.DIGITAL, WordEffect.DIGITAL_NEIGHBOURS)
-        if (
-            owner is None
-            and digital
-            # The second word of a pair must write a register that the first one reads.
-            and last.operation.phase is Phase.WHOLE
-            and last.destinations == (source,)
-            and register not in last.sources
-        ):
-            words[index] = (op(last.name, [register], last.sources), None)
-        else:
-            self.lowering.word(op("MOV", [register], [source]))
-        self.give(bit)
-
-    def take(self) -> str:
-        """Return a free digital register, which is then occupied; raise PictureRefused if there is
-        none."""
-        if not self.free:
-            raise self._no_free_register()
-        return self.free.pop(0)
-
-    def vacate(self, register: str) -> None:
-        """Occupy the digital register `register`. A plane that it holds moves to a free register;
-        raise PictureRefused if there is none."""
-        for name, of_plane in self.planes.items():
-            if of_plane == register:
-                self.planes[name] = self.take()
-                self.lowering.word(op("MOV", [self.planes[name]], [register]))
-                return
-        self.free.remove(register)
-
-    def _no_free_register(self) -> PictureRefused:
-        """Return the exception that the item whose words are emitted now needs one more digital
-        register."""
-        count = len(self.available)
-        return PictureRefused("planes", self.lowering.now, count + 1, count)
-
-    def give(self, *bits: Kept) -> None:
-        """Note that bits, each a (register, plane that owns it or None), have been read once; free
-        each register that nothing else reads.
-
-        A bit without an owner is read only once. A plane without further reads is forgotten."""
-        for register, owner in bits:
-            if owner is not None:
-                self.uses[owner] -= 1
-                if self.uses[owner]:
-                    continue
-                del self.planes[owner]
-            self.free.append(register)
-            self.free.sort(key=self.available.index)
 
     def to_flag(self, node: p.Condition) -> None:
         """Emit words that set FLAG (the bit that lets a pixel act) to 1 in the pixels where a
@@ -248,15 +98,46 @@ class BitWords:
         self.lowering.word(op("WHERE", [], [bit[0]]))
         self.give(bit)
 
+    def shortest(self, node: p.Condition) -> Kept:
+        """Emit the words that compute a condition, as `bit` does; reads of neighbours under
+        conditions become one read if that needs fewer words."""
+        read = steered_read(node) if self.lowering.saves_words else None
+        if read is None:
+            return self.bit(node)
+        return self.lowering.do_shortest(
+            (lambda: self.bit(node), lambda: self._steered(node, read)), (1, 1)
+        )
+
     def bit(self, node: p.Condition) -> Kept:
         """Emit the words that compute a condition; return its register and the plane that owns it.
 
         The owner is None for an intermediate result, whose register the caller gives back by
-        `give`. A `Bit` (the name of a plane) needs no words. Raises PictureRefused if registers run
-        out; propagations and repeated planes must not occur."""
+        `give`. A `Bit` (the name of a plane) needs no words, nor does a condition that a register
+        still holds. Raises PictureRefused if registers run out; propagations and repeated planes
+        must not occur."""
+        if isinstance(node, p.Bit):
+            return self.planes[node.name], node.name
+        register = self.known.get(node, "")
+        owner = next((name for name, of in self.planes.items() if of == register), None)
+        if owner is not None:
+            self.uses[owner] += 1
+        elif register in self.free:
+            self.free.remove(register)
+        else:
+            result = self._computed(node)
+            # Counts are counted ahead, so their reads cannot be left out.
+            parts = p.subexpressions(node)
+            if self.lowering.saves_words and not any(
+                isinstance(part, p.Agreement) for part in parts
+            ):
+                self.known[node] = result[0]
+            return result
+        self.skip(node)
+        return register, owner
+
+    def _computed(self, node: p.Condition) -> Kept:
+        """Emit the words of a condition that is not a plane's name, and return what `bit` does."""
         match node:
-            case p.Bit():
-                return self.planes[node.name], node.name
             case p.Constant():
                 register = self.take()
                 self.lowering.word(op("SET" if node.bit else "CLR", [register]))
@@ -267,14 +148,13 @@ class BitWords:
                 bits = self._operands(node.first, node.second)
                 return self._nor([register for register, _ in bits], bits), None
             case p.ChosenPlane():
-                return self._chosen(node), None
-            case p.Propagated():
-                raise AssertionError("a propagation is the step of a flood")
-            case p.RepeatedPlane():
-                raise AssertionError("a repeated plane is not part of another expression")
+                return self._chosen(node)
             case p.Inverse():
+                simpler = p.inverse_of(node.condition)
+                if self.lowering.saves_words and simpler != node:
+                    return self.bit(simpler)
                 inner = self.bit(node.condition)
-                return self._emit_word("NOT", [inner[0]], [inner]), None
+                return self.emit_word("NOT", [inner[0]], [inner]), None
             case p.Joined():
                 return self._joined(node), None
             case p.At():
@@ -284,63 +164,47 @@ class BitWords:
                 return moved, None
             case p.Near():
                 return self._near_bit(node), None
+        raise AssertionError("propagations and repeated planes are no part of another expression")
 
-    def _emit_word(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
-        """Emit the word `name` with these source registers; return the register of the result.
-
-        `used` are the bits, each (register, owner), that have then been read. Without a free
-        register, two words overwrite the register of a bit of `used` with the result, if
-        `_in_place` finds one. Raises PictureRefused otherwise."""
-        in_place = self._in_place(name, used)
-        if in_place is not None:
-            for word in pair("OR" if name == "OR" else "NOR", in_place[0], sources):
-                self.lowering.word(word)
-            self.give(*(bit for bit in used if bit != in_place))
-            return in_place[0]
-        target = self.take()
-        self.lowering.word(op(name, [target], sources))
-        self.give(*used)
-        return target
-
-    def _in_place(self, name: str, used: Sequence[Kept]) -> Kept | None:
-        """Return the first bit (register, owner) of `used` whose register may be overwritten by the
-        result of the word `name`.
-
-        Its owner, if any, is then forgotten. Return None if a register is free, if no bit may be
-        overwritten, if the word is not OR, NOR or NOT, or before version 4, whose programs keep
-        their words."""
-        if self.free or not self.lowering.saves_words or name not in ("OR", "NOR", "NOT"):
-            return None
-        for register, owner in used:
-            if owner is None or self.hand_over(owner):
-                return register, owner
-        return None
-
-    def _chosen(self, node: p.ChosenPlane) -> str:
+    def _chosen(self, node: p.ChosenPlane) -> Kept:
         """Emit the words of a choice between two bits, and return the register of the result.
 
         The result is the NOR of the two ways in which it is 0. The longer one of both expressions
         comes first, so that chains of choices need few registers. Raises PictureRefused if
         registers run out."""
-        then_size, otherwise_size = (
-            len([*p.subexpressions(branch)]) for branch in (node.then, node.otherwise)
-        )
-        # `then_0`: the condition is 1, the first bit 0. `otherwise_0`: the condition is 0, the
-        # second bit 0.
-        if otherwise_size > then_size:
-            otherwise, condition = self.bit(node.otherwise), self.bit(node.condition)
-            otherwise_0 = self._nor([otherwise[0], condition[0]], used=[otherwise])
-            then = self.bit(node.then)
-            inverse = self._emit_word("NOT", [condition[0]], used=[condition])
-            then_0 = self._nor([then[0], inverse], used=[then, (inverse, None)])
-            return self._nor([then_0, otherwise_0], used=[(then_0, None), (otherwise_0, None)])
-        then, condition = self.bit(node.then), self.bit(node.condition)
-        inverse = self._emit_word("NOT", [condition[0]], used=[])
-        then_0 = self._nor([then[0], inverse], used=[then, (inverse, None)])
-        otherwise = self.bit(node.otherwise)
-        sources = [otherwise[0], condition[0]]
-        otherwise_0 = self._nor(sources, used=[otherwise, condition])
-        return self._nor([then_0, otherwise_0], used=[(then_0, None), (otherwise_0, None)])
+        condition = node.condition
+        if not isinstance(condition, p.Bit):  # it is read twice, but computed once
+            register, owner = self.bit(condition)
+            if owner is None:
+                self.choices += 1
+                owner = f"choice {self.choices}"
+                self.planes[owner], self.uses[owner] = register, 1
+            condition = p.Bit(owner)
+            node = replace(node, condition=condition)
+        ways = [p.Neither(node.then, p.Inverse(condition)), p.Neither(node.otherwise, condition)]
+        ways.sort(key=lambda way: -len([*p.subexpressions(way.first)]))
+        result = p.Neither(*ways)
+        self.read_instead(node, result)
+        return self.bit(result)
+
+    def _steered(self, node: p.Condition, read: SteeredRead) -> Kept:
+        """Emit the words of a condition as one read of the neighbours that R1 to R4 choose.
+
+        Raises PictureRefused if registers run out."""
+        self.read_instead(node, *read.conditions)
+        source = self.bit(read.source)
+        register = source[0]
+        for name, guard in read.guards.items():
+            self.write(name, self.bit(guard))
+            # DNEWS cannot write the register that it reads; a copy leaves the plane's own free.
+            register = name if guard == read.source else register
+        self.steer(frozenset(), frozenset(read.guards))
+        outside = self.lowering.pictures.outside
+        moved = self.emit_word("DNEWS1" if outside else "DNEWS0", [register], [source]), None
+        if read.rest is None:
+            return moved
+        rest = self.bit(read.rest)
+        return self.emit_word("OR", [moved[0], rest[0]], [moved, rest]), None
 
     def _operands(self, *nodes: p.Condition) -> list[Kept]:
         """Emit the words of conditions and return their bits, each (register, owner), as sources of
@@ -360,7 +224,7 @@ class BitWords:
 
         Some registers may be equal; if all are, the word is a NOT. `used` are the bits, each
         (register, owner), that have then been read."""
-        return self._emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
+        return self.emit_word("NOR" if len({*registers}) > 1 else "NOT", registers, used)
 
     def compare(self, node: p.Comparison, value: Held) -> None:
         """Emit the word `where`, which sets FLAG (the bit that lets a pixel act) to whether a value
@@ -399,7 +263,8 @@ class BitWords:
         return register
 
     def _joined(self, node: p.Joined) -> str:
-        """Emit `and`, `or` or `xor` of two conditions, and return the register of the result.
+        """Emit `or` or `xor` of two conditions, or before version 4 `and`; return the register of
+        the result.
 
         `or` takes one OR word, and `and` is the NOR of both inverses. From version 4 on, `xor` is
         the OR of the two ways in which one bit is 1 and the other 0, before it the NOR of `and` and
@@ -408,28 +273,25 @@ class BitWords:
         if planes:
             registers = [register for register, _ in planes]
             # An OR word needs two different sources: a plane `or` itself is a copy.
-            return self._emit_word("OR" if len({*registers}) > 1 else "MOV", registers, planes)
+            return self.emit_word("OR" if len({*registers}) > 1 else "MOV", registers, planes)
         first, second = self.bit(node.first), self.bit(node.second)
         a, b = first[0], second[0]
         if a == b:  # a plane `and` itself is the plane; `xor` itself is 0
             name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
-            return self._emit_word(name, sources, [first, second])
-        saves_words = self.lowering.saves_words
-        if node.op == "xor" and saves_words:
-            neither = self._emit_word("NOR", [a, b], used=[])
-            only_b = self._emit_word("NOR", [a, neither], used=[first])
-            only_a = self._emit_word("NOR", [b, neither], used=[second, (neither, None)])
-            return self._emit_word("OR", [only_a, only_b], [(only_a, None), (only_b, None)])
-        not_a = self._emit_word("NOT", [a], used=[first] * saves_words)
-        not_b = self._emit_word("NOT", [b], used=[second] * saves_words)
-        both = self._emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
-        if saves_words:
-            return both
+            return self.emit_word(name, sources, [first, second])
+        if self.lowering.saves_words:
+            neither = self.emit_word("NOR", [a, b], used=[])
+            only_b = self.emit_word("NOR", [a, neither], used=[first])
+            only_a = self.emit_word("NOR", [b, neither], used=[second, (neither, None)])
+            return self.emit_word("OR", [only_a, only_b], [(only_a, None), (only_b, None)])
+        not_a = self.emit_word("NOT", [a], used=[])
+        not_b = self.emit_word("NOT", [b], used=[])
+        both = self.emit_word("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
         if node.op == "and":
             self.give(first, second)
             return both
-        neither = self._emit_word("NOR", [a, b], [first, second])
-        return self._emit_word("NOR", [both, neither], [(both, None), (neither, None)])
+        neither = self.emit_word("NOR", [a, b], [first, second])
+        return self.emit_word("NOR", [both, neither], [(both, None), (neither, None)])
 
     # --- neighbours
 
@@ -440,20 +302,8 @@ class BitWords:
         `outside` is the bit, 0 or 1, of pixels beyond the array. Return the register of the result;
         `register` stays occupied."""
         directions = frozenset(_OF_STEP[step] for step in steps)
-        if directions != self.steered:
-            self.steer(directions)
-        return self._emit_word("DNEWS1" if outside else "DNEWS0", [register], used=[])
-
-    def steer(self, directions: frozenset[str]) -> None:
-        """Emit the words that set R1 to R4 in every pixel, so that DNEWS reads the neighbours in
-        these `directions`.
-
-        `directions` are names of these registers. From version 4 on, they need not be cleared first
-        if all four are set."""
-        if len(directions) < len(STEERING) or not self.lowering.saves_words:
-            self.lowering.word(op("CLR", list(STEERING)))
-        self.lowering.word(op("SET", sorted(directions)))
-        self.steered = directions
+        self.steer(directions)
+        return self.emit_word("DNEWS1" if outside else "DNEWS0", [register], used=[])
 
     def _moved(self, register: str, outside: int, at: Offset) -> str:
         """Emit words that fetch the bit of the pixel at the offset `at` (columns right, rows down),
@@ -469,7 +319,7 @@ class BitWords:
             if moved is not None:
                 self.give((moved, None))
             moved = neighbour
-        return moved or self._emit_word("MOV", [register], used=[])
+        return moved or self.emit_word("MOV", [register], used=[])
 
     def neighbour_bits(
         self, register: str, offsets: Collection[Offset]
@@ -529,14 +379,13 @@ class BitWords:
         inverse of `any` of the inverses."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
-        bit = self.bit(node.condition)
+        bit = self.bit(p.Inverse(node.condition) if node.kind == "all" else node.condition)
         if node.kind == "all":
-            bit = self._emit_word("NOT", [bit[0]], [bit]), None
             outside = 1 - outside  # the pixels beyond the array are inverted as well
         register = self._any(bit[0], outside, offsets)
         self.give(bit)
         if node.kind == "all":
-            return self._emit_word("NOT", [register], [(register, None)])
+            return self.emit_word("NOT", [register], [(register, None)])
         return register
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
@@ -567,14 +416,14 @@ class BitWords:
         for at in sorted(offsets - nearest_offsets - {(0, 0)}):
             registers.append(self._moved(register, outside, at))
         if not registers:
-            return self._emit_word("MOV", [register], used=[])
+            return self.emit_word("MOV", [register], used=[])
         total, *further_registers = registers
         for further in further_registers:
             for word in pair("OR", total, [total, further]):
                 self.lowering.word(word)
             self.give((further, None))
         if (0, 0) in offsets:
-            return self._emit_word("OR", [total, register], [(total, None)])
+            return self.emit_word("OR", [total, register], [(total, None)])
         return total
 
 

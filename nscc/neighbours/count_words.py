@@ -16,7 +16,6 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import partial
-from typing import TypeVar
 
 from nscc.neighbours.bits import BitWords, Offset
 from nscc.neighbours.held import Emitter, Held
@@ -81,9 +80,6 @@ class Accumulator:
     variance: float = 1.0
 
 
-Result = TypeVar("Result")
-
-
 class CountEmitter(Emitter):
     """Emits the words of counts, for at most `most_together` images at once.
 
@@ -92,8 +88,6 @@ class CountEmitter(Emitter):
     which an accumulator is copied next. `count_e` is the number of electrons per count."""
 
     bits: BitWords
-    held: dict[str, Held]
-    uses: dict[str, int]
     count_e: float
 
     def __init__(self, pictures: p.Pictures) -> None:
@@ -127,14 +121,6 @@ class CountEmitter(Emitter):
 
         The values have then been read once. Raises PictureRefused if the sum does not fit the chip.
         """
-
-    @abstractmethod
-    def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
-        """Emit the words of the one of `ways` that has the fewest words per share, and return its
-        result; of equals, the first.
-
-        `shares` is a number of images for each way, by which its number of words is divided. Raises
-        PictureRefused if no way fits the chip."""
 
     def count_ahead(self, position: int) -> None:
         """Count the item at index `position`, if it is a sum of `agree` and nothing else, together
@@ -234,11 +220,8 @@ class CountEmitter(Emitter):
             self.bits.give(bit)
             unread.remove(condition)
         # One walk serves all agreements of a plane: what the others would read counts as read.
-        for node in (node for condition in unread for node in p.subexpressions(condition)):
-            if isinstance(node, p.Bit):
-                self.bits.give((self.bits.planes[node.name], node.name))
-            elif isinstance(node, p.Source):
-                self.give(self.held[node.name])
+        for condition in unread:
+            self.bits.skip(condition)
         self.everywhere()
         self.give(Held(self.spare, sign=1, low=0.0, high=0.0))
         self.walks += 1

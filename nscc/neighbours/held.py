@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from typing import TypeVar
 
 from nscc.operations import Op, WordEffect, op
 from nscc.record import Record
 from nscc.words import pictures as p
 from nscc.words.picture_launches import LoopValue, Times
 
+Result = TypeVar("Result")
 Level = int | tuple[str, int] | None
 """Steps of IN, a parameter with a factor, or None for a word that does not read IN."""
 Leveled = tuple[Op, Level]
@@ -79,8 +82,13 @@ class Emitter(ABC):
 
     `words` are pairs (word, level of IN that it needs). `masked` tells whether FLAG (the bit that
     lets a pixel act) may be 0 in some pixels; analog words have no effect there. `weights` are the
-    program's convolution kernels by name. `saves_words` tells whether the program is of version 4
-    or later; the words of other programs stay as they are. IN is the level sent to all pixels."""
+    program's convolution kernels by name. `held` has the register of each value, and `uses` the
+    number of its reads that are left, by name. `saves_words` tells whether the program is of
+    version 4 or later; the words of other programs stay as they are. IN is the level sent to all
+    pixels."""
+
+    held: dict[str, Held]
+    uses: dict[str, int]
 
     def __init__(self, pictures: p.Pictures) -> None:
         """Begin with a word that sets FLAG (the bit that lets a pixel act) in all pixels, so that
@@ -123,3 +131,11 @@ class Emitter(ABC):
         free.
 
         A value without a name is read only once."""
+
+    @abstractmethod
+    def do_shortest(self, ways: Sequence[Callable[[], Result]], shares: Sequence[int]) -> Result:
+        """Emit the words of the one of `ways` that has the fewest words per share, and return its
+        result; of equals, the first.
+
+        `shares` is a number of images for each way, by which its number of words is divided. Raises
+        PictureRefused if no way fits the chip."""

@@ -39,25 +39,24 @@ def emit_loop(lowering: RegisterEmitter, items: Sequence[p.Picture]) -> None:
         times = item.node.times
     lowering.everywhere()
     # The second step does not find what registers hold before the first one.
-    steered, lowering.contents, lowering.bits.steered = lowering.bits.steered, {}, None
+    lowering.contents, lowering.bits.known = {}, {}
+    steered, lowering.bits.steered = lowering.bits.steered, None
     state = lowering.state()
     _emit_steps(lowering, steps, times)
     directions = lowering.bits.steered
     if directions is not None:  # try to choose the neighbours once, before all steps
         lowering.restore(state)
         state = lowering.state()  # a state can be restored once
-        if steered == directions:
-            lowering.bits.steered = directions
-        else:
-            lowering.bits.steer(directions)
+        lowering.bits.steered = steered
+        lowering.bits.steer(*directions)
         head = len(lowering.words)
         _emit_steps(lowering, steps, times)
         step = (name for op, _ in lowering.words[head:] for name in op.destinations)
-        if not STEERING.keys().isdisjoint(step):
+        if {*STEERING} & {*step} - directions[1]:
             lowering.restore(state)
             _emit_steps(lowering, steps, times)
             lowering.bits.steered = None
-    lowering.contents = {}
+    lowering.contents, lowering.bits.known = {}, {}
 
 
 def _emit_flood(
@@ -74,15 +73,12 @@ def _emit_flood(
     lowering.now = name
     bits.begin(name)
     bits.vacate(mask)
-    seed = bits.bit(node.start)
     lowering.everywhere()
-    lowering.word(op("SET", [mask]))
     # With the mask at 1 everywhere, the masked register takes the seed in all pixels.
-    lowering.word(op("MOV", [register], [seed[0]]))
-    bits.give(seed)
+    lowering.word(op("SET", [mask]))
+    bits.write(register, bits.bit(node.start))
     bits.write(mask, bits.bit(step.mask))
-    if bits.steered != frozenset(STEERING):
-        bits.steer(frozenset(STEERING))
+    bits.steer(frozenset(STEERING))
     begin = len(lowering.words)
     lowering.word(op("PROP.read"))
     lowering.word(op("PROP.write", [register], [register]))
@@ -217,12 +213,12 @@ def store_at_once(lowering: RegisterEmitter, nodes: Mapping[str, p.Node]) -> dic
             if node == p.Bit(name):
                 lowering.bits.uses[name] -= 1
             elif is_read_later:
-                bit = lowering.bits.bit(node)
+                bit = lowering.bits.shortest(node)
                 if bit[1] is not None:  # its register may be overwritten before it is stored
                     bit = lowering.bits.copy(*bit), None
                 waiting.append((name, bit))
             else:
-                lowering.bits.store(name, lowering.bits.bit(node))
+                lowering.bits.store(name, lowering.bits.shortest(node))
             continue
         head = lowering.held[name]
         if node == p.Source(name):

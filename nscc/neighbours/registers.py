@@ -10,8 +10,8 @@ from dataclasses import replace
 from typing import Any
 
 from nscc.neighbours.bits import BitWords
-from nscc.neighbours.count_words import CountEmitter, Result
-from nscc.neighbours.held import Held, Level, LoopWords, PictureRefused
+from nscc.neighbours.count_words import CountEmitter
+from nscc.neighbours.held import Held, Level, LoopWords, PictureRefused, Result
 from nscc.neighbours.programs import Offset, Program, moved, values_of
 from nscc.operations import NEIGHBOURS, STEPS, Op, op
 from nscc.record import Record
@@ -215,6 +215,7 @@ class RegisterEmitter(CountEmitter):
         What the registers that it writes held before is no longer reused. IN is the level sent to
         all pixels."""
         super().word(op, level)
+        self.bits.forget(op.destinations)
         for name in op.destinations:
             self.contents.pop("NEWS" if name in NEIGHBOURS else name, None)
 
@@ -360,6 +361,7 @@ class RegisterEmitter(CountEmitter):
             dict(bits.planes),
             dict(bits.uses),
             bits.steered,
+            dict(bits.known),
             {name: terms[:] for name, terms in self.ready.items()},
             self.walks,
         )
@@ -371,5 +373,5 @@ class RegisterEmitter(CountEmitter):
         bits = self.bits
         words, self.free, self.held, self.uses, self.masked, self.contents, *of_bits = saved
         del self.words[words:]
-        bits.free, bits.planes, bits.uses, bits.steered, *of_counting = of_bits
+        bits.free, bits.planes, bits.uses, bits.steered, bits.known, *of_counting = of_bits
         self.ready, self.walks = of_counting

@@ -55,19 +55,12 @@ class PictureComparer(ABC):
         # Words of older programs stay as they are.
         if self.declared.version > 3:
             match condition:
-                case p.Inverse(condition=inner):
-                    return inner
-                case p.Constant(bit=bit):
-                    return p.Constant(not bit)
-                case p.Neither(first=first, second=second):
-                    return p.Joined("or", first, second)
-                case p.Joined(op="or", first=first, second=second):
-                    return p.Neither(first, second)
                 case p.Above(value=value, steps=steps):
                     # Not above may be taken as below: no comparator can tell equal charges.
                     return p.Above(picture_sum((Fraction(-1), value)), -steps)
                 case p.AboveParam(value=value, param=param, factor=factor):
                     return p.AboveParam(picture_sum((Fraction(-1), value)), param, -factor)
+            return p.inverse_of(condition)
         return p.Inverse(condition)
 
     def _both(self, first: p.Condition, second: p.Condition) -> p.Condition:

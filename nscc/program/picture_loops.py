@@ -273,6 +273,7 @@ class LoopReader(PictureComparer):
         near = p.Near("any", flooded, around)
         times, grows = Times(steps, steps), f"{name}{p.GROWS}"
         # `area` is 1 outside of mask and seed. A step adds neighbours, except there.
+        is_inside = self._is_within(seed, mask)
         step: p.Condition = p.Neither(p.Neither(flooded, near), area)
         pixels = self.target.propagation_pixels
         is_cross = self.kernels[around].taps.keys() == {*STEERING.values()}
@@ -282,12 +283,23 @@ class LoopReader(PictureComparer):
             step = p.Propagated(flooded, p.Inverse(area), pixels)
             times = Times(-(-steps // pixels), -(-steps // pixels))  # rounded up
         self.items += [
-            p.Picture(area.name, p.Neither(mask, seed)),
+            p.Picture(area.name, p.inverse_of(mask) if is_inside else p.Neither(mask, seed)),
             p.Picture(flooded.name, p.RepeatedPlane(seed, step, times, flooded.name)),
             p.Picture(grows, p.Neither(p.Inverse(near), p.Joined("or", area, flooded))),
         ]
         self.floods.append(p.PlaneReport("flood", grows))
         return flooded
+
+    def _is_within(self, part: p.Condition, whole: p.Condition) -> bool:
+        """Return whether the text of a condition says that it is 1 only where `whole` is 1."""
+        if part == whole:
+            return True
+        if isinstance(part, p.Neither):
+            operands = map(p.inverse_of, (part.first, part.second))
+            return any(self._is_within(operand, whole) for operand in operands)
+        named = next((item.node for item in self.items if p.Bit(item.name) == part), part)
+        is_named = named != part and isinstance(named, p.Condition)
+        return is_named and self._is_within(cast(p.Condition, named), whole)
 
     def _around(self, kernel: str) -> str:
         """Return the name of a convolution kernel that equals `kernel`, but has at its centre the

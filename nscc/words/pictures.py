@@ -290,6 +290,8 @@ Condition = (
     | RepeatedPlane
     | Propagated
 )
+READS_NEIGHBOURS = Near | At | Agreement | Propagated
+"""What needs R1 to R4, which choose neighbours."""
 Comparison = Above | AboveParam | Exceeds
 """A condition that compares an image with a number, a parameter or another image."""
 Node = Value | Condition
@@ -521,11 +523,10 @@ class Pictures:
         """The names of images, planes and states whose words read bits of neighbours, in order.
 
         These words need R1 to R4, which choose the neighbours."""
-        reading = Near | At | Agreement | Propagated
         return tuple(
             name
             for name, expression in self.expressions.items()
-            if any(isinstance(node, reading) for node in subexpressions(expression))
+            if any(isinstance(node, READS_NEIGHBOURS) for node in subexpressions(expression))
         )
 
     @property
@@ -578,6 +579,20 @@ def with_operands(node: Node, change: Callable[[Any], Any]) -> Node:
     make: Any = type(node)
     changed: Node = make(*(change(v) if isinstance(v, Node) else v for v in vars(node).values()))
     return changed
+
+
+def inverse_of(node: Condition) -> Condition:
+    """Return the inverse of a condition, in a form that needs few words."""
+    match node:
+        case Inverse():
+            return node.condition
+        case Constant():
+            return Constant(not node.bit)
+        case Neither():
+            return Joined("or", node.first, node.second)
+        case Joined(op="or"):
+            return Neither(node.first, node.second)
+    return Inverse(node)
 
 
 def subexpressions(node: Node) -> Iterator[Node]:

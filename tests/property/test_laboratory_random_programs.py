@@ -89,7 +89,28 @@ class Writer:
         image, second = (str(name) for name in self.rng.choice(self.images, 2))
         name, other = (str(name) for name in self.rng.choice(self.planes, 2))
         dx, dy = (int(step) for step in self.rng.integers(-12, 13, 2))
-        match self.rng.integers(7):
+        third = str(self.rng.choice(self.planes))
+        match self.rng.integers(11):
+            case 6:
+                text = f"{name}[0, 1] if {other} else {name}[-1, 0] and not {third}"
+                return text, lambda v, p: np.where(
+                    v[other], moved(v[name], 0, 1), moved(v[name], -1, 0) & ~v[third]
+                )
+            case 7:
+                text = f"{other} and ({name}[1, 0] or {third}) or {name}[0, -1] and not {other}"
+                return text, lambda v, p: np.where(
+                    v[other], moved(v[name], 1, 0) | v[third], moved(v[name], 0, -1)
+                )
+            case 8:
+                text = f"flood({name} and {other}, {other}, cross)"
+                return text, lambda v, p: binary_propagation(
+                    v[name] & v[other], CROSS, mask=v[other]
+                )
+            case 9:
+                text = f"not ({name} or {other}) if {image} > t else {third} and {name}"
+                return text, lambda v, p: np.where(
+                    v[image] > p["t"] * STEP_E, ~(v[name] | v[other]), v[third] & v[name]
+                )
             case 0:
                 return f"{image} > t", lambda v, p: v[image] > p["t"] * STEP_E
             case 1:
@@ -116,7 +137,20 @@ class Writer:
         def steps(params: dict[str, int]) -> int:
             return max(0, eval(count, {"s": params["s"]}))
 
-        if self.rng.random() < 0.5:
+        kind = self.rng.random()
+        if kind < 0.2:
+
+            def fall(v: Values, p: dict[str, int]) -> NDArray[Any]:
+                bits = v[start]
+                for _ in range(steps(p)):
+                    free = moved(bits, dx, 1) & ~v["i"]
+                    bits = np.where(bits, moved(bits, 0, -1), free)
+                return bits
+
+            text = f"{name}[0, -1] if {name} else {name}[{dx}, 1] and not i"
+            self.add(f"plane {name} = {start} repeat {count} ({text})", name, fall, self.planes)
+            return
+        if kind < 0.6:
 
             def spread(v: Values, p: dict[str, int]) -> NDArray[Any]:
                 bits = v[start]

@@ -258,7 +258,7 @@ def test_images_add_levels_and_take_the_larger_of_two() -> None:
 
 def test_a_chain_of_choices_writes_in_place_when_no_register_is_free() -> None:
     text = (
-        "input plane i plane p = exposure > 50% plane q = p[1, 0] if y < 64 else p[-1, 0] "
+        "input plane i plane p = exposure > 50% plane q = p[1, 1] if y < 64 else p[-1, 0] "
         "if y < 128 else p[0, 1] if y < 192 else p[0, -1] read i, q"
     )
     words = [op.name for op, _ in picture_words(container_of(HEAD + text))]

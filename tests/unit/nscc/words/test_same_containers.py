@@ -13,11 +13,30 @@ from nscc.source import Source
 from nscc.words.file import to_bytes
 
 DIGESTS: dict[str, str] = json.loads((ROOT / "tests/data/container_digests.json").read_text())
-"""SHA-256 of each file's container at -O1, stored by the last commit before version 4 (fb2d3e8a).
+"""SHA-256 of each file's container at -O1, by the last commit before version 4 (fb2d3e8a)."""
+CASES = "tests/cases/pass"
+FEWER_WORDS = {
+    "examples/class_b.nsl",
+    "examples/class_b_4096.nsl",
+    "examples/class_c.nsl",
+    "examples/class_d.nsl",
+    "examples/flutter.nsl",
+    "examples/two_readouts.nsl",
+    *(f"{CASES}/{name}.nsl" for name in ("bump_cut", "class_c", "class_d", "no_pixels")),
+    *(f"{CASES}/{name}.nsl" for name in ("require_couples", "scrambled_bits")),
+}
+"""Programs for which the search finds fewer words on purpose: pixels that store times of events."""
+CHANGED = {"examples/direction.nsl"}
+"""Programs whose text has changed since."""
+TOO_LARGE = {f"{CASES}/pictures_registers.nsl", f"{CASES}/undecided.nsl"}
+"""Programs that are valid, but do not fit the chip."""
 
-Left out are `class_b_4096`, which takes long, `direction`, whose text has changed, and programs for
-which the search finds fewer words on purpose: `scrambled_bits`, and those whose pixels store times
-of events, such as `class_b`."""
+
+def test_every_program_of_versions_1_to_3_has_a_digest_or_a_reason() -> None:
+    paths = [*(ROOT / "examples").glob("*.nsl"), *(ROOT / CASES).glob("*.nsl")]
+    old = {path for path in paths if "nsl 4" not in path.read_text()}
+    names = {path.relative_to(ROOT).as_posix() for path in old}
+    assert names == DIGESTS.keys() | FEWER_WORDS | CHANGED | TOO_LARGE
 
 
 @pytest.mark.parametrize("name", DIGESTS)

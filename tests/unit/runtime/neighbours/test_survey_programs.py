@@ -81,7 +81,7 @@ def live_shape(host: Values, e: Array, last: Values) -> Values:
     mask = binary_erosion(mask, CROSS, host["k"]) if host["k"] else mask
     border = (X == 0) | (Y == 0) | (X == COLS - 1) | (Y == ROWS - 1)
     whole = mask & ~binary_propagation(border & mask, CROSS, mask=mask)
-    shape = binary_propagation(host["seed"] & whole, SQUARE, mask=whole)
+    shape = binary_propagation(host["seed"] & whole, CROSS, mask=whole)
     reports = {"count shape": shape.sum(), "any whole": whole.any(), "flood shape": True}
     return {"whole": whole, "shape": shape, **reports}
 
