@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -16,6 +16,46 @@ from nscc_runtime.caches import remembered
 
 _MOST_E = 1e36
 """Sums of float32 are limited to this value, because they may be infinite."""
+
+
+_STRIP_BYTES = 1 << 26
+"""Memory of the frames of one strip of rows, if frames are drawn."""
+
+
+@dataclass(frozen=True, eq=False)
+class DrawnFrames:
+    """Frames that are drawn again whenever they are read, because all of them would take too much
+    memory. They are read like an array of float32.
+
+    `shape`: (T, rows, cols). `draw(numbers, rows)` returns these rows of the frames with these
+    numbers, float32 (len(numbers), rows, cols)."""
+
+    shape: tuple[int, int, int]
+    draw: Callable[[range, slice], Floats32]
+    ndim = 3
+    dtype = np.dtype(np.float32)
+
+    def __len__(self) -> int:
+        """Return T, the number of frames."""
+        return self.shape[0]
+
+    def __getitem__(self, key: Any) -> Floats32:
+        """Draw frames: `key` is a number of a frame or a slice of frames, and may go on with slices
+        of rows and columns. Raises IndexError for a frame that does not exist."""
+        given = key if isinstance(key, tuple) else (key,)
+        which, rows, cols = (*given, slice(None), slice(None))[:3]
+        numbers = range(len(self))[which]
+        if isinstance(numbers, range):
+            return self.draw(numbers, rows)[:, :, cols]
+        return self.draw(range(numbers, numbers + 1), rows)[0, :, cols]
+
+    def __iter__(self) -> Iterator[Floats32]:
+        """Draw one frame (rows, cols) after the other."""
+        return (self[k] for k in range(len(self)))
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> Floats32:
+        """Return all frames as an array, for callers that need them together."""
+        return np.asarray(self[:], dtype)
 
 
 class LightMatrix(NamedTuple):
@@ -39,7 +79,7 @@ class Light:
 
     Parameters
     ----------
-    frames : array of float32
+    frames : array of float32, or DrawnFrames
         (T, rows, cols), finite, at least 0: electrons, or electrons per second of a still.
     row_start : array of int64
         (N + 1,): where the entries of each slot begin.
@@ -54,7 +94,7 @@ class Light:
         The same light with the motion within slots, if the scene is sampled. It shares `frames`.
     """
 
-    frames: Floats32
+    frames: Floats32 | DrawnFrames
     row_start: Ints
     frame_index: Ints32
     weight: Floats
@@ -194,6 +234,22 @@ class Light:
         motion = None if self.motion is None else replace(self.motion, frames=frames)
         return replace(self, frames=frames, motion=motion)
 
+    def strips(self, around: int = 0) -> Iterator[tuple[range, int, Light]]:
+        """Yield the light in strips of rows, so that drawn frames need little memory; frames in
+        memory are one strip, this light itself.
+
+        Each strip is (rows, first row of the light, light). The light has `around` rows more than
+        `rows` on both sides, except beyond the border."""
+        if not isinstance(self.frames, DrawnFrames):
+            yield range(self.shape[0]), 0, self
+            return
+        # The number of rows is a multiple of 64, as that of pixels has to be in some loops.
+        most = max(64, _STRIP_BYTES // (4 * len(self.frames) * self.shape[1]) // 64 * 64)
+        for begin in range(0, self.shape[0], most):
+            rows = range(self.shape[0])[begin : begin + most]
+            first = max(begin - around, 0)
+            yield rows, first, self.part(slice(first, rows.stop + around), slice(None))
+
     def scaled(self, factor: float) -> Light:
         """Return the light multiplied by a factor.
 
@@ -207,7 +263,7 @@ class Light:
         Light
         """
         motion = None if self.motion is None else self.motion.scaled(factor)
-        return replace(self, frames=self.frames * np.float32(factor), motion=motion)
+        return replace(self, frames=np.asarray(self.frames) * np.float32(factor), motion=motion)
 
     def joined(self, starts: Sequence[int]) -> Light:
         """Return the same light in fewer, longer slots.
@@ -303,10 +359,12 @@ class Light:
         whether a pixel exceeded that."""
         weight = self.frame_weight
         with np.errstate(over="ignore", invalid="ignore"):
+            strips = (np.asarray(light.frames) for _, _, light in self.strips())
             if (weight == weight[0]).all():
-                total = np.asarray(self.frames.sum(axis=0) * weight[0])
+                sums = [frames.sum(axis=0) * weight[0] for frames in strips]
             else:
-                total = np.einsum("t,trc->rc", weight, self.frames)
+                sums = [np.einsum("t,trc->rc", weight, frames) for frames in strips]
+            total = np.concatenate(sums)
         return np.minimum(total, _MOST_E), bool((total > _MOST_E).any())
 
     def on_frames(self, slots: Floats) -> Floats:
@@ -331,13 +389,14 @@ class Light:
 
     @cached_property
     def ended(self) -> Floats32:
-        """The frames (T, rows, cols), with 1e30 for infinite light, so that closed slots contribute
-        0 and not NaN; the frames themselves if no such light can meet a weight of 0."""
+        """The frames (T, rows, cols) in memory, with 1e30 for infinite light, so that closed slots
+        contribute 0 and not NaN; the frames themselves if no such light can meet a weight of 0."""
+        frames = np.asarray(self.frames)
         if self.frame_weight.min() > 0 and not self._summed[1]:
-            return self.frames
-        if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
-            return self.frames
-        return np.minimum(self.frames, np.float32(1e30))
+            return frames
+        if np.isfinite(frames.max(initial=0)) or not np.isinf(frames).any():
+            return frames
+        return np.minimum(frames, np.float32(1e30))
 
     @cached_property
     def one_each(self) -> bool:

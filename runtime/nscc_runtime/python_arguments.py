@@ -107,8 +107,10 @@ def laid_of(
 def _check_values(light: Light) -> None:
     """Raise Rejected (NS0736) for negative light; remembered for each light. Light that is NaN or
     infinite is allowed: frames mark such pixels as invalid."""
-    if (light.frames < 0).any():
-        refuse_no_light(np.where(np.isfinite(light.frames), light.frames, 0), "the light")
+    for _, _, strip in light.strips():
+        frames = np.asarray(strip.frames)
+        if (frames < 0).any():
+            refuse_no_light(np.where(np.isfinite(frames), frames, 0), "the light")
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:

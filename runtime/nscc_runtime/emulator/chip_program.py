@@ -15,8 +15,9 @@ Not emulated, because no program of this project uses it: addresses (SELECT read
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import groupby
+from math import prod
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -139,7 +140,7 @@ class ChipProgram:
             raise ValueError("the rows of the light's matrix are out of order")
         if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
             raise ValueError("the light's matrix names a frame that does not exist")
-        (table, words), (rows, cols), pixels = self._words, light.shape, light.frames[0].size
+        (table, words), (rows, cols), pixels = self._words, light.shape, prod(light.shape)
         # If pixels depend on each other, the whole array is one block, with a column of zeros at
         # the end of each row; otherwise blocks are pieces of one long row.
         if table.reaches_neighbours:
@@ -161,7 +162,6 @@ class ChipProgram:
         shared: dict[str, Any] = {
             "shape": shape,
             "program": words,
-            "light": light.matrix,
             "bits": bits,
             "before": KeptValues(
                 np.array([*self.kept.values()], np.float64).reshape(-1, pixels),
@@ -172,17 +172,19 @@ class ChipProgram:
             "register_numbers": np.array([table.analog[name] for name in analog], np.int64),
         }
 
-        def fill(begin: int, end: int) -> None:
-            """Run the program on the pixels from `begin` up to before `end`, and write their
-            results into the shared arrays."""
+        def fill(lit: Light, first: int, begin: int, end: int) -> None:
+            """Run the program on the pixels from first + `begin` up to before first + `end`, and
+            write their results into the shared arrays. `lit`: the light from pixel `first` on."""
             chosen = PixelRange(
                 slots=self.slots,
                 pixels=pixels,
-                begin=begin,
-                end=end,
+                begin=first + begin,
+                end=first + end,
                 block_rows=rows,
                 row_words=loaded.shape[-1],
                 frames=len(light.frames),
+                lit_pixels=prod(lit.shape),
+                first_lit=first,
                 loads=len(self.planes),
                 reads=len(digital),
                 registers=len(analog),
@@ -192,6 +194,7 @@ class ChipProgram:
             )
             expose_without_effects(
                 chosen=chosen,
+                light=lit.matrix,
                 planes=np.empty(len(table.digital) * rows * shape.plane_words, np.uint64),
                 values=np.zeros((registers * (rows + 1) + 5) * length + 64),
                 marks=np.empty(0, np.uint8),
@@ -200,6 +203,10 @@ class ChipProgram:
                 **shared,
             )
 
-        in_parts(fill, pixels, threads_of(threads), block[0] * block[1])
+        # Pixels that depend on each other need the light of the whole array.
+        strips = [(range(light.shape[0]), 0, light)]
+        for strip, _, lit in strips if table.reaches_neighbours else light.strips():
+            first, count = strip.start * light.shape[1], len(strip) * light.shape[1]
+            in_parts(partial(fill, lit, first), count, threads_of(threads), block[0] * block[1])
         read = unpacked(bits.read, cols).reshape(-1, *light.shape)
         return contents.reshape(-1, *light.shape), read

@@ -143,9 +143,10 @@ class KeptValues(NamedTuple):
 class PixelRange:
     """The pixels `begin` (a multiple of 64) to `end` - 1 of `pixels`, which are exposed in blocks
     of `block_rows` rows, and sizes. `row_words`: 64-bit words of a row of `RegisterBits`. `frames`:
-    frames of light. `loads`, `reads`: digital registers that are loaded and read. `registers`:
-    analog registers that are read. `keeps`: those that keep values. `seed`: of the arbitrary
-    values. `pix`: the number of the register PIX (the photodiode)."""
+    frames of light, of `lit_pixels` pixels each, from pixel `first_lit` on. `loads`, `reads`:
+    digital registers that are loaded and read. `registers`: analog registers that are read.
+    `keeps`: those that keep values. `seed`: of the arbitrary values. `pix`: the number of the
+    register PIX (the photodiode)."""
 
     slots: int
     pixels: int
@@ -154,6 +155,8 @@ class PixelRange:
     block_rows: int
     row_words: int
     frames: int
+    lit_pixels: int
+    first_lit: int
     loads: int
     reads: int
     registers: int
@@ -184,7 +187,7 @@ def _add_slot(
     for y in range(shape.rows):
         pix, pixel, at = row_of(shape, chosen.pix, y), first + y * shape.cols, y * shape.cols
         if is_frame:
-            frame = light.frame_index[start] * chosen.pixels + pixel
+            frame = light.frame_index[start] * chosen.lit_pixels + pixel - chosen.first_lit
             for i in range(length):
                 values[pix + i] += light.frames[frame + i]
             continue
@@ -192,7 +195,7 @@ def _add_slot(
             for i in range(length):
                 values[total + i] = 0.0
             for k in range(start, stop):
-                frame = light.frame_index[k] * chosen.pixels + pixel
+                frame = light.frame_index[k] * chosen.lit_pixels + pixel - chosen.first_lit
                 _add_frame(values, total, light.frames, frame, length, light.weight[k])
             for i in range(length):
                 charge[at + i] = np.float32(values[total + i])
@@ -230,7 +233,7 @@ def _expose_block(
             values[total + i] = 0.0
         pixel = first + y * shape.cols
         for k in range(chosen.frames):
-            frame = k * chosen.pixels + pixel
+            frame = k * chosen.lit_pixels + pixel - chosen.first_lit
             _add_frame(values, total, light.frames, frame, length, frame_weight[k])
         _start(shape, chosen.pix, chosen.seed, pixel, y, values, planes)
         for c in range(chosen.loads):

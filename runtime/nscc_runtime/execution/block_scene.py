@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import partial
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -249,17 +250,31 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     shared: dict[str, Any] = {"stretches": program.stretches, "sites": sites, "means": means}
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
-    def add_light(begin: int, end: int) -> None:
-        """Add up, in `means`, the light of the sites (pixels whose charge is computed) from `begin`
-        up to before `end` for each stretch of slots."""
+    def add_part(strip: Light, own: Sites, first: int, begin: int, end: int) -> None:
+        """Add up, in `means`, the light of the sites order[first + begin : first + end] for each
+        stretch of slots. `own`: the sites with their places in `strip`."""
         light_means(
-            sizes=Laying(begin=begin, end=end, **sizes),
-            light=scene.light.matrix,
+            sizes=Laying(
+                begin=first + begin, end=first + end, **{**sizes, "pixels": prod(strip.shape)}
+            ),
+            light=strip.matrix,
             order=order,
             reached=np.empty(TOGETHER, np.int64),
             added=np.empty(2 * TOGETHER),
-            **shared,
+            **{**shared, "sites": own},
         )
+
+    def add_light() -> None:
+        """Add up, in `means`, the light of all sites (pixels whose charge is computed) for each
+        stretch of slots."""
+        for rows, top, strip in scene.light.strips(1):
+            own, first, stop = sites, 0, count
+            if strip is not scene.light:
+                cols = strip.shape[1]
+                own = sites._replace(place=sites.place - top * cols)
+                edges = rows.start * cols, rows.stop * cols
+                first, stop = np.searchsorted(sites.place, edges, sorter=order).tolist()
+            in_parts(partial(add_part, strip, own, first), stop - first, threads, _FEWEST)
 
     def compute(means_loop: Any, begin: int, end: int) -> None:
         """Run a loop that completes `means` from `begin` up to before `end`."""
@@ -267,11 +282,11 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
 
     def with_light() -> list[Floats]:
         """Add up the light in `means`, and return copies of those that contain it."""
-        in_parts(add_light, count, threads, _FEWEST)
+        add_light()
         return [means.lit.copy(), means.charge.copy(), means.pace.copy()]
 
     if scene.known_means is None:
-        in_parts(add_light, count, threads, _FEWEST)
+        add_light()
     else:
         key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
         for own, known in zip(

@@ -106,13 +106,12 @@ def _search(
     if not len(places):
         return NO_PIXELS
     lanes = lanes[places]
-    seen_e = light_sums(
-        light_at(light, places),
-        lanes,
-        (factor[places], np.empty(0, np.float32)),
-        limits.weights,
-        len(limits.weights.slots),
-        0.0,
+    kinds, unused = len(limits.weights.slots), np.empty(0, np.float32)
+    seen_e = np.hstack(
+        [
+            light_sums(own, lanes[part], (factor[places[part]], unused), limits.weights, kinds, 0.0)
+            for part, own in light_at(light, places)
+        ]
     )
     row, col = np.divmod(places, light.shape[1])
     below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]

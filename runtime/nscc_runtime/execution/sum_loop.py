@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import numpy as np
 
 from nscc.arrays import Bytes, Floats, Floats32, Ints, Ints32
-from nscc_runtime.light import Light
+from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.pool import in_parts
 
@@ -346,6 +346,15 @@ def light_sums(
     use light after crosstalk; `fraction` of a pixel's light moves to each neighbour. Results do not
     depend on `threads`. Raises ValueError for a lane without weights."""
     shape, count = light.shape, len(weights.slots)
+    if isinstance(light.frames, DrawnFrames):
+        cols = shape[1]
+        strips = []
+        for rows, first, strip in light.strips(1):
+            inside = slice(first * cols, (first + strip.shape[0]) * cols)
+            at = lanes[inside], (scale[0][inside], scale[1][inside])
+            sums = light_sums(strip, *at, weights, smeared, fraction, threads)
+            strips.append(sums[:, (rows.start - first) * cols :][:, : len(rows) * cols])
+        return np.concatenate(strips, axis=1)
     # Seen as unsigned, a negative lane is a large number: one comparison finds both faults.
     if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")
@@ -392,8 +401,14 @@ def light_sums(
     return out.reshape(count, -1)
 
 
-def light_at(light: Light, places: Ints) -> Light:
-    """Return the light of the pixels at `places`, row * cols + col, as a light with one row, in
-    this order. It has no motion of its own: a light that moves is chosen before."""
-    frames = light.frames.reshape(len(light.frames), -1).take(places, axis=1)
-    return replace(light, frames=frames[:, None], motion=None)
+def light_at(light: Light, places: Ints) -> Iterator[tuple[slice, Light]]:
+    """Yield the light of the pixels at the ascending `places`, row * cols + col: a slice of
+    `places`, and their light with one row. All are one slice, unless frames are drawn.
+
+    The lights have no motion of their own: a light that moves is chosen before."""
+    for rows, first, strip in light.strips():
+        begin, end = np.searchsorted(places, np.array([rows.start, rows.stop]) * light.shape[1])
+        if begin < end:
+            own = places[begin:end] - first * light.shape[1]
+            frames = np.asarray(strip.frames).reshape(len(light.frames), -1).take(own, axis=1)
+            yield slice(begin, end), replace(light, frames=frames[:, None], motion=None)

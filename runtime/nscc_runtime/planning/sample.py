@@ -251,7 +251,7 @@ def drawing_chances(light: Light, full_well_e: float) -> Floats:
     scores = [(4.0, np.ones(total_e.shape, np.float32)), (2.0, within_well), (1.0, contrast**2)]
     if light.motion is not None and len(light.motion.frames) > 1:
         change = np.zeros_like(total_e)
-        frames = np.nan_to_num(light.motion.frames, posinf=_MOST_E)
+        frames = np.nan_to_num(np.asarray(light.motion.frames), posinf=_MOST_E)
         for before, after in pairwise(frames):
             change += np.abs(after - before)
         scores.append((1.0, change))

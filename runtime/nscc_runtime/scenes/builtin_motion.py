@@ -10,7 +10,7 @@ from math import ceil
 import numpy as np
 
 from nscc.arrays import Floats, Floats32
-from nscc_runtime.light import Light
+from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.scenes import timing
 from nscc_runtime.scenes.exposure import ExposureLevel, scale
 from nscc_runtime.scenes.shapes import fractal, hashed, turn
@@ -19,7 +19,9 @@ Picture = Floats32
 Point = tuple[float, float]
 
 _FEWEST, _MOST = 64, 256
-"""Numbers of pictures of the clip: fewer would jump, more would need a gigabyte."""
+"""Numbers of pictures of the clip: fewer would jump, more would take long to draw."""
+_MOST_BYTES = 1 << 28
+"""Largest clip that is drawn once and held; a larger one is drawn whenever it is read."""
 
 
 def motion(
@@ -46,9 +48,9 @@ def motion(
     )
 
 
-def frames(count: int, rows: int, cols: int, share: float = 1.0) -> Floats32:
+def frames(count: int, rows: int, cols: int, share: float = 1.0) -> Floats32 | DrawnFrames:
     """Return the middle `share` (0 to 1) of the clip: relative luminance (count, rows, cols) up to
-    8.
+    8. A clip of more than `_MOST_BYTES` is drawn when it is read.
 
     The functions below draw its parts. They use coordinates from the centre of the picture, x to
     the right and y downwards, in units of its shorter side. Sizes, speeds and luminances were
@@ -56,17 +58,24 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> Floats32:
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
-    clip = np.empty((count, rows, cols), np.float32)
-    clip[:] = _wall(x, y)
-    half = (cols / 2 / unit, rows / 2 / unit)
-    wheel = _Wheel(x, y, 1.0 / unit)
-    for k, picture in enumerate(clip):
-        phase = (1.0 - share) / 2 + share * ((k + 0.5) / count)
-        _train(picture, x, y, phase, half, 1.0 / unit)
-        wheel.draw(picture, phase)
-        _ball(picture, x, y, phase, half, 1.0 / unit)
-        _spark(picture, x, y, phase, half)
-    return clip
+    wall, half = _wall(x, y), (cols / 2 / unit, rows / 2 / unit)
+
+    def draw(numbers: range, only: slice) -> Floats32:
+        """Draw some rows of the pictures with these numbers."""
+        own = y[only]
+        clip = np.empty((len(numbers), len(own), cols), np.float32)
+        clip[:] = wall[only]
+        wheel = _Wheel(x, own, 1.0 / unit)
+        for k, picture in zip(numbers, clip, strict=True):
+            phase = (1.0 - share) / 2 + share * ((k + 0.5) / count)
+            _train(picture, x, own, phase, half, 1.0 / unit)
+            wheel.draw(picture, phase)
+            _ball(picture, x, own, phase, half, 1.0 / unit)
+            _spark(picture, x, own, phase, half)
+        return clip
+
+    drawn = DrawnFrames((count, rows, cols), draw)
+    return drawn if wall.nbytes * count > _MOST_BYTES else drawn[:]
 
 
 def _wall(x: Floats, y: Floats) -> Picture:

@@ -14,7 +14,7 @@ import numpy as np
 
 from nscc.arrays import Floats, Floats32, Ints, Ints32
 from nscc.diagnostics.diagnostic import Rejected, rejected
-from nscc_runtime.light import Light
+from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.scenes.errors import Path_or_name
 from nscc_runtime.scenes.pages import Edges
 
@@ -84,7 +84,7 @@ def overlaps(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) -> Ov
 
 
 def spread(
-    frames: Floats32,
+    frames: Floats32 | DrawnFrames,
     overlap: Overlaps,
     factor_of: Callable[[Floats], float],
 ) -> Light:

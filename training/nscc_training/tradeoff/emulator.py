@@ -121,7 +121,7 @@ def copy_gb_per_s() -> float:
 
 def floor_ms(light: Light, gb_per_s: float) -> float:
     """Return the milliseconds that reading a stored scene once from memory takes at this speed."""
-    return light.frames.nbytes / gb_per_s / 1e6
+    return len(light.frames) * light.frames[0].nbytes / gb_per_s / 1e6
 
 
 REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"

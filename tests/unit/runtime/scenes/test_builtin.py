@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import hashlib
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import nscc
+import nscc_runtime
+import nscc_runtime.light as light_module
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.light import DrawnFrames
+from nscc_runtime.scenes import ExposureLevel, builtin_motion, load_scene
 
 
 def test_hdr_spans_five_decades_at_any_size() -> None:
@@ -37,6 +42,38 @@ def test_motion_moves_from_slot_to_slot() -> None:
     change = np.abs(np.diff(dense, axis=0)).mean(axis=(1, 2)) / dense.mean()
     assert change.min() > 0.003
     assert change.mean() > 0.02
+
+
+@pytest.mark.parametrize("effects", ["none", "all", "shot,full_well,crosstalk,prnu"])
+def test_a_clip_that_is_drawn_in_strips_exposes_the_same_frame(
+    monkeypatch: pytest.MonkeyPatch, effects: str
+) -> None:
+    program = nscc.compile(Path("examples/class_b.nsl"))
+    bright = nscc_runtime.scene("builtin:motion", exposure="60000@90")
+    held = nscc_runtime.capture(program, bright, effects=effects)
+    monkeypatch.setattr(light_module, "_STRIP_BYTES", 1)
+    monkeypatch.setattr(builtin_motion, "_MOST_BYTES", 0)
+    drawn = nscc_runtime.capture(program, bright, effects=effects)
+    assert isinstance(drawn.light.frames, DrawnFrames)
+    assert [rows.start for rows, _, _ in drawn.light.strips()] == [0, 64, 128, 192]
+    assert drawn.light.sha256() == held.light.sha256()
+    np.testing.assert_array_equal(drawn.light.sum_e, held.light.sum_e)
+    np.testing.assert_array_equal(drawn.exposure_e, held.exposure_e)
+    np.testing.assert_array_equal(drawn.frame, held.frame)
+    np.testing.assert_array_equal(drawn.saturated_by, held.saturated_by)
+
+
+def test_drawn_frames_are_read_like_an_array(monkeypatch: pytest.MonkeyPatch) -> None:
+    held = builtin_motion.frames(5, 24, 32)
+    monkeypatch.setattr(builtin_motion, "_MOST_BYTES", 0)
+    drawn = builtin_motion.frames(5, 24, 32)
+    assert isinstance(drawn, DrawnFrames)
+    assert (drawn.shape, len(drawn), drawn.dtype) == (held.shape, 5, held.dtype)
+    for key in (3, np.int32(-1), (2, slice(4, 9)), (slice(None), slice(7, 99), slice(1, 3))):
+        np.testing.assert_array_equal(drawn[key], held[key])
+    np.testing.assert_array_equal(np.stack([*drawn]), held)
+    with pytest.raises(IndexError):
+        drawn[5]
 
 
 def test_motion_is_as_bright_as_a_slot_is_long() -> None:
