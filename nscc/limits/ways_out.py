@@ -41,7 +41,7 @@ QUICK_LEVEL = 1
 """Highest optimisation level for alternatives, because one error message compiles several programs.
 
 Programs with fewer codebook rows use the full level."""
-_FRAME_TRIALS = 8
+_FRAME_TRIALS = 10
 """Most compilations in a search for the largest number of slots."""
 _MOST_S = 15.0
 """Processor seconds after which no further size is tried; the last attempt may take some more."""
@@ -53,6 +53,9 @@ _LONGEST_BOOK = 256
 """Most slots for which such a codebook is tried."""
 _MOST_DIGITS = 1 << 13
 """Most digits of a codebook that is compiled for one error message."""
+
+
+Statements = tuple[tree.Statement, ...]
 
 
 class Attempt(Protocol):
@@ -195,9 +198,11 @@ def _largest(
     def fits(size: int) -> bool:
         """Compile the size and store the result in `built`; return whether it fits.
 
-        Once the time is used up, sizes count as not fitting and `remark` says so."""
+        Once a size fits and the time is used up, further sizes count as not fitting, and `remark`
+        says so."""
         nonlocal remark
-        if process_time() > begin + _MOST_S:
+        # Small sizes take little time, so that some size is found even if the time is used up.
+        if process_time() > begin + _MOST_S and any(built.values()):
             remark = f"; looked no further after {_MOST_S:g} s"
         built[size] = None if remark else attempt(source(size), "open")
         return built[size] is not None
@@ -213,7 +218,8 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
     written; N in it follows the frame. Yield nothing for codebooks, whose rows have the length of
     the frame, and for frames that list the lengths of slots."""
     slots = len(program.frame.slot_us)
-    build = partial(_with_slots, program)
+    statements = parse(program.source)[0].statements
+    build = partial(_with_slots, program, statements)
     if program.class_name != "codebook" and build(2).text != build(3).text:
         quick = partial(attempt, level=level)
         count, lowered, remark = _largest(2, slots - 1, build, quick, _FRAME_TRIALS)
@@ -225,15 +231,23 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
 
 def _smaller_states(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
     """Yield the program whose largest state has the most values that fit. The number that ends its
-    range is replaced wherever the text has it; without such a number, the program with the most
-    slots that fit.
+    range is replaced in the statements that name the state; without such a number, the program with
+    the most slots that fit.
 
     `attempt` compiles a program, at the optimisation level `level`."""
     most, name = max((int(state.high), state.name) for state in program.machine.states)
+    statements = parse(program.source)[0].statements
 
     def with_values(high: int) -> Source:
         """Return the program text with `high` instead of `most`."""
-        return Source("way-out.nsl", re.sub(rf"\b{most}\b", str(high), program.source.text))
+
+        def changed(_statement: tree.Statement, text: str) -> str:
+            """Return the text of a statement with the number replaced if it names the state."""
+            if not re.search(rf"\b{name}\b", text):
+                return text
+            return re.sub(rf"\b{most}\b", str(high), text)
+
+        return _rewritten(program, statements, changed)
 
     if most < 2 or with_values(1).text == program.source.text:
         yield from _fewer_slots(program, attempt, level)
@@ -245,19 +259,32 @@ def _smaller_states(program: Program, attempt: Attempt, level: int) -> Iterator[
         yield _way_out(f"{high} instead of {most}", why, lowered, level)
 
 
-def _with_slots(program: Program, slots: int) -> Source:
+def _with_slots(program: Program, statements: Statements, slots: int) -> Source:
     """Return the program text with `slots` slots and without the codes of pixels, which may need
-    more. The number of slots stays if the frame lists their lengths."""
-    text = program.source.text
-    for statement in reversed(parse(program.source)[0].statements):
-        old = text[statement.span.start : statement.span.end]
+    more. The number of slots stays if the frame lists their lengths. `statements` are those of the
+    program."""
+
+    def changed(statement: tree.Statement, text: str) -> str:
+        """Return the new text of a statement."""
         if isinstance(statement, tree.PixelsExpr | tree.PixelsTile | tree.PixelsFromFile):
-            new = ""
-        elif isinstance(statement, tree.EqualSlots):
-            new = re.sub(r"\d+(?=\s+slots?\b)", str(slots), old, count=1)
-        else:
-            continue
-        text = text[: statement.span.start] + new + text[statement.span.end :]
+            return ""
+        if isinstance(statement, tree.EqualSlots):
+            return re.sub(r"\d+(?=\s+slots?\b)", str(slots), text, count=1)
+        return text
+
+    return _rewritten(program, statements, changed)
+
+
+def _rewritten(
+    program: Program, statements: Statements, changed: Callable[[tree.Statement, str], str]
+) -> Source:
+    """Return the text of the program with `changed(statement, text)` for the text of each of its
+    `statements`."""
+    text = program.source.text
+    for statement in reversed(statements):
+        span = statement.span
+        new = changed(statement, text[span.start : span.end])
+        text = text[: span.start] + new + text[span.end :]
     return Source("way-out.nsl", text)
 
 

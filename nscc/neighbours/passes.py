@@ -38,6 +38,7 @@ from nscc.words.pictures import (
     Pictures,
     Repeated,
     Sum,
+    Weights,
     with_operands,
 )
 
@@ -410,7 +411,7 @@ def _refusal(
     # The help depends on what is lacking.
     notes, helps = [], [f"divide by at most 2^{available:g} in all"]
     if refused.kind != "halvings":
-        helps = [_fewer_reads(program.pictures, _Changes(container, level, refused))]
+        helps = _changes_that_fit(program.pictures, _Changes(container, level, refused))
     if refused.kind == "registers":
         holders = (f"{readout.register} holds {readout.bucket}" for readout in container.readouts)
         notes.append(f"exposures also occupy registers: {', '.join(holders)}")
@@ -464,19 +465,45 @@ class _Changes:
         return self._container.words_stored + stored <= self._container.target.store_words
 
 
-def _fewer_reads(pictures: Pictures, changes: _Changes) -> str:
-    """Return the help for images and planes that do not fit: how many of those that are read out
-    fit, counted from the first, if some do."""
-    reads = pictures.reads
+def _changes_that_fit(pictures: Pictures, changes: _Changes) -> list[str]:
+    """Return the helps for images and planes that do not fit: how many of those that are read out
+    fit, counted from the first, if nothing else is computed; and the largest part of the kernels
+    that fits. What fits was compiled; if nothing does, the help is general."""
+    reads, helps = pictures.reads, []
+
+    def with_first(count: int) -> Pictures:
+        """Return the first images and planes that are read out, and what they depend on."""
+        less, before = replace(pictures, reads=reads[:count]), None
+        while less != before:
+            less, before = without_second_names(less), less
+        return less
+
     count = largest(
-        1,
-        len(reads) - 1,
-        lambda count: changes.fits(replace(pictures, reads=reads[:count])),
-        _MOST_READS_TRIED,
+        1, len(reads) - 1, lambda count: changes.fits(with_first(count)), _MOST_READS_TRIED
     )
-    if count is None:
-        return "read out fewer images and planes, or use smaller convolution kernels"
-    return f"read out the first {count} of {len(reads)} images and planes: this compiles"
+    if count is not None:
+        first = f"the first {count} of {len(reads)} images and planes"
+        helps.append(f"compute and read out only {first}: this compiles")
+    sides = [max(len(w.rows), len(w.rows[0])) for w in pictures.weights]
+    for side in range(max(sides, default=0) - 2, 1, -2):
+        if changes.fits(replace(pictures, weights=_middles(pictures.weights, side))):
+            helps.append(f"use the middle {side} x {side} weights of larger kernels: this compiles")
+            break
+    return helps or ["read out fewer images and planes, or use smaller convolution kernels"]
+
+
+def _middles(kernels: Sequence[Weights], side: int) -> tuple[Weights, ...]:
+    """Return convolution kernels without what lies outside their middle `side` x `side`, odd."""
+
+    def middle(values: tuple[Any, ...]) -> tuple[Any, ...]:
+        """Return the values in the middle, all if there are no more than `side`."""
+        beyond = max(0, (len(values) - side) // 2)
+        return values[beyond : len(values) - beyond]
+
+    return tuple(
+        replace(kernel, rows=tuple(middle(row) for row in middle(kernel.rows)))
+        for kernel in kernels
+    )
 
 
 def _beyond_range(

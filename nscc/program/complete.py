@@ -21,7 +21,7 @@ from nscc.program.advice import (
 )
 from nscc.program.classes import Recognised, recognise
 from nscc.program.field_planes import Plane, first_pixel, pixel_text
-from nscc.program.limits import SURVEY_LIMIT
+from nscc.program.limits import PROOF_LIMIT, SURVEY_LIMIT
 from nscc.program.names import Declarations
 from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
@@ -311,6 +311,10 @@ class Completion:
         becomes one error for each missing value."""
         if isinstance(problem, TooMuch):
             reduce_help = "reduce the ranges of the fields, or use fewer slots"
+            if problem.available == PROOF_LIMIT:
+                most = PROOF_LIMIT // (self.rules.slots * len(self.rules.rules))
+                slots = counted(self.rules.slots, "slot")
+                reduce_help += f": nscc proves at most {most} codes of {slots}"
             self.problems.error(
                 "NS0450",
                 f"too many codes and slots: {problem.message}",

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from collections.abc import Callable, Mapping
+from math import isqrt
 
 from nscc.chips.target import Target
 from nscc.program.expressions import Checked, operands
@@ -116,9 +117,10 @@ def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> 
     """Return the largest size in `least`..`most` that fits, found by bisection; None if no tried
     size fits, or if the range is empty.
 
-    `fits(size)` tells whether a size fits. At most `budget` sizes are tried, `most` first. The
-    result is exact if all sizes below a fitting size fit and the budget suffices; else it is the
-    largest tried size that fits."""
+    `fits(size)` tells whether a size fits. At most `budget` sizes are tried, `most` first, then by
+    factors, then by differences: trials of small sizes take less time. The result is exact if all
+    sizes below a fitting size fit and the budget suffices; else it is the largest tried size that
+    fits."""
     if most < least or budget < 1:
         return None
     if fits(most):
@@ -129,6 +131,8 @@ def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> 
         if smallest_misfit - largest_fit <= 1:
             break
         middle = (largest_fit + smallest_misfit) // 2
+        if smallest_misfit > 8 * (largest_fit + 1):
+            middle = isqrt((largest_fit + 1) * smallest_misfit)
         if fits(middle):
             largest_fit = middle
         else:

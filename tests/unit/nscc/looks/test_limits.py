@@ -33,9 +33,10 @@ def test_a_state_of_any_range_is_counted_before_it_is_made() -> None:
     assert f" {10**15 + 1} " in said
 
 
-@pytest.mark.parametrize("last", ["12", "N - 4"])
-def test_a_state_that_does_not_fit_names_the_largest_that_does(last: str) -> None:
-    """As a number, its end is replaced; as a formula, the frame gets shorter."""
+@pytest.mark.parametrize(("slots", "last"), [(16, "12"), (12, "12"), (16, "N - 4")])
+def test_a_state_that_does_not_fit_names_the_largest_that_does(slots: int, last: str) -> None:
+    """As a number, its end is replaced, but not the same number of slots; as a formula, the frame
+    gets shorter."""
     chip = replace(SMALL_WELL, digital_registers=("R0", "R1", "R2", "R3", "R4", "R5", "R12"))
 
     def text(slots: int, last: str) -> str:
@@ -46,13 +47,13 @@ def test_a_state_that_does_not_fit_names_the_largest_that_does(last: str) -> Non
         )
 
     with pytest.raises(Rejected) as caught:
-        nscc.compile(text(16, last), target=chip, level=1)
+        nscc.compile(text(slots, last), target=chip, level=1)
     (found,) = caught.value.diagnostics
     assert found.code == "NS0502"
     (way,) = found.ways_out
     if last == "12":
         assert way.startswith("3 instead of 12 ")
-        fits, next_larger = text(16, "3"), text(16, "4")
+        fits, next_larger = text(slots, "3"), text(slots, "4")
     else:
         assert way.startswith("frame 7 slots ")
         fits, next_larger = text(7, last), text(8, last)

@@ -209,19 +209,40 @@ def test_a_divisor_beyond_2_to_the_40_needs_too_many_halvings() -> None:
 
 
 def test_planes_that_do_not_fit_name_how_many_fit() -> None:
-    planes = "".join(f"plane v{i} = exposure > {5 * i + 5}% " for i in range(14))
-
     def reading(count: int) -> str:
+        planes = "".join(f"plane v{i} = exposure > {5 * i + 5}% " for i in range(count))
         return ONE + planes + "read " + ", ".join(f"v{i}" for i in range(count))
 
     with pytest.raises(Rejected) as caught:
         program(reading(14))
     (found,) = caught.value.diagnostics
     assert found.code == "NS0535"
-    assert found.helps == ("read out the first 10 of 14 images and planes: this compiles",)
-    program(reading(10))
+    first = "the first 11 of 14 images and planes"
+    assert found.helps == (f"compute and read out only {first}: this compiles",)
+    program(reading(11))
     with pytest.raises(Rejected):
-        program(reading(11))
+        program(reading(12))
+
+
+def test_kernels_that_do_not_fit_name_the_largest_that_do() -> None:
+    def text(side: int) -> str:
+        names, ring = "abcdefg", range(-(side // 2), side // 2 + 1)
+        kernels = ""
+        for k, name in enumerate(names):
+            rows = [[(7 * i * i + 5 * j + 3 * i * j + k) % 19 - 9 for j in ring] for i in ring]
+            kernels += f"kernel {name} = {rows} / 4096 "
+        total = " + ".join(f"abs({name}(exposure))" for name in names)
+        return ONE + f"{kernels}image v = ({total}) / 8 read v"
+
+    with pytest.raises(Rejected) as caught:
+        program(text(9))
+    (found,) = caught.value.diagnostics
+    assert found.code == "NS0535"
+    assert found.data["resource"] == "words in the store"
+    assert found.helps == ("use the middle 5 x 5 weights of larger kernels: this compiles",)
+    program(text(5))
+    with pytest.raises(Rejected):
+        program(text(7))
 
 
 def test_too_large_values_have_ways_out_that_compile() -> None:
