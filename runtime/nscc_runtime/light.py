@@ -235,11 +235,19 @@ class Light:
         return replace(self, frames=frames, motion=motion)
 
     def strips(self, around: int = 0) -> Iterator[tuple[range, int, Light]]:
-        """Yield the light in strips of rows, so that drawn frames need little memory; frames in
-        memory are one strip, this light itself.
+        """Yield the light in strips of rows, so that drawn frames need little memory.
 
-        Each strip is (rows, first row of the light, light). The light has `around` rows more than
-        `rows` on both sides, except beyond the border."""
+        Parameters
+        ----------
+        around : int
+            Rows that each strip has beyond its own on both sides, except beyond the border.
+
+        Yields
+        ------
+        tuple
+            The strip's own rows, the number of its first row, and its light. Frames in memory are
+            one strip: this light itself.
+        """
         if not isinstance(self.frames, DrawnFrames):
             yield range(self.shape[0]), 0, self
             return
