@@ -5,6 +5,7 @@ fault of nscc; 130 interrupted."""
 
 from __future__ import annotations
 
+import atexit
 import gc
 import os
 import signal
@@ -56,6 +57,9 @@ def main(argv: Sequence[str] | None = None) -> int:
         sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
         if argv is None:
             signal.signal(signal.SIGINT, _leave)
+            # When Python ends, it removes handlers, so that Ctrl-C would kill it with another
+            # status. Signals that are ignored stay ignored.
+            atexit.register(signal.signal, signal.SIGINT, signal.SIG_IGN)
         return INTERRUPTED
     except BrokenPipeError:
         # The reader has closed our output (`nscc disasm x.icw | head`). This is not an error, and

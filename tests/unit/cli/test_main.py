@@ -290,6 +290,20 @@ def test_an_interrupt_that_is_swallowed_is_one(
     assert invoke(["check", "ok.nsl"], folder).status == 0
 
 
+def outcome_of_script(script: str, folder: Path, *arguments: str) -> tuple[int, str]:
+    """Exit status and standard error of a Python script that runs `nscc` with these arguments."""
+    ended = subprocess.run(
+        [sys.executable, "-c", script, *arguments],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+    )
+    return ended.returncode, ended.stderr
+
+
 TWICE = """
 import os, signal, time
 import nscc.compiler
@@ -310,16 +324,27 @@ raise SystemExit(main())
 
 def test_a_second_interrupt_ends_at_once_without_a_traceback(folder: Path) -> None:
     """While a command cleans up after the first one."""
-    ended = subprocess.run(
-        [sys.executable, "-c", TWICE, "check", "ok.nsl"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
-    )
-    assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
+    assert outcome_of_script(TWICE, folder, "check", "ok.nsl") == (130, "\ninterrupted\n")
+
+
+AT_THE_END = """
+import os, signal, sys
+import nscc.compiler
+from nscc_cli.main import main
+
+class Late:
+    def __del__(self, kill=os.kill, process=os.getpid(), interrupt=signal.SIGINT):
+        kill(process, interrupt)
+
+sys.late = Late()
+nscc.compiler.compile_file = lambda *_: os.kill(os.getpid(), signal.SIGINT)
+raise SystemExit(main())
+"""
+
+
+def test_an_interrupt_while_python_ends_keeps_the_exit_status(folder: Path) -> None:
+    """Its handlers are gone by then, and the signal would kill the process."""
+    assert outcome_of_script(AT_THE_END, folder, "check", "ok.nsl") == (130, "\ninterrupted\n")
 
 
 AT_IMPORT = """
@@ -344,16 +369,10 @@ def test_an_interrupt_while_modules_are_imported_prints_no_traceback(
     number: int, folder: Path
 ) -> None:
     """The interrupt comes at the import with this number after the start of `nscc`."""
-    ended = subprocess.run(
-        [sys.executable, "-c", AT_IMPORT, str(number), "check", "ok.nsl"],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-        env={**os.environ, "PYTHONPATH": ":".join(sys.path)},
+    assert outcome_of_script(AT_IMPORT, folder, str(number), "check", "ok.nsl") == (
+        130,
+        "\ninterrupted\n",
     )
-    assert (ended.returncode, ended.stderr) == (130, "\ninterrupted\n")
 
 
 def test_a_caller_that_handles_interrupts_keeps_its_handler(
