@@ -335,6 +335,7 @@ class PictureMaker:
 
         The state must be a kept bit (NS0543), and its start 0 or 1 (NS0311)."""
         if isinstance(state, tree.StateRange) or not state.kept:
+            bits = self._bits_of(state) if isinstance(state, tree.StateRange) else [name]
             self.problems.error(
                 "NS0543",
                 f"`{name}` is not a kept bit, but the program has images or planes",
@@ -344,7 +345,7 @@ class PictureMaker:
                     "images and planes are computed after the last slot, so the new value of "
                     "the state is used in the next frame",
                 ),
-                helps=(f"write `state {name} : bit = 0 kept`",),
+                helps=(f"write {' and '.join(f'`state {bit} : bit = 0 kept`' for bit in bits)}",),
             )
             return None
         if isinstance(state.start, tree.Bool):
@@ -355,6 +356,13 @@ class PictureMaker:
             self.problems.error("NS0311", message, state.start.span, "its value in the first frame")
             return None
         return start
+
+    def _bits_of(self, state: tree.StateRange) -> list[str]:
+        """Return names of the bits that the numbers of a state's range need; one bit after
+        reporting an error in the range."""
+        ends = (state.low, state.high)
+        low, high = (constant(e, self.constants, self.problems, "the range") or 0 for e in ends)
+        return [f"{state.name.text}_{bit}" for bit in range(max(1, (high - low).bit_length()))]
 
     def _next(self, name: str, reader: Reader) -> Condition | None:
         """Return the value of the state `name` after a frame; None after reporting an error. It is

@@ -40,6 +40,15 @@ def refused(text: str) -> list[str]:
     return [diagnostic.code for diagnostic in caught.value.diagnostics]
 
 
+def test_the_error_for_a_range_names_a_state_for_each_of_its_bits() -> None:
+    with pytest.raises(Rejected) as caught:
+        program(KEPT + "state h : 0..5 = 0 kept next h = p read h")
+    (help_text,) = caught.value.diagnostics[0].helps
+    assert [f"state h_{bit} : bit = 0 kept" in help_text for bit in range(4)] == [True] * 3 + [
+        False
+    ]
+
+
 @pytest.mark.parametrize("version", [1, 2])
 def test_words_of_version_3_are_names_before_it(version: int) -> None:
     names = ("kernel", "image", "plane", "outside", "report", "assume")
