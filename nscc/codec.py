@@ -52,6 +52,7 @@ from typing import (
     get_type_hints,
 )
 
+from nscc.mappings import JsonObject, NamedValues
 from nscc.record import Record
 
 Kind = TypeVar("Kind")
@@ -381,7 +382,7 @@ def _union(kinds: tuple[Any, ...]) -> _Codec:
             lambda value: None if value is None else optional.write(value),
             lambda plain: None if plain is None else optional.read(plain),
         )
-    by_name: dict[str, Any] = {kind.__name__: kind for kind in kinds}
+    by_name = {kind.__name__: kind for kind in kinds}
 
     def write(value: Any) -> list[Any]:
         """Return the name of the value's class, followed by the plain values of its fields."""
@@ -413,10 +414,10 @@ def _convert_all(convert: Convert, values: Any) -> list[Any]:
     return converted
 
 
-def _convert_values(convert: Convert, values: Mapping[str, Any]) -> dict[str, Any]:
+def _convert_values(convert: Convert, values: Mapping[str, Any]) -> NamedValues:
     """Return a mapping whose values are converted by `convert`; an InvalidRecord names the key of
     the invalid value."""
-    converted: dict[str, Any] = {}
+    converted: NamedValues = {}
     name = ""
     try:
         for name, value in values.items():
@@ -493,12 +494,12 @@ def _values(kind: Any, record: Any) -> list[Any]:
     return [getattr(record, name) for name in names]
 
 
-def _write_object(kind: Any, record: Any) -> dict[str, Any]:
+def _write_object(kind: Any, record: Any) -> JsonObject:
     """Return a record of the dataclass `kind` as a JSON object.
 
     Fields of a newer version are left out if they have their default. Raises InvalidRecord for an
     invalid value, or a record of another class."""
-    plain: dict[str, Any] = {}
+    plain: JsonObject = {}
     for field, value in zip(_fields(kind), _values(kind, record), strict=True):
         if not field.later or value != field.default:
             plain |= _convert_values(field.codec.write, {field.key: value})

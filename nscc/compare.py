@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from nscc.chips.target import Target
 from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.resources import time_text
+from nscc.mappings import JsonObject
 from nscc.options import Options
 from nscc.pipeline import KINDS, Compiled
 from nscc.program.problems import counted
@@ -106,7 +106,7 @@ def compared_text(chips: Sequence[OnChip]) -> str:
     return "\n".join(lines)
 
 
-def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
+def compared_json(chips: Sequence[OnChip]) -> list[JsonObject]:
     """Return the comparison of `chips` as JSON values: an object for each chip, in their order.
     Unknown values are null."""
     return [

@@ -6,10 +6,10 @@ import json
 import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import meant
+from nscc.mappings import JsonObject
 from nscc.record import Record
 
 _CELL = re.compile(r"^```\{code-cell\}[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
@@ -35,7 +35,7 @@ def notebook(page: str) -> bytes:
     return (json.dumps(document, indent=1, ensure_ascii=False) + "\n").encode()
 
 
-def _cell(kind: str, text: str) -> dict[str, Any]:
+def _cell(kind: str, text: str) -> JsonObject:
     """Return a notebook cell as JSON values; `kind` is "code" or "markdown".
 
     The first line of code may give tags, such as `:tags: [hide-input]`, which become metadata.

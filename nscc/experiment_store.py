@@ -17,6 +17,7 @@ from types import TracebackType
 from typing import Any, Self
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc.mappings import JsonObject
 
 STORE = "store.sqlite"
 """The file name of the store in a folder of results."""
@@ -151,7 +152,7 @@ class ExperimentStore:
             return bool(primary == sqlite3.SQLITE_FULL)
         return disk_usage(self._path.parent).free < _LEAST_BYTES
 
-    def values(self) -> dict[str, Any]:
+    def values(self) -> JsonObject:
         """Return all measurements as JSON values by name, in the order in which they were
         stored."""
         rows = self._execute(

@@ -21,6 +21,7 @@ from nscc.lower import fit
 from nscc.lower.exposure_plan import Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, assemble, lay_out
+from nscc.mappings import NamedValues
 from nscc.operations import Op
 from nscc.options import Options
 from nscc.program.analyse import analyse
@@ -301,7 +302,7 @@ class ProgramKind:
 
         return disassemble(container)
 
-    def report(self, compiled: Compiled) -> dict[str, Any]:
+    def report(self, compiled: Compiled) -> NamedValues:
         """Return the build report as JSON values."""
         return dict(LazyFunctions("nscc.emit.report").report(compiled.layout, compiled.proof))
 
@@ -439,7 +440,7 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
 
     Raises Rejected at the first pass with errors, as Unfit if the program is valid but does not
     fit."""
-    values: dict[str, Any] = {}
+    values: NamedValues = {}
     messages: list[Diagnostic] = []
     value: Any = source
     for compiler_pass in _passes(values):
@@ -462,7 +463,7 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
     return _compiled(values, messages, fits=True)
 
 
-def _compiled(values: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
+def _compiled(values: NamedValues, messages: Found, *, fits: bool) -> Compiled:
     """Return the result of a compilation from the values of all passes, by name, and from all
     messages.
 

@@ -15,6 +15,7 @@ from functools import cache
 from typing import Any, Literal
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc.mappings import NamedValues
 
 Group = Literal[
     "nscc.commands",
@@ -26,7 +27,7 @@ Group = Literal[
 ]
 
 
-def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
+def added(group: Group, reserved: Collection[str] = frozenset()) -> NamedValues:
     """Return the objects that other packages add to the entry-point group, by name and sorted by
     it.
 

@@ -34,6 +34,7 @@ from nscc.diagnostics.arguments import (
 from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.files import write_together
 from nscc.lower.exposure_plan import LoweringOption
+from nscc.mappings import JsonObject
 from nscc.options import Options
 from nscc.pipeline import KINDS, Compiled, with_all_lowerings
 from nscc.program.problems import counted
@@ -160,7 +161,7 @@ class ShutterProgram:
         return self.container.words_per_frame
 
     @cached_property
-    def report(self) -> dict[str, Any]:
+    def report(self) -> JsonObject:
         """The report of `nscc build --emit report`: the program, its cost and its proof.
 
         Raises

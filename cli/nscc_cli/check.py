@@ -13,6 +13,7 @@ import click
 from nscc.compiler import CHECK, files_of
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.summary import summary
+from nscc.mappings import NamedValues
 from nscc.pipeline import Compiled
 from nscc.program.problems import counted
 from nscc_cli.options import PATH, build_options
@@ -44,7 +45,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
     return 0
 
 
-def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
+def _check(files: tuple[Path, ...], fix: bool, options: NamedValues) -> None:
     """Compile the programs `files` with the command's `options`, by name, and print their messages
     and summaries. With `fix`, first apply safe fixes to the files.
 
@@ -75,7 +76,7 @@ def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
     return loader_notes(compiled.container, program.source, program.frame.span)
 
 
-def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
+def _watch(files: tuple[Path, ...], fix: bool, options: NamedValues) -> int:
     """Check the programs `files` now and after each change of a file that they consist of, until
     the user presses Ctrl-C. Return the exit status of the last check.
 
@@ -102,7 +103,7 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     return status
 
 
-def _mend(path: Path, options: dict[str, Any]) -> None:
+def _mend(path: Path, options: NamedValues) -> None:
     """Apply all safe fixes to the program at `path`, in place. `options` are those of the command.
     Check it again after each round, at most `_MOST_ROUNDS`, because one error may hide another.
     Raises Rejected only if the file cannot be read or written."""

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.mappings import NamedValues
 from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.frames import scene_of, sensor_of
@@ -114,7 +115,7 @@ def _designed(
     of_clips: bool,
     scenes: tuple[str, ...],
     target: Target,
-    options: dict[str, Any],
+    options: NamedValues,
 ) -> Design:
     """Return the design that `wanted` describes, for the `scenes` (names or paths) and a frame of
     `wanted.slots`; `of_clips` searches a code for clips.
@@ -147,7 +148,7 @@ def _designed(
     return design_looks(scene_lights, wanted.looks, frame, curve)  # type: ignore[arg-type]  # no sve-risk
 
 
-def _scene_lights(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> list[Floats]:
+def _scene_lights(scenes: tuple[str, ...], target: Target, options: NamedValues) -> list[Floats]:
     """Return the light of each of `scenes` (names or paths) over the frame in electrons (rows,
     cols), without the parts of the array that a smaller scene does not cover.
 
@@ -156,7 +157,7 @@ def _scene_lights(scenes: tuple[str, ...], target: Target, options: dict[str, An
 
 
 def _moving(
-    scenes: tuple[str, ...], target: Target, options: dict[str, Any], parts: int
+    scenes: tuple[str, ...], target: Target, options: NamedValues, parts: int
 ) -> list[Floats]:
     """Return the light of each of `scenes` (names or paths) in electrons, (intervals, rows, cols):
     the slots of the frame, joined to at most `parts` intervals.
@@ -171,7 +172,7 @@ def _moving(
     ]
 
 
-def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> bool:
+def _are_clips(scenes: tuple[str, ...], target: Target, options: NamedValues) -> bool:
     """Return whether any of the scenes (names or paths) is a clip; stills beside it are clips in
     which nothing moves. `options` are those of the command."""
     options = {**options, "slots": options["slots"] or _CLIP_SLOTS}
@@ -179,7 +180,7 @@ def _are_clips(scenes: tuple[str, ...], target: Target, options: dict[str, Any])
 
 
 def _laid(
-    scenes: tuple[str, ...], target: Target, options: dict[str, Any], warns: bool = True
+    scenes: tuple[str, ...], target: Target, options: NamedValues, warns: bool = True
 ) -> Iterator[PlacedLight]:
     """Yield each of `scenes` (names or paths), placed on the chip's array and divided into the
     slots of the frame. `options` are those of the command.

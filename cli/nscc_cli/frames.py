@@ -5,10 +5,11 @@ from __future__ import annotations
 import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from nscc.diagnostics.diagnostic import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
+from nscc.mappings import NamedValues
 from nscc_cli.options import values_given
 from nscc_cli.support import progress, refuse_ignored
 
@@ -66,7 +67,7 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
 
 
 def run_capture_of(
-    like: Path | None, options: dict[str, Any], program: Path | None = None
+    like: Path | None, options: NamedValues, program: Path | None = None
 ) -> RunCapture | None:
     """Return the conditions under which the decoder of the run `like` expects frames; None without
     a run.
@@ -131,32 +132,39 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     return out
 
 
+class ExposedFrame(NamedTuple):
+    """A frame, or repeated frames, with what is written beside them: the `container` that was
+    exposed, its `light` (None on a device), the `meta` of the frame file, the `title` above the
+    picture, and a function that computes the sensor `response` for the picture."""
+
+    container: Container
+    light: Light | None
+    frame: Frame
+    meta: Mapping[str, Any]
+    title: str
+    response: Callable[[], Response]
+
+
 def write_frame(
     out: Path,
     options: Mapping[str, Any],
     keep: Sequence[str],
-    container: Container,
-    light: Light | None,
-    frame: Frame,
-    meta: Mapping[str, Any],
-    title: str,
+    exposed: ExposedFrame,
     timings: Timings,
-    response: Callable[[], Response],
     plan: str | None = None,
 ) -> list[Path]:
     """Write the frame file `out`, and the picture, plan and timings that the options name. Return
     the paths, without that of the timings.
 
-    `keep` names the arrays of the value of `--keep`. `light` is None for frames of a device. `meta`
-    is what the frame file says about the exposure, JSON values by name. `title` stands above the
-    picture. `response` computes the sensor response for the picture. `plan` is the text of the
-    plan's file. `timings` receives the time of writing."""
+    `keep` names the arrays of the value of `--keep`. `plan` is the text of the plan's file.
+    `timings` receives the time of writing."""
     from nscc.container_proof import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.content import frame_content
     from nscc_runtime.frame_file import FrameFile
     from nscc_runtime.response import with_table
 
+    container, light, frame, meta, *_ = exposed
     with timings.measure("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
@@ -169,7 +177,7 @@ def write_frame(
         )
         products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
-            products[options["png"]] = _picture(container, frame, response, content, title)
+            products[options["png"]] = _picture(exposed, content)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)
@@ -178,24 +186,16 @@ def write_frame(
     return [*products]
 
 
-def _picture(
-    container: Container,
-    frame: Frame,
-    response: Callable[[], Response],
-    content: Content,
-    title: str,
-) -> Product:
+def _picture(exposed: ExposedFrame, content: Content) -> Product:
     """Return the PNG for `--png`: the light of a capture in colours, else a sheet of readouts and
-    light. Of repeated frames it shows the first. `content` is what the frame's file contains, and
-    `title` stands above the picture.
-
-    `response` computes the sensor response, if the sheet needs it."""
+    light. Of repeated frames it shows the first. `content` is what the frame's file contains."""
     from nscc_runtime.formats.content import content_sheet
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.run_kinds import KINDS
 
     if content.colour and content.light is not None:
-        return png_of(content_sheet, content, title)
+        return png_of(content_sheet, content, exposed.title)
+    container, _, frame, _, title, response = exposed
     return png_of(KINDS.of(container).frame_sheet, container, frame.first, response, title)
 
 

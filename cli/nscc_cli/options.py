@@ -11,6 +11,7 @@ from typing import Any, TypeVar
 import click
 from click import Choice, Context, Parameter, argument, option
 
+from nscc.mappings import NamedValues
 from nscc.options import Options
 from nscc.toml.kinds import LEAST, Distinct, FilePath, Flag, Kind, Number, Several, TextKind
 from nscc.toml.schema import Key
@@ -83,7 +84,7 @@ def declared(
     return together(*(_option(key, defaults.get(key.attribute)) for key in chosen))
 
 
-def values_given(settings: type, options: Mapping[str, Any]) -> dict[str, Any]:
+def values_given(settings: type, options: Mapping[str, Any]) -> NamedValues:
     """Return the values of a command's options that fields of the dataclass `settings` declare, by
     the names of the fields. `options` are by the names of click's parameters. Options without a
     value (None) are left out."""
@@ -147,7 +148,7 @@ def _option(key: Key, default: Any) -> Callable[..., Any]:
     if isinstance(kind, Flag):
         # A pair such as --cache/--no-cache has the declared default; a single flag is off.
         default = key.default if "/" in key.option else None
-        about: dict[str, Any] = {"is_flag": True, "default": default}
+        about: NamedValues = {"is_flag": True, "default": default}
     else:
         completed = _COMPLETED.get(key.attribute)
         about = {"type": completed or _click_type(kind), "metavar": key.notation or None}

@@ -7,6 +7,7 @@ from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
 from nscc.options import Options
 from nscc.toml.schema import declared
@@ -69,7 +70,7 @@ def load_program(
     return container, messages
 
 
-def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Any] | None:
+def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Array] | None:
     """Return what `nscc.containers.with_pixels` takes for `path`, the value of the option --pixels:
     the path of a code file, or for a mask the codes that open its shutters. None (no option) stays
     None."""

@@ -9,9 +9,11 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity, rejected
+from nscc.mappings import NamedValues
 from nscc_cli import options as shared
 from nscc_cli.completion import KEPT, RUN
 from nscc_cli.frames import (
+    ExposedFrame,
     frame_path,
     parse_keep,
     refuse_swapped,
@@ -159,7 +161,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 
 
 def _run_on_emulator(
-    program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
+    program: Path, options: NamedValues, keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
     """Compile the program (or load a compiled one), expose a scene on the emulator, write the files
     and print a summary.
@@ -199,19 +201,15 @@ def _run_on_emulator(
     exposed = simulate_scene(container, laid, sensor, request, listener)
     simulated, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
     about = meta(container, exposed.light, frame, simulated.origin) | exposed.laid
-    files = write_frame(
-        out,
-        options,
-        keep,
+    shown = ExposedFrame(
         container,
         exposed.light,
         frame,
-        meta=about,
+        about,
         title=f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}",
-        timings=timings,
         response=lambda: exposed.response(sensor),
-        plan=simulated.plan_file,
     )
+    files = write_frame(out, options, keep, shown, timings, simulated.plan_file)
     if simulated.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
 
@@ -240,7 +238,7 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 """Options that describe a scene, which needs to be named."""
 
 
-def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
+def run_on_device(program: Path, options: NamedValues, keep: tuple[str, ...]) -> None:
     """Expose a frame of `program` on the device that `options["place"]` names, write the same files
     as for the emulator, and print a summary.
 
@@ -295,18 +293,10 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
             frame, meta = exposed(chip, container, light, repeat, progress, *settings)
             effects = chip.effects
     title = f"{program.name}  ·  on the device"
-    files = write_frame(
-        out,
-        options,
-        keep,
-        container,
-        light,
-        frame,
-        meta,
-        title,
-        timings,
-        response=lambda: response_of(container, sensor, effects),
+    shown = ExposedFrame(
+        container, light, frame, meta, title, lambda: response_of(container, sensor, effects)
     )
+    files = write_frame(out, options, keep, shown, timings)
     say_done(summary(container, frame, files, alike=False))
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, rejected
+from nscc.mappings import NamedValues
 from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of
@@ -153,9 +154,7 @@ def _refuse(container: Container) -> None:
         )
 
 
-def _container(
-    path: Path | None, options: dict[str, Any]
-) -> tuple[Container, tuple[Diagnostic, ...]]:
+def _container(path: Path | None, options: NamedValues) -> tuple[Container, tuple[Diagnostic, ...]]:
     """Return the program at `path`, compiled or loaded with the `options` of the command, and
     messages. None compiles a built-in program of 16 slots."""
     if path is not None:
@@ -171,7 +170,7 @@ def _container(
 
 
 def _scenes(
-    container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
+    container: Container, options: NamedValues, messages: tuple[Diagnostic, ...]
 ) -> list[NamedLight]:
     """Return the light of each scene that `options` name (none: the built-in ones), with a short
     name that is unique: the file's name without its ending, or all paths in full if two of these

@@ -9,6 +9,7 @@ import click
 
 from nscc.diagnostics.diagnostic import rejected
 from nscc.files import write_whole
+from nscc.mappings import NamedValues
 from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
@@ -51,7 +52,7 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
     say_done(f"wrote {out.as_posix()}")
 
 
-def _shutters(program: Path, options: dict[str, Any]) -> bytes:
+def _shutters(program: Path, options: NamedValues) -> bytes:
     """Return the PNG of a program's shutters and their arrangement on the array, after compiling it
     with the `options` of the command. Print its messages. Raises Rejected if the program does not
     compile or cannot be read."""
@@ -63,7 +64,7 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     return png_of(KINDS.of(container).sheet, container, program.name)
 
 
-def _gates(program: Path, options: dict[str, Any]) -> bytes:
+def _gates(program: Path, options: NamedValues) -> bytes:
     """Return the PNG of the gates that decode the codes of a program, which is compiled with the
     `options` of the command. Print its messages.
 

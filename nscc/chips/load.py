@@ -17,6 +17,7 @@ from nscc.chips.target import SCHEMA, Target, schema_of
 from nscc.chips.words import words_toml
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected, rejected
 from nscc.diagnostics.suggest import meant
+from nscc.mappings import JsonObject, NamedValues
 from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
@@ -173,7 +174,7 @@ def load_target(
     )
 
 
-def target_dict(target: Target) -> dict[str, Any]:
+def target_dict(target: Target) -> JsonObject:
     """Return the target as JSON values: {section: {key: value}} in the order of a file.
 
     Every key is present. Keys without a section stand beside the sections."""
@@ -249,7 +250,7 @@ def _target(key_values: KeyValues) -> Target:
 
     Missing keys have their default. If a key has none, its value is that of scamp5. Chips without
     words ("stream") have no registers: theirs are () and ""."""
-    values: dict[str, Any] = {}
+    values: NamedValues = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
         if key.path in key_values:
@@ -263,7 +264,7 @@ def _target(key_values: KeyValues) -> Target:
     return Target(**values)
 
 
-def _values(target: Target) -> dict[str, Any]:
+def _values(target: Target) -> KeyValues:
     """Return the values of all keys of a target, also those of the other kind of chip, as
     {"section.key": value}."""
     return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}

@@ -22,6 +22,7 @@ from math import isfinite
 from typing import Any
 
 from nscc.macros import MNEMONICS
+from nscc.mappings import JsonObject
 from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
@@ -45,7 +46,7 @@ _DIGITAL = (WordEffect.FLAG_DIGITAL, WordEffect.DIGITAL)
 _WRITES = (WordEffect.BUS, WordEffect.DIGITAL)
 _READS = (WordEffect.BUS, WordEffect.FLAG_ANALOG, *_DIGITAL)
 _NEEDED = ("name", "effect", "destinations", "sources")
-_DEFAULTS: dict[str, Any] = {"divisor": 1, "inverted": False, "lines": [], "us": None}
+_DEFAULTS: JsonObject = {"divisor": 1, "inverted": False, "lines": [], "us": None}
 _LINES = {name: line for line, name in LINE_NAMES.items()}
 _MOST = 32
 """Most words that a target file may define."""
@@ -90,7 +91,7 @@ def words_toml(rows: Iterable[Operation]) -> list[str]:
     return lines
 
 
-def _plain(row: Operation) -> dict[str, Any]:
+def _plain(row: Operation) -> JsonObject:
     """Return the operation `row` as a `[[words]]` table of a target file.
 
     The table has the required keys, and of the optional ones those whose value differs from the

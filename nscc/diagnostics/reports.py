@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Sequence
-from typing import Any
 from urllib.parse import quote
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
 from nscc.diagnostics.render import names
+from nscc.mappings import JsonObject
 from nscc.source import Source
 from nscc.version import __version__
 
@@ -59,13 +59,13 @@ def sarif(diagnostics: Sequence[Diagnostic]) -> str:
     return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
 
 
-def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
+def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> JsonObject:
     """Return a diagnostic as a SARIF `result` object.
 
     The place is left out if the diagnostic has no source. `codes` are the codes of the log's rules
     in their order, which give the rule's index."""
     source = diagnostic.source
-    result: dict[str, Any] = {
+    result: JsonObject = {
         "ruleId": diagnostic.code,
         "ruleIndex": codes.index(diagnostic.code),
         "level": str(diagnostic.severity),
@@ -83,9 +83,9 @@ def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
     return result
 
 
-def _location(source: Source, label: Label | None) -> dict[str, Any]:
+def _location(source: Source, label: Label | None) -> JsonObject:
     """Return a SARIF `location`: the file, and with a label its region and its text."""
-    location: dict[str, Any] = {"artifactLocation": {"uri": quote(source.name)}}
+    location: JsonObject = {"artifactLocation": {"uri": quote(source.name)}}
     if label is None:
         return {"physicalLocation": location}
     location["region"] = _region(source, label)
@@ -93,7 +93,7 @@ def _location(source: Source, label: Label | None) -> dict[str, Any]:
     return {"physicalLocation": location, **text}
 
 
-def _fix(source: Source, fix: Fix) -> dict[str, Any]:
+def _fix(source: Source, fix: Fix) -> JsonObject:
     """Return a SARIF `fix` object, which replaces the fix's region by its text."""
     change = {
         "artifactLocation": {"uri": quote(source.name)},

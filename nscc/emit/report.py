@@ -5,17 +5,17 @@ from __future__ import annotations
 import hashlib
 import json
 from collections import Counter
-from typing import Any
 
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
+from nscc.mappings import JsonObject
 from nscc.operations import Op, Phase, WordEffect
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
 from nscc.words.cost import refresh_count
 
 
-def subject(program: Program) -> dict[str, Any]:
+def subject(program: Program) -> JsonObject:
     """Return class, slots, codes, fields and buckets of a program as JSON values, with the keys of
     the build report. Slot times are in microseconds; a field is a list of its lowest and highest
     value."""
@@ -35,7 +35,7 @@ def subject(program: Program) -> dict[str, Any]:
     }
 
 
-def report(choice: Choice, proof: Proof) -> dict[str, Any]:
+def report(choice: Choice, proof: Proof) -> JsonObject:
     """Return the build report of the best lowering (way to compute the exposure) as JSON values, as
     `--emit report` writes them.
 
@@ -88,7 +88,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
     }
 
 
-def report_bytes(values: dict[str, Any]) -> bytes:
+def report_bytes(values: JsonObject) -> bytes:
     """Return the report as the bytes of a file."""
     return (json.dumps(values, indent=2) + "\n").encode()
 
@@ -100,7 +100,7 @@ def _range(lowered: Lowered) -> dict[str, int]:
     return {"min": least, "max": most}
 
 
-def _lowering_values(lowered: Lowered) -> dict[str, Any]:
+def _lowering_values(lowered: Lowered) -> JsonObject:
     """Return the cost of one lowering (way to compute the exposure) as JSON values: words, shortest
     slot in microseconds, analog writes, headroom in electrons."""
     return {
@@ -115,7 +115,7 @@ def _lowering_values(lowered: Lowered) -> dict[str, Any]:
     }
 
 
-def _logic(lowered: Lowered) -> dict[str, Any]:
+def _logic(lowered: Lowered) -> JsonObject:
     """Return the cost of decoding codes in a frame as JSON values: words, without those that only
     refresh registers, and operations, where the two words of a pair count as one.
 

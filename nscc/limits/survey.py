@@ -17,6 +17,7 @@ from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
 from nscc.lower.resources import time_text
+from nscc.mappings import JsonObject
 from nscc.options import Options
 from nscc.pipeline import run_passes
 from nscc.program.limits import MOST_SLOTS, Count, bits_needed, impossible_from, largest_with
@@ -246,7 +247,7 @@ def _trials_text(limit: Limit) -> str:
     return f"{limit.built.size}; of {count} sizes tried up to it {gaps}"
 
 
-def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
+def limits_json(target: Target, level: int, limits: list[Limit]) -> JsonObject:
     """Return the survey as JSON values: the target's registers and store, and for each limit sizes,
     reasons and all trials; `level` is that of `-O`."""
     return {
@@ -258,7 +259,7 @@ def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, An
     }
 
 
-def _limit_values(limit: Limit) -> dict[str, Any]:
+def _limit_values(limit: Limit) -> JsonObject:
     """Return a limit as JSON values, with the sizes that were tried; values that are not known are
     None."""
     unknown = None
@@ -278,7 +279,7 @@ def _limit_values(limit: Limit) -> dict[str, Any]:
     }
 
 
-def _trial_values(trial: SizeTrial) -> dict[str, Any]:
+def _trial_values(trial: SizeTrial) -> JsonObject:
     """Return a compiled size as JSON values: its figures if it fits, else the reason why not."""
     why = {"code": trial.code, "reason": trial.reason, "proved": trial.proved}
     return {"size": trial.size, "fits": trial.fits, **(trial.figures if trial.fits else why)}

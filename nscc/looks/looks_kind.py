@@ -12,6 +12,7 @@ from nscc.looks.looks_proof import LookingReplay
 from nscc.looks.passes import LookingLowered, container_of, lowered_of, plan_of
 from nscc.lower import fit
 from nscc.lower.lowered import Choice
+from nscc.mappings import JsonObject
 from nscc.operations import Op
 from nscc.pipeline import Compiled, Found, Job, Pass, ProgramKind
 from nscc.program.problems import counted
@@ -73,7 +74,7 @@ class Looks(ProgramKind):
 
         return LookingNetwork(lowered).build_network()
 
-    def report(self, compiled: Compiled) -> dict[str, Any]:
+    def report(self, compiled: Compiled) -> JsonObject:
         """Return the build report as JSON values, with the comparisons and states ("looks") and the
         number of proved answers.
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from nscc.emit.listing import segment_lines
 from nscc.looks.looking_plan import LookingPlan
 from nscc.looks.passes import LookingLowered
+from nscc.mappings import JsonObject
 from nscc.program.program import Program
 from nscc.words.machine import LIGHT
 
@@ -51,7 +51,7 @@ def all_gates_text(layouts: Sequence[LookingLowered]) -> str:
     return "".join(map(looking_gates_text, layouts))
 
 
-def looks_report(program: Program) -> dict[str, Any]:
+def looks_report(program: Program) -> JsonObject:
     """Return the comparisons and states of a program as JSON values, for `--emit report`.
 
     Keys are `boundaries` (those with comparisons), `comparisons`, `states`, and `nodes`, the number

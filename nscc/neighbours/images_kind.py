@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import Any
 
 from nscc.lazy import LazyFunctions
+from nscc.mappings import JsonObject
 from nscc.neighbours.passes import with_pictures
 from nscc.pipeline import Compiled, Found, Job, ProgramKind
 from nscc.prove.proof import Failure
@@ -42,12 +43,12 @@ class Images(ProgramKind):
 
         return super().after_frame(container) or pictures_failure(container)
 
-    def report(self, compiled: Compiled) -> dict[str, Any]:
+    def report(self, compiled: Compiled) -> JsonObject:
         """Return the build report of the exposure (JSON values by key) with what images and planes
         cost.
 
         Their time is added to `frame_us`."""
-        report: dict[str, Any] = _REPORT.with_pictures(super().report(compiled), compiled.container)
+        report: JsonObject = _REPORT.with_pictures(super().report(compiled), compiled.container)
         return report
 
     def rows(self, compiled: Compiled) -> list[tuple[str, str]]:

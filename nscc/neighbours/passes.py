@@ -7,7 +7,7 @@ from dataclasses import replace
 from fractions import Fraction
 from itertools import product, takewhile
 from math import ceil, log2
-from typing import Any
+from typing import Any, NamedTuple
 
 from nscc.cache.results import Results
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
@@ -72,11 +72,13 @@ def with_pictures(
         lowering = lowered(container, pictures, level, results)
     except PictureRefused as refused:
         return container, [_refusal(refused, container, program, level)]
-    kernels, launched = grouped(lowering.words, lowering.loops)
+    sent = grouped(lowering.words, lowering.loops)
     with_words = replace(
         pictures,
-        kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
-        **launched,
+        kernels=tuple(tuple(encode(word) for word in kernel) for kernel in sent.kernels),
+        launches=sent.launches,
+        loops=sent.loops,
+        levels_of=sent.levels_of,
         negated=lowering.pictures.negated,
         registers=dict(sorted(lowering.registers.items())),
         costs=_costs_of_text(lowering.costs, pictures),
@@ -274,17 +276,23 @@ def _lowered_with(
     return lowering
 
 
-def grouped(
-    words: Sequence[Leveled], loops: Sequence[LoopWords] = ()
-) -> tuple[list[tuple[Op, ...]], dict[str, Any]]:
+class _Sent(NamedTuple):
+    """Words as the host sends them: the different kernels, the launches, the loops over launches,
+    and the levels that follow from parameters."""
+
+    kernels: list[tuple[Op, ...]]
+    launches: tuple[TailLaunch, ...]
+    loops: tuple[LaunchLoop, ...]
+    levels_of: tuple[LevelOf, ...]
+
+
+def grouped(words: Sequence[Leveled], loops: Sequence[LoopWords] = ()) -> _Sent:
     """Group words into kernels (lists of words), one per value of IN (the level sent to all
     pixels), and store equal kernels once.
 
     `words` are pairs (word, level): the level is a number of steps of IN, a pair (parameter,
     factor), or None for a word that does not read IN, which joins any group. `loops` refer to words
-    by index, and consist of whole groups. Return the kernels in the order in which they first run,
-    and a dict of three fields of `Pictures`: `launches`, `loops` and `levels_of`. The last has the
-    levels that follow from parameters."""
+    by index, and consist of whole groups. Kernels are in the order in which they first run."""
     runs: list[tuple[list[Op], Level]] = []
     ends = {end for loop in loops for end in (loop.begin, loop.end)}
     # The launch at which each loop begins and ends; that of the end of all words is set below.
@@ -311,12 +319,7 @@ def grouped(
     for loop in loops:
         first, end = launch_at[loop.begin], launch_at[loop.end]
         stored_loops.append(LaunchLoop(first, end - first, loop.times, loop.values))
-    fields = {
-        "loops": tuple(stored_loops),
-        "levels_of": tuple(levels_of),
-        "launches": tuple(launches),
-    }
-    return list(number), fields
+    return _Sent(list(number), tuple(launches), tuple(stored_loops), tuple(levels_of))
 
 
 _MORE_HALVINGS = 3
@@ -461,7 +464,7 @@ class _Changes:
             # A search without steps left tells nothing about the program.
             self.refused = self.refused if refused.kind == "steps" else refused
             return False
-        stored = sum(map(len, grouped(lowering.words, lowering.loops)[0]))
+        stored = sum(map(len, grouped(lowering.words, lowering.loops).kernels))
         return self._container.words_stored + stored <= self._container.target.store_words
 
 

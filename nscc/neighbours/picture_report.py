@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from nscc.chips.target import Target
 from nscc.lower.resources import time_text
+from nscc.mappings import JsonObject
 from nscc.program.problems import counted
 from nscc.prove.meaning import reaches
 from nscc.words.container import Container
@@ -33,7 +32,7 @@ def pictures_us(pictures: Pictures, target: Target) -> float:
     return total_us
 
 
-def picture_report(container: Container) -> dict[str, Any]:
+def picture_report(container: Container) -> JsonObject:
     """Return the part of `--emit report` about images and planes, as JSON values.
 
     Its keys are `images`, `planes` and, if there are any, `states`, each a dict by name;
@@ -42,13 +41,13 @@ def picture_report(container: Container) -> dict[str, Any]:
     costs = {cost.name: cost for cost in pictures.costs}
     reach, counts = reaches(pictures), counts_by_name(pictures)
 
-    def item_report(item: Picture | KeptPlane | KeptImage) -> dict[str, Any]:
+    def item_report(item: Picture | KeptPlane | KeptImage) -> JsonObject:
         """Return what one image or plane costs as JSON values: `words` and `reach` (in pixels).
 
         Images also have `peak_gain` and `noise_gain`; counts also have `peak_count` and
         `electrons_per_count`."""
         cost = costs[item.name]
-        report: dict[str, Any] = {"words": cost.words, "reach": max(reach[item.name])}
+        report: JsonObject = {"words": cost.words, "reach": max(reach[item.name])}
         if item.name not in pictures.planes:
             report |= {"peak_gain": cost.peak_gain, "noise_gain": cost.noise_gain}
         if item.name in counts:
@@ -68,7 +67,7 @@ def picture_report(container: Container) -> dict[str, Any]:
     }
 
 
-def with_pictures(report: dict[str, Any], container: Container) -> dict[str, Any]:
+def with_pictures(report: JsonObject, container: Container) -> JsonObject:
     """Return a build report with the part about images and planes (`picture_report`).
 
     Their time is added to the report's `frame_us`. `report` itself is not changed."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, assert_never
+from typing import assert_never
 
 from nscc.diagnostics.diagnostic import Label
+from nscc.mappings import NamedValues
 from nscc.program.limits import MOST_FIELDS
 from nscc.program.problems import Problems
 from nscc.source import Span
@@ -291,7 +292,7 @@ class _Gatherer:
         self.problems.error("NS0205", message, second.span, "the second", related=related)
         return False
 
-    def _name(self, named: dict[str, Any], name: tree.Name, statement: tree.Statement) -> None:
+    def _name(self, named: NamedValues, name: tree.Name, statement: tree.Statement) -> None:
         """Store a statement in `named` under the name that it declares, unless the name is taken or
         predefined; that is reported."""
         if self._is_new_name(name):

@@ -9,6 +9,7 @@ from nscc.arrays import Bools
 from nscc.diagnostics.diagnostic import rejected
 from nscc.emit.products import SUFFIXES
 from nscc.emit.summary import share_text
+from nscc.mappings import JsonObject
 from nscc.operations import Op
 from nscc.pipeline import Compiled, Found, Job, Pass, ProgramKind
 from nscc.program.problems import counted
@@ -84,7 +85,7 @@ class BitPlanes(ProgramKind):
         """Return the bit planes as text."""
         return texts.planes_text(container)
 
-    def report(self, compiled: Compiled) -> dict[str, Any]:
+    def report(self, compiled: Compiled) -> JsonObject:
         """Return the build report (`--emit report`) as JSON values."""
         assert compiled.proof is not None
         return texts.stream_report(compiled.layout, compiled.proof)

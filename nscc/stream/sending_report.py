@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 import json
 from io import BytesIO
-from typing import Any
 
 import numpy as np
 
 from nscc.diagnostics.diagnostic import rejected
 from nscc.emit.report import subject
 from nscc.lower.resources import time_text
+from nscc.mappings import JsonObject
 from nscc.program.problems import counted
 from nscc.prove.proof import Proof
 from nscc.stream.passes import Sending
@@ -90,7 +90,7 @@ def sending_text(sending: Sending) -> str:
     return "\n".join(lines) + "\n"
 
 
-def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
+def stream_report(sending: Sending, proof: Proof) -> JsonObject:
     """Return the build report (`--emit report`) of a chip without logic as JSON values.
 
     It has the planes and their load time where other reports have words; times are in microseconds.

@@ -9,11 +9,12 @@ import numpy as np
 
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.diagnostics.suggest import meant
+from nscc.mappings import NamedValues
 from nscc.toml.kinds import Kind, TextKind
 from nscc.toml.schema import Key, declared
 
 
-def checked(call: str, settings: type, values: Mapping[str, Any]) -> dict[str, Any]:
+def checked(call: str, settings: type, values: Mapping[str, Any]) -> NamedValues:
     """Return those arguments of a Python call that fields of `settings` declare, checked and
     converted.
 

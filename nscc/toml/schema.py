@@ -14,6 +14,7 @@ from typing import Any, Generic, TypeVar
 from nscc.diagnostics.diagnostic import Diagnostic, Label, rejected
 from nscc.diagnostics.suggest import closest, did_you_mean, meant
 from nscc.files import reads
+from nscc.mappings import JsonObject
 from nscc.source import Source
 from nscc.toml.kinds import Kind, TextKind
 from nscc.toml.toml_text import (
@@ -227,13 +228,13 @@ class Schema(Generic[Row]):
                 problems.append(replace(problem, message=f"{self.option}: {problem.message}"))
         return key_values, problems
 
-    def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
+    def plain(self, values: Mapping[str, Any]) -> JsonObject:
         """Return values, keyed by path, as {section: {key: value}} in the order of a file, for TOML
         or JSON.
 
         `values` must have every key. Keys without a section stand at the top. All keys are present,
         except lists that are empty by default and `later` keys at their default."""
-        tables: dict[str, Any] = {}
+        tables: JsonObject = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
                 continue
@@ -362,7 +363,7 @@ def file_values(
 
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
-) -> tuple[dict[str, Any], Source]:
+) -> tuple[JsonObject, Source]:
     """Return the values in `data`, a file's bytes, {section: {key: value}} and not yet checked, and
     its text.
 

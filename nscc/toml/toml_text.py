@@ -7,6 +7,7 @@ import tomllib
 from collections.abc import Mapping
 from typing import Any
 
+from nscc.mappings import JsonObject
 from nscc.source import Span
 
 LARGEST_FILE = 64 * 1024
@@ -19,7 +20,7 @@ class NotToml(Exception):
     """Raised for bytes that are not a TOML file; the text is the reason, as half a sentence."""
 
 
-def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
+def parsed(data: bytes) -> tuple[str, JsonObject]:
     """Return the text and the values of a TOML file, of which `data` are the bytes. A byte order
     mark is dropped, and line ends become LF.
 

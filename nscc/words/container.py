@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 
 from nscc.arrays import Array, Bools, Bytes, Floats, Ints, Ints32
 from nscc.chips.target import Target
+from nscc.mappings import NamedValues
 from nscc.operations import Op, Word, op
 from nscc.record import Record
 from nscc.truth import unpacked_bits
@@ -114,7 +115,7 @@ class Container:
     stream: Stream | None = None
     pictures: Pictures = NO_PICTURES
 
-    def __getstate__(self) -> dict[str, Any]:
+    def __getstate__(self) -> NamedValues:
         """Return the fields by name for copies and pickles, without the results that properties
         cache."""
         return {field.name: getattr(self, field.name) for field in fields(self)}
@@ -212,7 +213,7 @@ def steered_launches(container: Container) -> list[SteeredLaunch | None]:
 
     After the exposure come launches that set kept images to their starts. Their `kernel` and
     `level` are not stated (0 and None)."""
-    start = SteeredLaunch(0, None, None, None, 0, is_start=True)
+    start = SteeredLaunch(0, level=None, level_of=None, times=None, step=0, is_start=True)
     starts, exposing = len(kept_starts(container)), len(container.launches)
     return [*[None] * exposing, *[start] * starts, *container.pictures.steered()]
 

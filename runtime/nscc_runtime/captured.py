@@ -16,6 +16,7 @@ from nscc import html
 from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.diagnostics.arguments import path_of
 from nscc.files import write_together
+from nscc.mappings import JsonObject, NamedValues
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import TextKind
 from nscc.words.container import Container
@@ -106,7 +107,7 @@ class Capture(Frame):
         return self.told.get("margin")
 
     @property
-    def reports(self) -> dict[str, Any]:
+    def reports(self) -> NamedValues:
         """The reports of the program on its planes, by "KIND PLANE".
 
         `any` is a bool. `events` is int32 (events, 2), columns and rows in reading order. `box`
@@ -114,7 +115,7 @@ class Capture(Frame):
         1. `count` is an int, the number of bits, and `sum` a float, the electrons of an image.
         `flood` is whether a flood was complete. With `repeat`, each is a list."""
         pictures = self.container.pictures
-        reports: dict[str, Any] = {}
+        reports: NamedValues = {}
         for report in pictures.reports:
             key, name = report.key, report.subject
             values, counts = self.told[key], self.told.get(f"{key}_count")
@@ -161,7 +162,7 @@ class Capture(Frame):
         return np.stack([np.where(known, light, np.nan) for light, known in estimates])
 
     @property
-    def meta(self) -> dict[str, Any]:
+    def meta(self) -> JsonObject:
         """The settings of the capture as JSON values: `meta` of a frame file."""
         origin = self.exposed.simulated.origin
         return meta(self.container, self.light, self, origin) | self.exposed.laid

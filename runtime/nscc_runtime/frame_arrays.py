@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from nscc.arrays import Array, Floats32
 from nscc.diagnostics.diagnostic import rejected
 from nscc.files import reads
+from nscc.mappings import JsonObject
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
@@ -37,7 +37,7 @@ _MOST_FRAME_S = 1e8
 
 def read_frame_arrays(
     path: Path, is_needed: Callable[[str], bool] = lambda name: True
-) -> tuple[Arrays, dict[str, Any]]:
+) -> tuple[Arrays, JsonObject]:
     """Read and check the frame file `path`. Return its arrays by name, and its meta (see
     `nscc_runtime.frame_file.meta`).
 
@@ -48,7 +48,7 @@ def read_frame_arrays(
     return arrays, checked_meta(arrays)
 
 
-def checked_meta(arrays: Mapping[str, Array]) -> dict[str, Any]:
+def checked_meta(arrays: Mapping[str, Array]) -> JsonObject:
     """Check the arrays of a frame file, by name, and return its meta (see
     `nscc_runtime.frame_file.meta`).
 
@@ -103,7 +103,7 @@ def _check_pictures(arrays: Mapping[str, Array], shape: tuple[int, ...]) -> None
                 raise InvalidArrays(f"`{name}` does not hold columns and rows of its frame")
 
 
-def frame_meta(arrays: Mapping[str, Array]) -> dict[str, Any] | None:
+def frame_meta(arrays: Mapping[str, Array]) -> JsonObject | None:
     """Return the `meta` of a frame file, whose array is one text in JSON; None if `meta` is missing
     or damaged, or has another `schema`, as in arrays of another file."""
     text = arrays.get("meta")

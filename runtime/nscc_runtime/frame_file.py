@@ -43,6 +43,7 @@ import numpy as np
 from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import JsonObject
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
@@ -172,7 +173,7 @@ def repeated(frame: Frame, count: int) -> Frame:
 class WrittenAsJson(Protocol):
     """A value with a form for JSON."""
 
-    def as_json(self) -> dict[str, Any]: ...
+    def as_json(self) -> JsonObject: ...
 
 
 @dataclass(frozen=True)
@@ -208,7 +209,7 @@ _UNPLANNED = (
 
 def unplanned(
     chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the `plan` entry of a run without a plan, whose words were executed slot by slot: the
     keys of a plan, with None for what only plans have, and a row for every effect.
 
@@ -249,7 +250,7 @@ def unplanned(
 
 def meta(
     container: Container | None, light: Light | None, frame: Frame, origin: Provenance
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the `meta` of the frame file of `frame`, values for JSON by key.
 
     `container`: the program, None for an unknown program on a device, whose buckets are numbered.

@@ -11,11 +11,11 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
-from typing import Any
 
 import numpy as np
 
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import JsonObject
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.reach import Reach, RegisterReaches, reaches_of_frames
@@ -47,7 +47,7 @@ class Taken:
     simulated: Simulated
     container: Container
     light: Light
-    laid: dict[str, Any]
+    laid: JsonObject
     program: Container
     placement: Placement
     pieces: int
@@ -111,7 +111,7 @@ def simulate_scene(
         simulated = _joined(simulated_pieces, container, placement, len(scene))
     if not placement.fits_one_array:
         light = light.part(*(slice(0, side) for side in placement.size))
-    about: dict[str, Any] = {} if placement.fit == "crop" else {"laid": placement.as_json()}
+    about: JsonObject = {} if placement.fit == "crop" else {"laid": placement.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     about |= {"scene_notes": list(scene[0].notes)} if scene[0].notes else {}
     whole, count = placement.widened(container), len(simulated_pieces)

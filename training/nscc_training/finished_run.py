@@ -18,6 +18,7 @@ from nscc import html
 from nscc.arrays import Bytes, Floats, Floats32
 from nscc.diagnostics.arguments import as_array, path_of, shown, warn, wrong_argument
 from nscc.emit.notebook import shutter_chart
+from nscc.mappings import JsonObject
 from nscc.shutter_program import ShutterProgram, compile
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import Flag
@@ -74,7 +75,7 @@ class Run:
         return self.folder.setup.decoder
 
     @property
-    def result(self) -> dict[str, Any]:
+    def result(self) -> JsonObject:
         """The scores of the run: `result.json`."""
         return self.folder.result
 

@@ -13,6 +13,7 @@ import numpy as np
 from nscc.arrays import Array, Bools, Bytes, Floats, Floats32, Ints
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 from nscc.files import reads
+from nscc.mappings import JsonObject
 from nscc.npy import InvalidArrays
 from nscc.program.problems import counted
 from nscc_runtime.frame_arrays import read_frame_arrays
@@ -38,7 +39,7 @@ class FrameRead:
 
     frame: Bytes
     saturated: Bools
-    meta: dict[str, Any]
+    meta: JsonObject
     shutter: Array | None
     opened: Ints | None = None
     slot_us: Floats | None = None

@@ -16,6 +16,7 @@ from torch import Tensor
 from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import read_whole
+from nscc.mappings import NamedValues
 from nscc_training.cell_programs import cell_files, compiled_cell, level_on_chip
 from nscc_training.cells import MOST_KERNEL, MOST_OUTPUTS, MOST_STATES, PixelCell
 from nscc_training.problems import listed, one_line
@@ -256,7 +257,7 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     if not fits:
         shapes = f"`weight` has the shape {_shape(weight)}, `threshold` {_shape(threshold)}"
         raise refused(path, f"{shapes}; a cell has {_SHAPES}, with 1 or 2 states")
-    settings: dict[str, Any] = {}
+    settings: NamedValues = {}
     for name, default in _SETTINGS.items():
         value = state.get(name, torch.tensor(default))
         if value.numel() != 1:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
 from nscc.files import file_sha256
+from nscc.mappings import JsonObject
 from nscc.program.problems import counted
 from nscc_training import metrics
 from nscc_training.array_files import read_picture_or_clip
@@ -58,7 +59,7 @@ def check_pair(truth: Array, result: Array) -> None:
             )
 
 
-def measures(truth: Array, result: Array, data_range: float, nits: float = NITS) -> dict[str, Any]:
+def measures(truth: Array, result: Array, data_range: float, nits: float = NITS) -> JsonObject:
     """Return every metric of a pair of arrays that `check_pair` accepts, as JSON values by name.
 
     `truth` and `result` are (rows, cols), or clips (T, rows, cols), which also have `sd_db` and a
@@ -67,7 +68,7 @@ def measures(truth: Array, result: Array, data_range: float, nits: float = NITS)
     there are two frames or more."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
-    values: dict[str, Any] = {
+    values: JsonObject = {
         "psnr_db": decibels(scores.mean),
         "psnr_of_mean_mse_db": decibels(scores.of_mean_mse),
         "infinite": scores.infinite,
@@ -86,7 +87,7 @@ def measures(truth: Array, result: Array, data_range: float, nits: float = NITS)
     return values
 
 
-def frame_scores(truth: Array, result: Array, data_range: float) -> dict[str, Any]:
+def frame_scores(truth: Array, result: Array, data_range: float) -> JsonObject:
     """Return the metrics `psnr_db` and `ssim` of `result`, one frame of a clip, as JSON values.
     `data_range` is the peak value."""
     return {
@@ -132,7 +133,7 @@ def measure_files(
     *,
     truth_key: str | None = None,
     result_key: str | None = None,
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return every metric of the files `truth` and `result` as JSON values (`measures`), with names
     and digests of the files, and the `shape`, `data_range` and `nits`, the luminance of the data
     range in cd/m2.
@@ -191,14 +192,23 @@ RESAMPLES = 2000
 """Number of samples of a bootstrap."""
 
 
-def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> dict[str, Any]:
-    """Return the statistics of scores by name: `mean`, `sd` (standard deviation), `ci95` (95 %
-    interval of the mean), and `infinite`, the number of infinite scores, which are left out.
+class Summary(NamedTuple):
+    """The mean of scores, their standard deviation, the 95 % interval of the mean, and the number
+    of infinite scores, which the other three leave out."""
+
+    mean: float | None
+    sd: float | None
+    ci95: list[float] | None
+    infinite: int
+
+
+def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> Summary:
+    """Return the statistics of scores.
 
     `groups`, as long as `values`, names the scene of each value. `sd` is the sample standard
     deviation, 0 for a single finite value. The interval is a bootstrap over scenes, because crops
     of one scene are not independent; `seed` is that of its samples. It is None for a single scene;
-    all three are None without finite values. Raises ValueError for NaN."""
+    `mean`, `sd` and `ci95` are None without finite values. Raises ValueError for NaN."""
     if any(np.isnan(value) for value in values):
         raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
@@ -207,12 +217,12 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
     if len({g for _, g in finite}) > 1:
         interval = bootstrap(scores, [g for _, g in finite], seed)
     variance = float(scores.var(ddof=1)) if len(scores) > 1 else 0.0
-    return {
-        "mean": float(scores.mean()) if finite else None,
-        "sd": variance**0.5 if finite else None,
-        "ci95": list(interval) if interval else None,
-        "infinite": len(values) - len(finite),
-    }
+    return Summary(
+        mean=float(scores.mean()) if finite else None,
+        sd=variance**0.5 if finite else None,
+        ci95=list(interval) if interval else None,
+        infinite=len(values) - len(finite),
+    )
 
 
 def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[float, float]:
@@ -232,7 +242,7 @@ def bootstrap(values: ArrayLike, groups: Sequence[str], seed: int = 0) -> tuple[
 
 def paired(
     first: Mapping[str, float], second: Mapping[str, float], scene_names: Mapping[str, str]
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the statistics of the gain, second minus first score, on the items that both have.
 
     Scores are by the name of the item, and `scene_names` names its scene. `items` and `scenes` are
@@ -248,7 +258,7 @@ def paired(
         second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
         for k in common
     ]
-    gain_summary = summary(gains, [scene_names[k] for k in common])
+    gain_summary = summary(gains, [scene_names[k] for k in common])._asdict()
     return {
         "items": len(common),
         "scenes": len({scene_names[k] for k in common}),

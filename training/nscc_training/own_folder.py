@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any
 
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import NamedValues
 from nscc.program.problems import counted
 from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, PICTURES
 from nscc_training.scene_files import CLIPS, files_in, frame_size
@@ -15,7 +15,7 @@ from nscc_training.settings import RunSettings, settings_of
 _PATCHES = (128, 96, 64, 48, 32)
 """Sides of patches in pixels. A network sees more of a scene in larger patches, but a step takes
 longer."""
-_STILLS: dict[str, dict[str, Any]] = {
+_STILLS: dict[str, NamedValues] = {
     "shutter": {
         "class": "b",
         "slots": 256,
@@ -29,7 +29,7 @@ _STILLS: dict[str, dict[str, Any]] = {
     "train": {"steps": 2500, "batch": 8, "validate_every": 250},
 }
 """Settings that differ from the defaults for stills, by section of the configuration."""
-_CLIPS: dict[str, dict[str, Any]] = {
+_CLIPS: dict[str, NamedValues] = {
     "shutter": {
         "class": "d",
         "slots": 16,

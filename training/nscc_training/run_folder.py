@@ -5,13 +5,13 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
 
 import torch
 
 from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import rejected
 from nscc.files import file_sha256, read_whole, reads
+from nscc.mappings import JsonObject
 from nscc.npy import check_size
 from nscc_training.codes_files import load_codes
 from nscc_training.encoders import Encoder
@@ -37,7 +37,7 @@ class RunFolder:
     setup: TrainingSetup
     program: str
     seen_digests: frozenset[str]
-    result: dict[str, Any]
+    result: JsonObject
 
 
 def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
@@ -142,7 +142,7 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
         )
 
 
-def _check_whole(path: Path, result: dict[str, Any]) -> None:
+def _check_whole(path: Path, result: JsonObject) -> None:
     """Raise ValueError if a file in the folder `path` is missing, or has another digest than
     `result` (the content of `result.json`) says: it then belongs to another run."""
     named = {name: result["files"].get(name) for name in _TOLD}

@@ -554,7 +554,7 @@ def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
     return file_text(SCHEMA, values_of(settings), remark, head if remarks else ())
 
 
-def values_of(settings: RunSettings) -> dict[str, Any]:
+def values_of(settings: RunSettings) -> KeyValues:
     """Return the value of each setting by the path of its key, such as `train.steps`."""
     return {key.path: getattr(getattr(settings, key.section), key.attribute) for key in SCHEMA.keys}
 

@@ -17,6 +17,7 @@ from nscc.arrays import Array
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.files import read_whole, reads
+from nscc.mappings import JsonObject
 from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.effects import selected
 from nscc_runtime.formats import Content
@@ -156,9 +157,7 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
         raise _nothing_to_view(path, f"it is damaged: {type(error).__name__}: {error}") from error
 
 
-def frame_view(
-    arrays: dict[str, Array], meta: dict[str, Any], title: str, tone: str | None
-) -> Figure:
+def frame_view(arrays: dict[str, Array], meta: JsonObject, title: str, tone: str | None) -> Figure:
     """Draw each bucket of a frame file: codes, electrons and saturated pixels, or if it has them,
     images, planes and events.
 
@@ -205,7 +204,7 @@ def _is_drawn(name: str) -> bool:
     return name in (*_FRAME_KEYS, "meta", "image", "video", "margin") or name.startswith(prefixes)
 
 
-def _json(path: Path) -> dict[str, Any]:
+def _json(path: Path) -> JsonObject:
     """Return the object in a JSON file. Raise Rejected (NS0801) if it cannot be read or holds
     another kind of value."""
     try:
@@ -235,7 +234,7 @@ _MOST_SCENES = 24
 _ELSEWHERE = "with another sensor or exposure"
 
 
-def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
+def run_sheet(path: Path, result: JsonObject) -> Figure:
     """Draw the training and validation scores of the run in the folder `path` over its steps, and
     its scores under changed conditions.
 
@@ -265,7 +264,7 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
     return figure
 
 
-def result_sheet(values: dict[str, Any], title: str) -> Figure:
+def result_sheet(values: JsonObject, title: str) -> Figure:
     """Draw the scores of a run under changed conditions (`robustness`), or the mean scores of an
     evaluation by file or class (`items`), the worst first.
 
@@ -347,14 +346,14 @@ def _bars(axes: Axes, values: dict[str, float], title: str, metric: str) -> None
     axes.set_title(title)
 
 
-def _metric(values: dict[str, Any]) -> str:
+def _metric(values: JsonObject) -> str:
     """Return the metric to draw: "correct" for a run or an evaluation with classes, else
     "psnr_db"."""
     rows = (*(values.get("robustness") or ()), *(values.get("items") or ()))
     return "correct" if any("correct" in row for row in rows) else "psnr_db"
 
 
-def _changes(result: dict[str, Any]) -> dict[str, float]:
+def _changes(result: JsonObject) -> dict[str, float]:
     """Return the scores of a run, in its metric, by the name of the changed condition; empty if
     `result` has none. Infinite scores are left out, and of equal names the last counts."""
     rows = result.get("robustness") or ()

@@ -27,6 +27,7 @@ from nscc.emit.notebook import container_chart
 from nscc.emit.summary import summary_rows
 from nscc.examples import about, examples, tasks
 from nscc.files import write_back
+from nscc.mappings import JsonObject
 from nscc.shutter_program import ShutterProgram
 from nscc.syntax.parse import VERSIONS
 from nscc.syntax.words import reserved, statement_words
@@ -74,7 +75,7 @@ class Playground:
         self._document = lru_cache(1)(self._opened)
         self._capture = lru_cache(1)(self._exposed)
 
-    def answer(self, kind: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    def answer(self, kind: str, values: Mapping[str, Any]) -> JsonObject:
         """Return the answer to a request as JSON values. If nscc rejects the request or its values
         are invalid, the answer has only `messages`, the errors.
 
@@ -96,7 +97,7 @@ class Playground:
             refusal = rejection
         return {"messages": _messages(refusal.diagnostics)}
 
-    def _start(self) -> dict[str, Any]:
+    def _start(self) -> JsonObject:
         """Return what the page needs at first, as JSON values: `version`, `examples`, `words` of
         the language by its version, and the opened `file` (None without one)."""
         paths = examples()
@@ -110,7 +111,7 @@ class Playground:
         opened = self.file and {"name": self.file.name, "text": _text(self.file)}
         return {"version": __version__, "examples": programs, "words": words, "file": opened}
 
-    def _save(self, text: str, before: str) -> dict[str, Any]:
+    def _save(self, text: str, before: str) -> JsonObject:
         """Write `text` to the opened file and return its name (`saved`). `before` is the text that
         the page read from it.
 
@@ -126,13 +127,13 @@ class Playground:
         write_back(self.file, text.encode())
         return {"saved": self.file.name}
 
-    def _check(self, settings: PageSettings) -> dict[str, Any]:
+    def _check(self, settings: PageSettings) -> JsonObject:
         """Return the messages of the program in `settings` as JSON values.
 
         Of a valid one also its report (`rows`), the size of the array, the chart of its shutters,
         and `map`: the rank of each pixel's shutter, uint16 in base64."""
         checked = self._document(settings.program).checked
-        answer: dict[str, Any] = {"messages": _messages(checked.diagnostics)}
+        answer: JsonObject = {"messages": _messages(checked.diagnostics)}
         if checked.compiled is None:
             return answer
         target, container = checked.compiled.program.target, checked.compiled.container
@@ -145,7 +146,7 @@ class Playground:
                 answer["map"] = _encoded(ranks.astype("<u2"))
         return answer
 
-    def _words(self, settings: PageSettings) -> dict[str, Any]:
+    def _words(self, settings: PageSettings) -> JsonObject:
         """Return the words of a frame exposed with `settings` and the registers of its chosen
         pixel, as JSON values. The scene is exposed first if the last frame had other settings.
         Raises Rejected for a pixel outside the array."""
@@ -159,7 +160,7 @@ class Playground:
         pixel = settings.row, settings.col
         return traced(taken.container, taken.light, sensor, effects, pixel, settings.seed)
 
-    def _frame(self, settings: PageSettings) -> dict[str, Any]:
+    def _frame(self, settings: PageSettings) -> JsonObject:
         """Return a frame exposed with `settings` as JSON values: its `pictures` (8 bits in base64),
         the lines of its description, and its plan.
 

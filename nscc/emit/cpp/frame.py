@@ -12,7 +12,7 @@ from decimal import Decimal
 from fractions import Fraction
 from itertools import accumulate
 from math import ceil
-from typing import Any
+from typing import Any, Self
 
 from nscc.chips.target import Target
 from nscc.emit.cpp.cpp_text import remarked, safe, template_lines
@@ -53,6 +53,11 @@ class Row:
     level: int | None
     instants: tuple[int, ...]
     steered: SteeredLaunch | None = None
+
+    @classmethod
+    def waiting(cls, at: Fraction, instant: int) -> Self:
+        """Return a row that only waits until `at`, the time of the boundary `instant`."""
+        return cls(at, Fraction(0), kernel=None, level=None, instants=(instant,))
 
     @property
     def times(self) -> int:
@@ -120,7 +125,7 @@ def schedule_of(container: Container, steered: Sequence[SteeredLaunch | None]) -
         before = launch_us
     rows += _rests(before, boundary[-1], container.slots)
     if not rows or rows[-1].at < boundary[-1]:
-        rows.append(Row(boundary[-1], Fraction(0), None, None, (container.slots,)))
+        rows.append(Row.waiting(boundary[-1], container.slots))
     return LaunchSchedule(tuple(_repeated(rows)), begin_us, boundary[-1])
 
 
@@ -165,7 +170,7 @@ def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
     `instant` is the boundary of the second launch. A kernel is a list of words."""
     while at - before > LONGEST_GAP_US:
         before += LONGEST_GAP_US
-        yield Row(before, Fraction(0), None, None, (instant,))
+        yield Row.waiting(before, instant)
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import asdict
-from typing import Any
 
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.mappings import JsonObject
 from nscc_runtime.calibrate.estimate import Calibration, Quantity
 from nscc_runtime.calibrate.levels import LevelMoments
 from nscc_runtime.calibrate.sensor_parameters import ParameterChoice, sensor_of
@@ -54,7 +54,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
     # By identity, because two levels may have equal moments.
     reasons = {id(level): reason for level, reason in curve.left_out}
 
-    def points(levels: tuple[LevelMoments, ...]) -> list[dict[str, Any]]:
+    def points(levels: tuple[LevelMoments, ...]) -> list[JsonObject]:
         """Return the moments of each of these `levels` as JSON values. `used` says whether the fit
         used the level; `left_out` is the reason if it did not, None if it did or was not judged."""
         return [
@@ -72,7 +72,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
             for level in levels
         ]
 
-    def plain(value: Quantity | ParameterChoice) -> dict[str, Any]:
+    def plain(value: Quantity | ParameterChoice) -> JsonObject:
         """Return the fields of `value` as JSON values; its `se` is named "standard_error"."""
         return {
             "standard_error" if k == "se" else k: field_value

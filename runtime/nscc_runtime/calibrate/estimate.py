@@ -80,7 +80,7 @@ def _quantities(
 def _unknown(why: str, *names: str) -> dict[str, Quantity]:
     """Return the quantities `names` of `_FIGURES`, by name, without a value; `why` is the
     reason."""
-    return {name: Quantity(*_FIGURES[name], None, None, "unknown", why) for name in names}
+    return {name: Quantity(*_FIGURES[name], None, known="unknown", remark=why) for name in names}
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,6 @@ from datetime import UTC, datetime
 from itertools import count, islice
 from pathlib import Path
 from time import monotonic, sleep
-from typing import Any
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from nscc.chips.load import load_target, target_names
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import rejected
 from nscc.files import write_whole
+from nscc.mappings import JsonObject
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.device.device_chip import DeviceChip
@@ -36,7 +36,7 @@ def exposed(
     repeat: int | None = None,
     progress: Progress = unseen,
     setting: HostSetting | None = None,
-) -> tuple[Frame, dict[str, Any]]:
+) -> tuple[Frame, JsonObject]:
     """Expose frames with a program on a device, and return them and their meta.
 
     `repeat`: the number of frames, stacked as first axis; None for one frame without that axis.
@@ -61,7 +61,7 @@ def device_meta(
     container: Container | None,
     light: Light | None = None,
     params: tuple[Mapping[str, float], ...] = (),
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the `meta` of the `frame` that `chip` just exposed with `sensor`.
 
     `container` and `light` are the program and the scene, None if unknown. Seeds, plan and audit
@@ -69,7 +69,9 @@ def device_meta(
     name, levels in electrons. The entry `device` has the names of target and loader."""
     info = chip.link.host.info
     assert info is not None  # known since the frame was received
-    origin = Provenance(chip.label.hex(), sensor, None, None, "device", params=params)
+    origin = Provenance(
+        chip.label.hex(), sensor, seed=None, device_seed=None, fidelity="device", params=params
+    )
     device = {"target": info.target_name, "loader": info.firmware}
     return {**meta(container, light, frame, origin), "device": device}
 

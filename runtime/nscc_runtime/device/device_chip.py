@@ -169,13 +169,13 @@ class DeviceChip:
         self.label = info.label
         if info.state not in (LoaderState.READY, LoaderState.EXPOSING):
             raise no_program(self.link.path)
-        return self._shot(target, None, None)
+        return self._shot(target)
 
     def _shot(
         self,
         target: Target,
-        container: Container | None,
-        program: Upload | None,
+        container: Container | None = None,
+        program: Upload | None = None,
         setting: HostSetting | None = None,
     ) -> Shot:
         """Expose a frame and fetch it, decoded for `target`.

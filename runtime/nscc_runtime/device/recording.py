@@ -147,8 +147,7 @@ class Recording:
                 kernel = numbers.setdefault((event, count), len(numbers))
                 launches.append(Launch(boundary, kernel, level))
                 level = None
-        return program_of(
-            self.target,
+        commands = BoardCommands(
             readouts=readouts,
             kernels=[
                 tuple(WORD.iter_unpack(self._words[first : first + count * WORD.size]))
@@ -161,21 +160,11 @@ class Recording:
             kept=kept,
             analog=self._analog,
         )
+        return commands.program(self.target)
 
 
-def program_of(
-    target: Target,
-    *,
-    readouts: Sequence[tuple[int, float]],
-    kernels: Sequence[Sequence[Word]],
-    launches: Sequence[Launch],
-    runs: Sequence[tuple[int, float]],
-    states: Sequence[int],
-    planes: Mapping[int, bytes],
-    kept: Sequence[str],
-    analog: Mapping[str, Any],
-) -> BoardProgram:
-    """Return the commands to a chip of `target` as a program for the emulator.
+class BoardCommands(NamedTuple):
+    """The commands to a board for a frame.
 
     Registers are numbers, those of `kept` names; IMAGE is added to the number of an image's
     register in `readouts`, which have gains. `kernels`: the words of each. `launches`: kernels at
@@ -183,16 +172,28 @@ def program_of(
     digital registers that are sent. `planes`: bytes of PLANE objects by register. `kept`: registers
     that go on from frame to frame; `analog` are the electrons (rows, cols) that the previous frame
     left in them."""
-    registers, digital = target.analog_registers, target.digital_registers
-    slot_us = tuple(us for count, us in runs for _ in range(count))
-    shape = target.rows, target.cols
-    loaded = {digital[number]: unpacked_plane(data, shape) for number, data in planes.items()}
-    ops = [[decode(word) for word in words] for words in kernels]
-    return BoardProgram(
-        ChipProgram(target, len(slot_us), ops, launches, loaded, analog),
-        slot_us,
-        tuple((registers[number], gain) for number, gain in readouts if number < IMAGE),
-        tuple(registers[number - IMAGE] for number, _ in readouts if number >= IMAGE),
-        tuple(digital[number] for number in states),
-        tuple(kept),
-    )
+
+    readouts: Sequence[tuple[int, float]]
+    kernels: Sequence[Sequence[Word]]
+    launches: Sequence[Launch]
+    runs: Sequence[tuple[int, float]]
+    states: Sequence[int]
+    planes: Mapping[int, bytes]
+    kept: Sequence[str]
+    analog: Mapping[str, Any]
+
+    def program(self, target: Target) -> BoardProgram:
+        """Return the commands to a chip of `target` as a program for the emulator."""
+        registers, digital = target.analog_registers, target.digital_registers
+        slot_us = tuple(us for count, us in self.runs for _ in range(count))
+        shape = target.rows, target.cols
+        loaded = {digital[n]: unpacked_plane(data, shape) for n, data in self.planes.items()}
+        ops = [[decode(word) for word in words] for words in self.kernels]
+        return BoardProgram(
+            ChipProgram(target, len(slot_us), ops, self.launches, loaded, self.analog),
+            slot_us,
+            tuple((registers[number], gain) for number, gain in self.readouts if number < IMAGE),
+            tuple(registers[number - IMAGE] for number, _ in self.readouts if number >= IMAGE),
+            tuple(digital[number] for number in self.states),
+            tuple(self.kept),
+        )

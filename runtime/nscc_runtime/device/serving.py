@@ -14,10 +14,11 @@ from dataclasses import dataclass
 from math import log
 from random import Random
 from time import monotonic, sleep
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.diagnostics.suggest import meant
+from nscc.mappings import NamedValues
 
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")
 _UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -68,7 +69,7 @@ def parse_faults(text: str) -> LineFaults:
     """Return the faults of a line from a `text` such as EXAMPLE: NAME=VALUE, separated by commas,
     each name at most once; others keep their defaults. Raises Rejected (NS0769, status 2) for other
     texts."""
-    values: dict[str, Any] = {}
+    values: NamedValues = {}
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
         if name not in NAMES:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from nscc.arrays import Floats
+from nscc.mappings import NamedValues
 from nscc_runtime.effects.effect import CannotHave, Effect, InLoop, parameter
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.sensor import Sensor
@@ -32,7 +31,7 @@ SIGMA = parameter(
     "standard deviation of one comparison, in full wells",
     place=1,
 )
-_OF_BOTH: dict[str, Any] = {
+_OF_BOTH: NamedValues = {
     "applied": "to every `where`",
     "absent": "no word of this program compares the light",
     "size": "the part of the pixels that it takes to other states; nothing where no pixel looks",

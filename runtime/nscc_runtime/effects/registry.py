@@ -5,9 +5,9 @@ Incomplete declarations are refused when they are registered, so other code can 
 from __future__ import annotations
 
 from functools import cache
-from typing import Any
 
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import JsonObject
 from nscc.plugins import added
 from nscc_runtime.effects.adc import ADC
 from nscc_runtime.effects.adc_noise import ADC_NOISE
@@ -156,7 +156,7 @@ def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
     return tuple(sorted(rows.values(), key=lambda row: row.place))
 
 
-def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
+def effects_json(sensor: Sensor) -> list[JsonObject]:
     """Return a dict for each effect, in the order of registration, for JSON: its texts, `kind` and
     `always`, and a list of its `parameters`, whose "default" is the value of `sensor`."""
     return [

@@ -19,11 +19,12 @@ from functools import cached_property, partial
 from itertools import groupby
 from math import prod
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nscc.arrays import Bools, Floats
+from nscc.mappings import NamedValues
 from nscc.operations import Op
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
 from nscc_runtime.pool import in_parts, threads_of
@@ -159,7 +160,7 @@ class ChipProgram:
             np.array([table.digital[name] for name in digital], np.int64),
         )
         contents = np.empty((len(analog), pixels))
-        shared: dict[str, Any] = {
+        shared: NamedValues = {
             "shape": shape,
             "program": words,
             "bits": bits,

@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from nscc.arrays import Bytes, Floats, Ints, Ints32
+from nscc.mappings import NamedValues
 from nscc.words.container import Container
 from nscc_runtime.caches import Recent
 from nscc_runtime.effects import Selection
@@ -235,7 +236,7 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         pace=zeros(slow, rows + 1, pixels),
         missing_e2=zeros(is_counted, rows, pixels),
     )
-    sizes: dict[str, Any] = {
+    sizes: NamedValues = {
         "sites": count,
         "slots": scene.light.slots,
         "own": pixels,
@@ -247,7 +248,7 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         "exchanged": exchanged,
         "rate_cap": RATE_CAP,
     }
-    shared: dict[str, Any] = {"stretches": program.stretches, "sites": sites, "means": means}
+    shared: NamedValues = {"stretches": program.stretches, "sites": sites, "means": means}
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)
 
     def add_part(strip: Light, own: Sites, first: int, begin: int, end: int) -> None:
@@ -385,8 +386,7 @@ def expose_pixels(
     # Light that takes too much memory is added up again in every frame.
     charges = scene.kept or (_charge_scene(scene, part, threads) for part in scene.parts)
     for charge in charges:
-        charge_e = _charge_of_frame(scene, charge, seed, frame, threads)
-        _run_words(scene, charge, charge_e, first, seed, frame, threads, result)
+        _run_words(scene, charge, first, seed, frame, threads, result)
         result.exposure_e[:, charge.invalid] = np.nan
     return result
 
@@ -437,7 +437,6 @@ def _charge_of_frame(
 def _run_words(
     scene: BlockScene,
     charge: ChargeScene,
-    charge_e: Floats,
     first_segment: Places,
     seed: int,
     frame: int,
@@ -447,13 +446,13 @@ def _run_words(
     """Run the pixels of `charge` through their words, and store exposures, marks and endings in
     `result`, in place, at their indices in the scene.
 
-    `charge_e`: electrons of the frame, (stretches, pixels). `first_segment`: for each pixel of the
-    scene, the segment in which it begins, or -1 - e if it has reached ending e. `seed`: of the
-    noise. `frame`: number of the frame. A stretch is the slots between two reads or resets of PIX,
-    the photodiode. A segment is the part of a path between two comparisons."""
+    `first_segment`: for each pixel of the scene, the segment in which it begins, or -1 - e if it
+    has reached ending e. `seed`: of the noise. `frame`: number of the frame. A segment is the part
+    of a path between two comparisons."""
+    charge_e = _charge_of_frame(scene, charge, seed, frame, threads)
     program, container, pixels = scene.program, scene.container, charge.pixels
     places = charge.sites.place[:pixels]
-    shared: dict[str, Any] = {
+    shared: NamedValues = {
         "switches": scene.switches, "numbers": scene.numbers,
         "keys": WordKeys(**draws_keys(seed, WORD_DRAWS)), "program": program.words,
         "segments": program.segments, "readouts": program.readouts,

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 
 from nscc.arrays import Bytes, Floats, Floats32, Ints, Ints32
+from nscc.mappings import NamedValues
 from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.pool import in_parts
@@ -361,7 +362,7 @@ def light_sums(
     out = np.empty((count, *shape))
     frames = np.require(light.ended, np.float32, ["C", "A"])
     for batch, of_frames in weights.batches(light):
-        arrays: dict[str, Any] = {
+        arrays: NamedValues = {
             "frames": frames,
             "scale": np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
             "lanes": np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
@@ -383,7 +384,7 @@ def light_sums(
         }
 
         def run(
-            begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
+            begin: int, end: int, arrays: NamedValues = arrays, sizes: NamedValues = sizes
         ) -> None:
             """Add up the light of the rows from `begin` up to before `end` with the weights of
             their lanes. The defaults bind the arrays of this batch. A lane is the pixels of one

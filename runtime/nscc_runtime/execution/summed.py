@@ -3,11 +3,10 @@ bucket."""
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from nscc.arrays import Floats, Ints32
+from nscc.mappings import NamedValues
 from nscc_runtime.execution.block_draws import BLOCK
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.frame_loop import Adding, add_up
@@ -35,7 +34,7 @@ def draw_exposures(moments: Moments, lane: Ints32, seed: int, frame: int, thread
     # Errors of words are drawn for all words of a pixel together.
     draws, _, lanes = moments.error_e.shape
     noise_keys = [key(seed, SUMS, ERRORS, frame, draw) for draw in range(draws)]
-    sizes: dict[str, Any] = {
+    sizes: NamedValues = {
         "rows": rows,
         "cols": cols,
         "pixels": pixels,

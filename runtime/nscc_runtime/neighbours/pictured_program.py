@@ -322,7 +322,7 @@ class PicturedProgram:
     def _bucket_frame(
         self,
         names: list[str],
-        read: dict[str, Any],
+        read: dict[str, tuple[Floats, Bytes]],
         valid: Bools,
         seeds: tuple[int, int],
         number: int,
@@ -346,7 +346,7 @@ class PicturedProgram:
     def _converted(
         self,
         names: list[str],
-        read: dict[str, Any],
+        read: dict[str, tuple[Floats, Bytes]],
         valid: Bools,
         seeds: tuple[int, int],
         number: int,

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from nscc.mappings import NamedValues
 from nscc.words import pictures as p
 from nscc.words.container import Container
 from nscc_runtime.pictures.sheet import place, theme
@@ -214,7 +215,7 @@ class DataFlow:
         name = "exposure" if node == "frame" else f"state {node}" if is_start else node
         # 72 points are an inch; a letter is about 0.62 of the type size wide.
         size = min(8.5, width * 72 / (0.62 * max(len(name), len(text), 8)))
-        line: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 4}
+        line: NamedValues = {"ha": "center", "va": "center", "zorder": 4}
         axes.text(at[0], at[1] - 0.07 * bool(text), name, size=size, weight="bold", **line)
         axes.text(at[0], at[1] + 0.08, text, size=0.8 * size, color=theme().faint, **line)
 

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from itertools import chain
 from operator import attrgetter
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from nscc.mappings import NamedValues
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.sheet import theme
@@ -193,7 +194,7 @@ def precision_diagram(
 def _draw(
     axes: Axes,
     panel: Panel,
-    looks: dict[str, dict[str, Any]],
+    looks: dict[str, NamedValues],
     reading: PointReading,
     beaten: dict[int, bool],
 ) -> list[ChartLabel]:
@@ -236,7 +237,7 @@ def _draw(
             edge = left_time * (right_time / left_time) ** 0.05
             labels.append((False, ChartLabel(f"{bounds[name]:g}", edge, bounds[name], colour)))
     for guide in panel.guides:
-        line: dict[str, Any] = {"color": theme().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
+        line: NamedValues = {"color": theme().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:
             axes.axvline(guide.time_ms * reading.per_ms, **line)
         elif guide.error:

@@ -19,6 +19,7 @@ import numpy as np
 
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import NamedValues
 
 MARKERS = "osD^vP"
 """Markers of series. Their number is coprime with that of the series colours, so 42 series differ
@@ -42,7 +43,7 @@ class Theme:
     bar: str
     series: tuple[str, ...]
 
-    def of(self, number: int) -> dict[str, Any]:
+    def of(self, number: int) -> NamedValues:
         """Return the colour and the marker of series `number`, as arguments for matplotlib."""
         return {
             "color": self.series[number % len(self.series)],

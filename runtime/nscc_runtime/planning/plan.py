@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from nscc import html
 from nscc.codec import KeyName, Within, to_plain
 from nscc.columns import columns
+from nscc.mappings import JsonObject
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.effect import MOST_E
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, ToleranceInput
@@ -206,10 +207,10 @@ class Plan:
             "prices"
         )
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> JsonObject:
         """Return the plan (the effects that are simulated) as JSON values, as in a frame file's
         `meta`."""
-        plain: dict[str, Any] = to_plain(self)
+        plain: JsonObject = to_plain(self)
         return plain
 
 

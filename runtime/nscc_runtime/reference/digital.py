@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import inf
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +32,7 @@ class Digital:
         nothing = np.zeros_like(self.bits["FLAG"])
         self.bits |= {"SELECT": nothing, "bus": nothing}
         self.mask, self.masked = target.mask_register, target.masked_register
-        self.written_us: dict[str, Any] = dict.fromkeys(self.bits, 0.0)
+        self.written_us: dict[str, Array | float] = dict.fromkeys(self.bits, 0.0)
         self.retention_us, self.now_us = retention_us, 0.0
 
     @property

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
+from nscc.mappings import JsonObject
 from nscc.words.container import Container
 from nscc.words.legality import refuse_planes
 from nscc_runtime.effects.selection import Selection
@@ -26,7 +25,7 @@ def traced(
     effects: Selection,
     pixel: tuple[int, int],
     seed: int,
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the words of an exposure as steps with the contents of a pixel's registers after them,
     as JSON values. `pixel`: row and column, inside the array. `seed`: of the noise.
 
@@ -77,7 +76,7 @@ class _WatchedPixel(ProgramPixels):
         used = {name for op in ops for name in (*op.sources, *op.destinations)}
         registers = *self.target.analog_registers, *self.target.digital_registers
         self.names = ["PIX", *(name for name in registers if name in used), "FLAG"]
-        self.steps: list[dict[str, Any]] = []
+        self.steps: list[JsonObject] = []
 
     def run_word(self, word: RunningWord) -> None:
         """Run a word, and append a step with its boundary, the time in us of its end from the start

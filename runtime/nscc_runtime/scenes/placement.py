@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import prod
-from typing import Any
 
 import numpy as np
 
 from nscc.arrays import Array, Floats, Floats32
 from nscc.diagnostics.diagnostic import Diagnostic, Severity, rejected
+from nscc.mappings import JsonObject
 from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.scene_settings import Fit
@@ -175,7 +175,7 @@ class Placement:
             return container
         return replace(container, pixel_codes=self.repeated(container.pixel_codes))
 
-    def as_json(self) -> dict[str, Any]:
+    def as_json(self) -> JsonObject:
         """Return the entry in a frame file's meta: `fit`, and as lists of rows and columns
         `picture` (size as stored) and `arrays` (numbers of arrays)."""
         return {"fit": self.fit, "picture": list(self.picture), "arrays": list(self.arrays)}

@@ -51,7 +51,7 @@ from nscc_runtime.device.objects import (
     WORD,
     ObjectKind,
 )
-from nscc_runtime.device.recording import IMAGE, BoardProgram, ExecutedFrame, program_of
+from nscc_runtime.device.recording import IMAGE, BoardCommands, BoardProgram, ExecutedFrame
 
 
 @dataclass(eq=False)
@@ -322,8 +322,7 @@ class Held:
         assert self.readouts is not None
         assert self.kernels is not None
         assert self.runs is not None
-        return program_of(
-            target,
+        commands = BoardCommands(
             readouts=self.readouts,
             kernels=self.kernels,
             launches=list(self.launches()),
@@ -333,6 +332,7 @@ class Held:
             kept=[target.analog_registers[number] for number in self.kept_registers],
             analog=self.analog,
         )
+        return commands.program(target)
 
 
 class Reader:

@@ -5,12 +5,10 @@ from __future__ import annotations
 import ast
 from collections import Counter, defaultdict
 from collections.abc import Iterator
-from functools import cache
 from pathlib import Path
 
-from checkout import ROOT
+from checkout import ROOT, trees
 
-PACKAGES = ("nscc", "runtime/nscc_runtime", "training/nscc_training", "cli/nscc_cli")
 BARE_WORDS = frozenset((ROOT / "tests/data/bare_words.txt").read_text().split())
 """Words that do not say which quantity a variable holds."""
 MOST_BARE_SHARE = 0.015
@@ -29,13 +27,6 @@ SHARED_CLASS_NAMES = {
 """Public class names that two modules use, with the reason."""
 PUBLIC_FUNCTIONS = {"part", "kept"}
 """Methods of the public classes Light and Plan."""
-
-
-@cache
-def trees() -> dict[str, ast.Module]:
-    """The syntax tree of each product file, by its path."""
-    files = (path for package in PACKAGES for path in sorted((ROOT / package).rglob("*.py")))
-    return {path.relative_to(ROOT).as_posix(): ast.parse(path.read_text()) for path in files}
 
 
 def bound_names(tree: ast.Module) -> Iterator[tuple[str, int]]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from nscc.arrays import Array, Bools, Floats, Floats32
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic, rejected
+from nscc.mappings import JsonObject
 from nscc.npy import InvalidArrays
 from nscc.options import Options
 from nscc.words.container import Container
@@ -275,7 +276,7 @@ def coded_frame(
     return CodedFrame(*arrays_e, saturated, opened, row, slot_us)
 
 
-def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, Array]:
+def _table_of(path: Path, program: Path, meta: JsonObject) -> dict[str, Array]:
     """Return the decode table that an older frame file at `path` lacks, computed from its `program`
     and its `meta`.
 

@@ -6,12 +6,13 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nscc.arrays import Bools
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import JsonObject
 from nscc_training.code_choices import STARTS
 from nscc_training.command_settings import EvaluationSettings
 from nscc_training.evaluation import methods
@@ -19,6 +20,7 @@ from nscc_training.evaluation.methods import CapturedScene, Light, Method, captu
 from nscc_training.evaluation.results import (
     Evaluated,
     Scored,
+    ScoredMethod,
     Scorer,
     also_saturated,
     mean_score,
@@ -185,22 +187,25 @@ def evaluate_baseline(
     published = protocol.values.get("published_db", {}).get(name)
     extra_settings = {} if published is None else {"published_db": published}
     spent_s = [entry.seconds for entry in scored_scenes]
-    return result_of(
-        protocol,
+    method = ScoredMethod(
         name,
         {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
+        baseline.method.sees,
+        1e3 * float(np.mean(spent_s)) if scored_scenes else None,
+    )
+    return result_of(
+        protocol,
+        method,
         files,
         scored_scenes,
         left_out,
-        sees=baseline.method.sees,
-        decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
         **also_saturated(files, protocol, lambda shown: decoded(tile, shown)),
     )
 
 
 def _choices(
     baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
-) -> list[tuple[Tensor, dict[str, Any]]]:
+) -> list[tuple[Tensor, JsonObject]]:
     """Return the candidate shutters of a baseline, each with the entries of the result that
     describe it. Only baselines with `best_in` have several.
 
@@ -219,7 +224,7 @@ def _choices(
         return [(tile, {"frames": len(tile), "tile": [*tile.shape[2:]]})]
     slots = int(protocol["slots" if protocol.still else "frames"])
     if codes or ":" in baseline.start:
-        settings: dict[str, Any] = {}
+        settings: JsonObject = {}
         if codes:
             encoder = named_codes(codes, protocol, name, seed)
             settings["words_per_slot"] = words_per_slot(
@@ -318,13 +323,5 @@ def evaluate_sci8(
     scenes, left_out = usable_scenes(scenes_in(paths, protocol), protocol)
     scored_scenes = (scorer or Scorer()).scored(scenes, decode)
     spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
-    return result_of(
-        protocol,
-        method,
-        options,
-        paths,
-        scored_scenes,
-        left_out,
-        sees=chosen.sees,
-        decoder_ms=spent_ms,
-    )
+    scored_method = ScoredMethod(method, options, chosen.sees, spent_ms)
+    return result_of(protocol, scored_method, paths, scored_scenes, left_out)

@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -17,6 +16,7 @@ from nscc.arrays import Array, Floats
 from nscc.chips.load import builtin_target
 from nscc.chips.target import Target
 from nscc.compiler import compile_source
+from nscc.mappings import JsonObject
 from nscc.options import Options
 from nscc.program.looking import level_steps
 from nscc.source import Source
@@ -36,6 +36,7 @@ from nscc_training.design.text import looking_text
 from nscc_training.evaluation.results import (
     Evaluated,
     Scored,
+    ScoredMethod,
     Scorer,
     also_saturated,
     result_of,
@@ -115,7 +116,7 @@ def evaluate_looks(wanted: EvaluationSettings, scorer: Scorer | None = None) -> 
 
         return scorer.scored(shown, decode)
 
-    method: dict[str, Any]
+    method: JsonObject
     if name == BRACKET:
         method = {"slots": [*bracket_slots(SLOTS)]}
     elif name in DESIGNED:
@@ -126,12 +127,10 @@ def evaluate_looks(wanted: EvaluationSettings, scorer: Scorer | None = None) -> 
     settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": wanted.seed}
     return result_of(
         protocol,
-        name,
-        {**method, **settings},
+        ScoredMethod(name, {**method, **settings}, decoder_ms=0.0),
         files,
         decoded(usable),
         left_out,
-        decoder_ms=0.0,
         **also_saturated(files, protocol, decoded),
     )
 

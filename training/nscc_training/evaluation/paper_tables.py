@@ -10,16 +10,16 @@ import re
 import shlex
 from importlib.resources import files
 from pathlib import Path
-from typing import Any
 
 from nscc.diagnostics.diagnostic import rejected
+from nscc.mappings import JsonObject
 from nscc_training.evaluation.results import mean_of, read_result
 from nscc_training.run_files import WEIGHTS, shipped_evaluations
 
 NOT_RUN = "not run"
 
 
-def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str]:
+def paper_tables(results: Path | None = None) -> tuple[list[JsonObject], str]:
     """Return the rows of the tables as JSON values, and the tables as Markdown.
 
     `results` is the folder of a sweep, or its folder `results`; None takes the results that come
@@ -29,7 +29,7 @@ def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str
         hint = "`nscc sweep GRID.toml --out DIR` makes one"
         raise rejected("NS0807", f"'{folder}' is not a folder of results", helps=(hint,))
     folder = folder / "results" if (folder / "results").is_dir() else folder
-    rows: list[dict[str, Any]] = []
+    rows: list[JsonObject] = []
 
     def filled(match: re.Match[str]) -> str:
         """Return the Markdown line of the row that `match` is the placeholder of, and append its
@@ -42,7 +42,7 @@ def paper_tables(results: Path | None = None) -> tuple[list[dict[str, Any]], str
     return rows, re.sub(r"\{\{(.*?)\}\}", filled, page)
 
 
-def results_named(folder: Path, name: str) -> list[dict[str, Any]]:
+def results_named(folder: Path, name: str) -> list[JsonObject]:
     """Read the result files in `folder` whose names without `.json` match the pattern `name`, in
     which * stands for any text; none match gives an empty list. Raise Rejected (NS0807) for a file
     that is no result. Return them in the order of the file names."""
@@ -59,7 +59,7 @@ def dagger(folder: Path, name: str) -> str:
 
 def _row(
     folder: Path, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
-) -> tuple[dict[str, Any], str]:
+) -> tuple[JsonObject, str]:
     """Return a row as JSON values, and as a line of Markdown with - for missing values.
 
     `folder` holds the results. `table` is the table's number as text, `label` names the row,
@@ -72,7 +72,7 @@ def _row(
     if any(s.get("moved") for s in settings):
         moved = (f"{s['moved']} of {s['places']}" for s in settings)
         remarks.append(f"places moved: {', '.join(moved)}")
-    row: dict[str, Any] = {
+    row: JsonObject = {
         "table": int(table), "row": label,
         "paper_psnr_db": None if psnr_db == "-" else float(psnr_db),
         "paper_ssim": None if ssim == "-" else float(ssim),

@@ -18,6 +18,7 @@ from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.experiment_store import ExperimentStore
 from nscc.files import Product, read_whole
+from nscc.mappings import JsonObject
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.experiments.engine import Done, PointRow, results, rows_in
@@ -34,9 +35,6 @@ _MEANS = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
 _MOST_REASONS = 5
 """Most reasons in the message that no scene can be used."""
 
-Evaluated = tuple[dict[str, Any], dict[str, Array]]
-"""A result as JSON values, and the arrays of `--save` by name."""
-
 
 class Scored(NamedTuple):
     """A scene, its items with their scores (JSON values), its reconstruction in the form that is
@@ -50,9 +48,30 @@ class Scored(NamedTuple):
     seconds: float
 
 
+class ScoredMethod(NamedTuple):
+    """What was scored, for the result: its name, its settings as JSON values, what it `sees` (such
+    as "capture"), the milliseconds of decoding a scene (None if unknown), and of a network its
+    device, the number of its parameters, and its operations a scene (None if unknown)."""
+
+    name: str
+    settings: JsonObject
+    sees: str = "capture"
+    decoder_ms: float | None = None
+    device: str = "cpu"
+    parameters: int = 0
+    flops: int | None = None
+
+
+class Evaluated(NamedTuple):
+    """The result of scored scenes as JSON values, and the arrays of `--save` by name."""
+
+    result: JsonObject
+    arrays: dict[str, Array]
+
+
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
-) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
+) -> tuple[list[ProtocolScene | None], list[JsonObject]]:
     """Return those of `candidates` that are scenes, not `Unusable`, and entries of the result for
     the others (`file`, place, `reason`).
 
@@ -60,7 +79,7 @@ def usable_scenes(
     list, except under hdr-v1, where the list has usable crops only. A file that cannot be read is
     such an entry, with the `code` of its error; raises Rejected if only such files remain."""
     scenes: list[ProtocolScene | None] = []
-    left_out: list[dict[str, Any]] = []
+    left_out: list[JsonObject] = []
     damages: list[Diagnostic] = []
     for scene in candidates:
         if isinstance(scene, ProtocolScene):
@@ -205,7 +224,7 @@ def also_saturated(
     files: Sequence[Path],
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the mean scores with other fractions of saturated pixels, under the key
     `also_saturated` of a result. The dictionary is empty if the protocol names no other fractions.
 
@@ -228,27 +247,18 @@ def also_saturated(
 
 def result_of(
     protocol: Protocol,
-    method: str,
-    settings: dict[str, Any],
+    method: ScoredMethod,
     files: Sequence[Path],
     scored_scenes: Sequence[Scored],
     left_out: Sequence[Mapping[str, Any]],
-    *,
-    sees: str = "capture",
-    decoder_ms: float | None = None,
-    device: str = "cpu",
-    parameters: int = 0,
-    flops: int | None = None,
     **extra_keys: Any,
 ) -> Evaluated:
-    """Return the result of scored scenes as JSON values, and the arrays of `--save` by name.
+    """Return the result of the scenes that `method` was scored on.
 
-    The arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
-    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`. `method`
-    is the name of what was scored, and `files` are all files of scenes, whose digests are stored.
-    `settings` and the keyword arguments become entries of the result: what the method sees, its
-    milliseconds a scene (None if unknown), its device, parameters and operations. Raises Rejected
-    (NS0811) without items."""
+    Its arrays are the reconstruction of each item, an `image` or a `video`, and its ground truth.
+    `left_out` lists the items that the protocol cannot use, each with `file` and `reason`. `files`
+    are all files of scenes, whose digests are stored. `extra_keys` become further entries of the
+    result. Raises Rejected (NS0811) without items."""
     items = [item for entry in scored_scenes for item in entry.items]
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
@@ -264,19 +274,19 @@ def result_of(
         "schema": SCHEMA,
         "protocol": protocol.name,
         "protocol_sha256": protocol.sha256,
-        "method": method,
-        "settings": settings,
-        "sees": sees,
+        "method": method.name,
+        "settings": method.settings,
+        "sees": method.sees,
         "stage": "hard",
         "data": [{**stamp(path), "file": names[path].as_posix()} for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
         "items": items,
-        **summary(values, [item["file"] for item in items]),
-        "decoder_ms": decoder_ms,
-        "device": device,
-        "parameters": parameters,
-        "flops": flops,
+        **summary(values, [item["file"] for item in items])._asdict(),
+        "decoder_ms": method.decoder_ms,
+        "device": method.device,
+        "parameters": method.parameters,
+        "flops": method.flops,
         "left_out": list(left_out),
         **extra_keys,
     }  # fmt: skip
@@ -290,10 +300,10 @@ def result_of(
         kind = ("class", "image", "video")[truth.ndim - 1]
         arrays[f"{label}_{kind}"] = reconstruction
         arrays[f"{label}_truth"] = truth if truth.dtype == np.uint8 else truth.astype(np.float32)
-    return report, arrays
+    return Evaluated(report, arrays)
 
 
-def read_result(path: Path) -> dict[str, Any]:
+def read_result(path: Path) -> JsonObject:
     """Return the result of `nscc evaluate` in file `path`. Raise Rejected (NS0807) for a file that
     cannot be read or is not a result."""
     try:
@@ -347,9 +357,7 @@ def mean_of(
     return float(np.mean(means)) if means else None
 
 
-def compare(
-    pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
-) -> dict[str, Any]:
+def compare(pairs: Sequence[tuple[JsonObject, JsonObject]], metric: str = "psnr_db") -> JsonObject:
     """Return the gain of second results over first results, item by item, as JSON values: the
     entries of `paired`, and what the results are.
 
@@ -397,14 +405,14 @@ def compare(
     }
 
 
-def _about(results: Sequence[dict[str, Any]]) -> dict[str, Any]:
+def _about(results: Sequence[JsonObject]) -> JsonObject:
     """Return the `method` of results and the `mean` of their scores over seeds, as JSON values."""
     means = [entry["mean"] for entry in results if entry.get("mean") is not None]
     mean = sum(means) / len(means) if means else None
     return {"method": results[0].get("method"), "mean": mean}
 
 
-def _check_alike(*results: dict[str, Any]) -> None:
+def _check_alike(*results: JsonObject) -> None:
     """Raise Rejected (NS0808) if results belong to different protocols, or to different versions of
     one."""
     for key, plural_name in (
@@ -438,7 +446,7 @@ def arrays_in(folder: Path, arrays: Mapping[str, Array]) -> dict[Path, Product]:
     return products
 
 
-def result_text(result: dict[str, Any]) -> str:
+def result_text(result: JsonObject) -> str:
     """Return a result as text for people: method and protocol, scores by file or class, what was
     left out, mean with its interval, and decoding time."""
     lines = [

@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 import torch
@@ -15,6 +14,7 @@ from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.files import file_sha256
+from nscc.mappings import JsonObject
 from nscc.program.problems import counted
 from nscc_runtime.sensor import load_sensor
 from nscc_training.code_choices import LOOKS
@@ -27,6 +27,7 @@ from nscc_training.evaluation.looks_rows import UNDECODED, evaluate_looks
 from nscc_training.evaluation.results import (
     Evaluated,
     Scored,
+    ScoredMethod,
     Scorer,
     also_saturated,
     result_of,
@@ -176,8 +177,8 @@ def _run_result(
     wanted: EvaluationSettings,
     files: list[Path],
     scored_scenes: Sequence[Scored],
-    left_out: list[dict[str, Any]],
-    extra_keys: dict[str, Any],
+    left_out: list[JsonObject],
+    extra_keys: JsonObject,
 ) -> Evaluated:
     """Return the result of scored scenes, with the settings of the run, as JSON values, and the
     arrays of `--save` by name.
@@ -186,8 +187,7 @@ def _run_result(
     and `extra_keys` are added to the result."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
-    return result_of(
-        protocol,
+    method = ScoredMethod(
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
@@ -204,13 +204,17 @@ def _run_result(
             "trained_effects": settings.sensor.effects,
             "seed": wanted.seed,
         },
-        files,
-        scored_scenes,
-        left_out,
         decoder_ms=1e3 * float(np.median(decoder_s)) if scored_scenes else None,
         device=setup.device.type,
         parameters=parameter_count(setup.decoder),
         flops=flops(setup.decoder, setup.slots, *_SIZE, setup.buckets),
+    )
+    return result_of(
+        protocol,
+        method,
+        files,
+        scored_scenes,
+        left_out,
         **extra_keys,
         flops_size=[*_SIZE],
     )

@@ -14,6 +14,7 @@ import torch
 
 from nscc import __version__
 from nscc.container_proof import shutters_of_pixels
+from nscc.mappings import JsonObject
 from nscc.words.container import Container
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.code_choices import LOOKS
@@ -102,7 +103,7 @@ def artifacts(
     return files
 
 
-def environment(setup: TrainingSetup) -> dict[str, Any]:
+def environment(setup: TrainingSetup) -> JsonObject:
     """Return the versions that results depend on, and the kind of machine and device. Host, time
     and paths are left out, so that equal runs give equal files."""
     return {
@@ -175,7 +176,7 @@ def _exposure(setup: TrainingSetup) -> str:
 
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
-) -> dict[str, Any]:
+) -> JsonObject:
     """Return the score of the validation scenes without noise, with shutters that are soft, hard,
     compiled and emulated, by these names.
 
@@ -203,7 +204,7 @@ def _stages(
         words = torch.from_numpy(opened.astype(np.float32).transpose(0, 3, 1, 2).copy())
         same = torch.equal(words, shared_out(hard, setup.buckets).reshape(words.shape))
         tiles = {"soft": soft, "hard": hard, "compiled": words[0]}
-    stages: dict[str, Any] = dict.fromkeys(("soft", "hard", "compiled"))
+    stages: JsonObject = dict.fromkeys(("soft", "hard", "compiled"))
     for name, tile in tiles.items():
         scores = validated(setup, shown, by_model(setup, tile, ideal))
         stages[name] = scores.score
@@ -211,7 +212,7 @@ def _stages(
     return stages | {"emulated": emulated.score, "compiled_equals_hard": bool(same)}
 
 
-def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
+def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[JsonObject]:
     """Return the scores on the scenes `shown` under changed sensors and exposures: for each change
     a dictionary with its name (`change`) and each metric; the first is "as trained".
 
@@ -232,7 +233,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
     return rows
 
 
-def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
+def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> JsonObject:
     """Return the entry `codes` of `result.json`: how many places (pixels of the tile) and different
     shutters the codes have, how many places differ from their start, and the score of the start
     with this decoder.
@@ -273,7 +274,7 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
     }
 
 
-def _headline_text(headline: dict[str, Any], metrics: Sequence[str]) -> str:
+def _headline_text(headline: JsonObject, metrics: Sequence[str]) -> str:
     """Return a sentence in Markdown with the scores of a run: `headline` of its `result.json`, of
     which `metrics` are named. It says under which effects the scores were measured, which are those
     of the training."""
@@ -300,7 +301,7 @@ def _purpose(setup: TrainingSetup) -> str:
     return "stills of high dynamic range" if setup.still else "clips from one exposure"
 
 
-def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
+def _card(setup: TrainingSetup, scenes: Scenes, result: JsonObject) -> str:
     """Return the text of the model card: scores, data, settings and limits of a run. `result` is
     the content of `result.json`, and `scenes` are only counted."""
     settings, metrics = setup.settings, setup.protocol.metrics

@@ -10,7 +10,6 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import torch
@@ -18,6 +17,7 @@ from torch import Tensor
 from torch.optim.swa_utils import AveragedModel
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc.mappings import NamedValues
 from nscc.npy import check_size
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
@@ -206,7 +206,7 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
     """Load the state of an optimizer from tensors named `index.key`, where the index is that of a
     parameter. Raise ValueError if an entry lacks a key, or has others, and for an index that is no
     number."""
-    state: dict[int, dict[str, Any]] = {}
+    state: dict[int, NamedValues] = {}
     for name, value in tensors.items():
         index, _, key = name.partition(".")
         state.setdefault(int(index), {})[key] = value

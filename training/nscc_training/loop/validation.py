@@ -95,7 +95,7 @@ def validated(
     means = {name: float(np.mean(values)) for name, values in scores.items()}
     name, *_ = scores
     # The first metric may be infinite for single scenes, which its mean leaves out.
-    finite_mean = summary(scores[name], ["scene"] * len(shown))["mean"]
+    finite_mean = summary(scores[name], ["scene"] * len(shown)).mean
     means[name] = float("inf") if finite_mean is None else finite_mean
     return Validation(
         float(np.mean(losses)), {name: decibels(value) for name, value in means.items()}

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from nscc.arrays import Array, Floats, Floats32
 from nscc_training import curves, made_scenes, metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics import mean_square_error
-from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, in_files
+from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene, Unusable, in_files
 from nscc_training.protocols import Protocol
 from nscc_training.random_streams import DrawStream
 from nscc_training.scene_files import centre_of, class_of, frames_in, light_in
@@ -33,7 +32,7 @@ class ClipWindow(ProtocolScene):
         """The light that is white in the file."""
         return self.scale_e
 
-    def scores(self, result_e: Floats) -> dict[str, Any]:
+    def scores(self, result_e: Floats) -> Item:
         """Return PSNR and SSIM over the frames, and the RMS error of differences between frames, as
         JSON values.
 
@@ -129,7 +128,7 @@ class ClassWindow(ClipWindow):
         """The truth: 1 for the class of the clip, 0 for the others."""
         return np.array([float(name == self.label) for name in self.classes])
 
-    def scores(self, result_e: Array) -> dict[str, Any]:
+    def scores(self, result_e: Array) -> Item:
         """Return whether the class with the highest score (of equal ones the first) is right
         (`correct`, 1 or 0), the `cross_entropy` in nats, and the names of both classes.
 

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice, zip_longest
 from pathlib import Path
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc.mappings import NamedValues
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.clips import exposed_window, windows, windows_of
 from nscc_training.protocol_scenes.panoramas import (
@@ -99,7 +100,7 @@ def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = 
 
     The digest stays that of the protocol's file, but scores are not comparable with the protocol's.
     """
-    changed: dict[str, Any] = {} if full_well_e is None else {"full_well_e": full_well_e}
+    changed: NamedValues = {} if full_well_e is None else {"full_well_e": full_well_e}
     if kind == "clips":
         return load_protocol("video-v1").changed(size=size, frames=frames, **changed)
     return load_protocol("hdr-v1").changed(crop_size=size, **changed)

@@ -4,16 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from nscc.arrays import Floats
+from nscc.mappings import JsonObject
 from nscc_runtime.scenes.colour import linear
 from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training import metrics
 from nscc_training.measures import decibels, frame_scores
-from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, on_unit_range
+from nscc_training.protocol_scenes.protocol_scene import (
+    Item,
+    ProtocolScene,
+    Unusable,
+    on_unit_range,
+)
 from nscc_training.protocols import Protocol
 from nscc_training.turning_camera import turned
 
@@ -31,7 +36,7 @@ class Crop(ProtocolScene):
         """The percentile of the light that the protocol names."""
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
 
-    def scores(self, result_e: Picture) -> dict[str, Any]:
+    def scores(self, result_e: Picture) -> Item:
         """Return PSNR, SSIM, mu-law and PU21 PSNR as JSON values, and the PSNR and the share of
         saturated and of dark pixels.
 
@@ -40,7 +45,7 @@ class Crop(ProtocolScene):
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])
-        values: dict[str, Any] = {
+        values: JsonObject = {
             **frame_scores(truth, result, 1.0),
             "mu_psnr_db": decibels(
                 metrics.mu_psnr(truth, result, data_range=1.0, mu=protocol["mu"])
@@ -141,7 +146,7 @@ class DeblurMoment(ProtocolScene):
         """Return the true slot of a clip (slots, rows, cols), in electrons over the frame."""
         return np.asarray(clip_e[int(self.protocol["moment"])] * len(clip_e))
 
-    def scores(self, result_e: Picture) -> dict[str, Any]:
+    def scores(self, result_e: Picture) -> Item:
         """Return PSNR, SSIM and mu-law PSNR of the light of one slot, as JSON values.
 
         `result_e` is that light, in electrons over the frame (rows, cols), or a clip (slots, rows,

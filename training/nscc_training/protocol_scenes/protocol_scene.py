@@ -45,7 +45,7 @@ class ProtocolScene(ABC):
         """The light in electrons that losses count as 1."""
 
     @abstractmethod
-    def scores(self, result_e: Array) -> dict[str, Any]:
+    def scores(self, result_e: Array) -> Item:
         """Return the protocol's metrics of a reconstruction, by name, as JSON values. `result_e` is
         in electrons, in the shape of the truth."""
 

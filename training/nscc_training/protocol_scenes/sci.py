@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
@@ -44,7 +43,7 @@ class SciClip(ProtocolScene):
         top = float(self.protocol["data_range"])
         return np.clip(clip.astype(np.float64), 0, 1) * top
 
-    def scores(self, result_e: Array) -> dict[str, Any]:
+    def scores(self, result_e: Array) -> Item:
         """Raise NotImplementedError: `items` scores frame by frame."""
         raise NotImplementedError("frames of this protocol are scored one by one")
 
@@ -106,7 +105,15 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
         raise _unusable(path, "its first measurement is not sum(mask x orig) of its first frames")
     scale = float(protocol["data_range"])
     mask, measurement = opened.astype(np.float32), (measured / scale).astype(np.float32)
-    return SciClip(path, None, None, truth / scale, protocol, mask, measurement)
+    return SciClip(
+        path,
+        crop=None,
+        frame=None,
+        light_e=truth / scale,
+        protocol=protocol,
+        mask=mask,
+        measurement=measurement,
+    )
 
 
 def _unusable(path: Path, reason: str) -> Exception:

@@ -8,6 +8,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import write_whole
+from nscc.mappings import JsonObject
 from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
 from nscc_training.command_settings import EvaluationSettings, TvSettings
@@ -95,11 +96,11 @@ def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
         scored = [item for item in items if isinstance(item.get(name), int | float | str)]
         if scored and name not in ("file", "crop", "frame", "class", "decoded"):
             scores = [float(item[name]) for item in scored]
-            means[name] = summary(scores, [item["file"] for item in scored])["mean"]
+            means[name] = summary(scores, [item["file"] for item in scored]).mean
     return means
 
 
-def _result(values: Values) -> dict[str, Any]:
+def _result(values: Values) -> JsonObject:
     """Return the result of the evaluation that `values` describe, in the form that `nscc evaluate`
     writes."""
     from nscc_training.evaluation.baselines import evaluate_sci8
@@ -110,7 +111,7 @@ def _result(values: Values) -> dict[str, Any]:
     data, subject = Path(values["data"]), values.get("subject", "")
     if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
-        return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
+        return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight).result
     named = ("protocol", "seed", "skip_seen", "shutter", "effects")
     wanted = EvaluationSettings(
         subject,
@@ -120,7 +121,7 @@ def _result(values: Values) -> dict[str, Any]:
         changes=sensor_changes(values),
         **{name: values[name] for name in named},
     )
-    return evaluate(wanted)[0]
+    return evaluate(wanted).result
 
 
 EVALUATE = PointKind(

@@ -22,6 +22,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.diagnostics.suggest import meant
+from nscc.mappings import NamedValues
 from nscc.source import Source
 from nscc.toml.kinds import Axis, Several, TextKind
 from nscc.toml.schema import FileCodes, Key, Schema, file_bytes, file_table, file_text, key, keys_of
@@ -101,7 +102,7 @@ def read_grid(path: Path) -> Grid:
     not TOML, NS0831 for unknown keys, NS0832 for invalid values."""
     head = _schema({})
     tables, source = file_table(head, file_bytes(head, path), str(path))
-    grid_parts: dict[str, dict[str, Any]] = {}
+    grid_parts: dict[str, NamedValues] = {}
     unknown_parts = []
     for name, value in tables.items():
         if not (isinstance(value, Mapping) and name != _PLOT):
@@ -185,10 +186,10 @@ def part_text(kind: str) -> str:
     return text if known else f"{text}\n[{kind}]\n"
 
 
-def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
+def _flat(table: Mapping[str, Any], begin: str = "") -> NamedValues:
     """Return a nested table with dotted keys, such as `sensor.adc_noise_lsb`. `begin` is put in
     front of each key. An empty table stays a value."""
-    flat_keys: dict[str, Any] = {}
+    flat_keys: NamedValues = {}
     for name, value in table.items():
         if isinstance(value, Mapping) and value:
             flat_keys |= _flat(value, f"{begin}{name}.")

@@ -7,6 +7,7 @@ from dataclasses import MISSING, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from nscc.mappings import NamedValues
 from nscc.toml.schema import Key
 from nscc_training.experiments.engine import Figures
 
@@ -65,7 +66,7 @@ class PointKind:
     leaves: str | None = None
     folder: str = ""
 
-    def defaults(self) -> dict[str, Any]:
+    def defaults(self) -> NamedValues:
         """Return the values of the keys that have a default."""
         return {k.name: k.default[0] for k in self.takes() if k.default is not MISSING}
 

@@ -11,6 +11,7 @@ from typing import Any
 from nscc import html
 from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import meant
+from nscc.mappings import NamedValues
 from nscc.program.problems import counted
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
 from nscc_training.experiments.engine import PointRow
@@ -204,7 +205,7 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 
 
 def _lines(
-    table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
+    table: Table, x: str, figure: str, lines: Sequence[str], chosen: NamedValues
 ) -> dict[str, list[tuple[Any, float]]]:
     """Return the points (x, y) of a panel's lines by the name of the line.
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nscc.columns import columns
+from nscc.mappings import NamedValues
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
@@ -311,7 +312,7 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
             labels.append(ChartLabel(f"{measured:.1g}", x, ends[1], style["color"]))
     sheet.round_ticks(axes.xaxis)
     sheet.round_ticks(axes.yaxis)
-    dot: dict[str, Any] = {"color": theme().faint, "linestyle": "", "marker": "o"}
+    dot: NamedValues = {"color": theme().faint, "linestyle": "", "marker": "o"}
     sheet.head(
         figure,
         "What was asked, what came of it",
