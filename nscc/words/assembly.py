@@ -188,7 +188,8 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     code = _CODE.split(text, 1)[0] if is_instruction else text
     count = code.count(",") if is_instruction else 0
     if count + len(code.split(maxsplit=_MOST_PIECES)) > _MOST_PIECES:
-        faults.add("NS0714", f"a line has at most {_MOST_PIECES} parts", head.span)
+        helps = ("divide it into several lines, or write a range such as `0..63`",)
+        faults.add("NS0714", f"a line has at most {_MOST_PIECES} parts", head.span, helps=helps)
         return None
     try:
         pieces = _parsed(text)
@@ -222,7 +223,8 @@ def _misplaced(piece: str, span: Span, head: Token, code: str, faults: Faults) -
     name = head.text
     if name not in DIRECTIVES:
         if piece in ("", ","):
-            faults.add("NS0712", f"an operand of {name} is empty", span)
+            helps = ("write a register between the commas, or remove a comma",)
+            faults.add("NS0712", f"an operand of {name} is empty", span, helps=helps)
             return
         message = f"operands of {name} are separated by commas, not by blanks"
         operands = code.replace(",", " ").split()[1:]

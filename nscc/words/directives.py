@@ -155,7 +155,7 @@ class Draft:
         self.words += len(line.words)
         if self.words > MOST_WORDS:
             message = f"a text has at most {MOST_WORDS} words"
-            faults.add("NS0718", message, line.span)
+            faults.add("NS0718", message, line.span, helps=("split the text into programs",))
             faults.stop()
 
 
@@ -183,7 +183,8 @@ def _block(
     `tokens` are the directive's arguments. A second such block is reported, and replaces the first.
     """
     if getattr(draft, attribute) is not None:
-        faults.add("NS0719", f"{head.text} appears twice", head.span)
+        helps = ("join the two, or remove one",)
+        faults.add("NS0719", f"{head.text} appears twice", head.span, helps=helps)
     block = TextBlock(head, tuple(tokens))
     setattr(draft, attribute, block)
     return block
@@ -204,7 +205,8 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
     `tokens` are its key and its text. A second note with the same key is reported, and left out."""
     key, text = tokens
     if key.text in draft.notes:
-        faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
+        helps = ("keep one of them, or name the second otherwise",)
+        faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span, helps=helps)
     else:
         draft.notes[key.text] = text.text
 
@@ -237,7 +239,9 @@ def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> N
     report a second one of the same name."""
     (name,) = tokens
     if any(kernel.name.text == name.text for kernel in draft.kernels):
-        faults.add("NS0719", f"two kernels have the name {shown(name.text)}", name.span)
+        message = f"two kernels have the name {shown(name.text)}"
+        helps = ("name one of them otherwise, also in its `.slot` lines",)
+        faults.add("NS0719", message, name.span, helps=helps)
     draft.kernels.append(KernelDraft(name))
 
 
@@ -276,7 +280,9 @@ def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> 
     register, *operands = tokens
     gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:
-        faults.add("NS0714", f"{shown(operands[1].text)} is not a valid gain", operands[1].span)
+        message = f"{shown(operands[1].text)} is not a valid gain"
+        helps = ("write a number, such as `.readout A frame -1`",)
+        faults.add("NS0714", message, operands[1].span, helps=helps)
     else:
         draft.readouts.append(ReadoutDraft(register, operands[0] if operands else None, gain))
 

@@ -68,8 +68,9 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         message = (
             ".plane and .shutter both define the contents of the registers: use only one of them"
         )
+        helps = ("remove the `.plane` lines, or all of `.shutter`, `.code` and `.pixels`",)
         for plane in draft.planes:
-            faults.add("NS0719", message, plane.register.span)
+            faults.add("NS0719", message, plane.register.span, helps=helps)
     else:
         table, encoding, pixels, load = _table_of_planes(draft, target, base, load, buckets, faults)
         notes |= NO_TABLE
@@ -117,7 +118,8 @@ def _with_blocks(container: Container, draft: Draft, faults: Faults) -> Containe
             except ValueError as error:
                 name = block.directive
                 message = f"the lines below are not the {name.text[1:]} of this program: {error}"
-                faults.add("NS0714", message, name.span)
+                helps = ("write the text again with `nscc disasm`: only nscc makes this block",)
+                faults.add("NS0714", message, name.span, helps=helps)
     faults.stop()
     return container
 
@@ -206,7 +208,9 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
-            faults.add("NS0719", f"the {kind} {shown(token.text)} is defined twice", token.span)
+            message = f"the {kind} {shown(token.text)} is defined twice"
+            helps = ("give each a name of its own, or remove the second",)
+            faults.add("NS0719", message, token.span, helps=helps)
         names.setdefault(token.text, len(names))
     return names
 
@@ -247,6 +251,7 @@ def _readouts(
     registers = {name: i for i, name in enumerate(target.analog_registers)}
     known = {name: i for i, name in enumerate(buckets)}
     readouts, read = [], set()
+    listed_buckets = f"the buckets are {', '.join(buckets)}"
     for line in draft.readouts:
         _find(line.register, registers, "analog register", faults)
         place = line.bucket or line.register
@@ -255,14 +260,19 @@ def _readouts(
         else:
             bucket = buckets[0]
             if len(buckets) > 1:
-                faults.add("NS0714", "this readout must name its bucket", place.span)
+                helps = (f"write `.readout {place.text} {bucket}`; {listed_buckets}",)
+                faults.add("NS0714", "this readout must name its bucket", place.span, helps=helps)
         if bucket in read:
-            faults.add("NS0719", f"the bucket {shown(bucket)} is read out twice", place.span)
+            message = f"the bucket {shown(bucket)} is read out twice"
+            helps = (f"read each bucket once; {listed_buckets}",)
+            faults.add("NS0719", message, place.span, helps=helps)
         read.add(bucket)
         readouts.append(Readout(line.register.text, bucket, line.gain))
     for token in draft.buckets:
         if token.text not in read and draft.readouts:
-            faults.add("NS0715", f"the bucket {shown(token.text)} is not read out", token.span)
+            message = f"the bucket {shown(token.text)} is not read out"
+            helps = (f"write `.readout REGISTER {token.text}`, or remove it from `.bucket`",)
+            faults.add("NS0715", message, token.span, helps=helps)
     return tuple(readouts)
 
 
@@ -285,10 +295,12 @@ def _table_of_planes(
     faults.stop()
     if load and set(load) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
-        faults.add("NS0715", message, draft.load[0].span)
+        helps = (f"write `.load {' '.join(planes)}`, or leave .load out",)
+        faults.add("NS0715", message, draft.load[0].span, helps=helps)
     if draft.pixels is not None:
         span = draft.pixels.directive.span
-        faults.add("NS0715", ".pixels needs codes, but .code is missing", span)
+        helps = ("write `.code` and `.shutter` lines, or remove .pixels",)
+        faults.add("NS0715", ".pixels needs codes, but .code is missing", span, helps=helps)
     encoding, pixels = codes_of_planes(planes, target)
     codes = len(encoding)
     table = DecodeTable(
@@ -314,10 +326,14 @@ def _table(
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):
         if not lines:
             span = (draft.codes or draft.shutters)[0][0].span
-            faults.add("NS0715", f"the decode table has no {name}", span)
+            helps = (f"write a `{name}` line: shutters and codes only count together",)
+            faults.add("NS0715", f"the decode table has no {name}", span, helps=helps)
     if shutters * len(buckets) * slots > MOST_TABLE_CELLS:
         message = f"{shutters} shutters of {slots} slots exceed the size of a table"
-        faults.add("NS0714", message, draft.shutters[0][0].span)
+        helps = (
+            f"shutters x buckets x slots are at most {MOST_TABLE_CELLS:,}: use fewer shutters",
+        )
+        faults.add("NS0714", message, draft.shutters[0][0].span, helps=helps)
         faults.stop()
     opened = np.zeros((shutters, len(buckets), slots), dtype=np.bool_)
     registers = len(target.digital_registers)
@@ -326,14 +342,17 @@ def _table(
         # Without registers, `-` stands for no digits.
         digits = bits.text if registers else bits.text.replace("-", "", 1)
         if len(digits) != registers or digits.strip("01"):
-            faults.add("NS0714", f"{shown(bits.text)} is not {registers} digits 0 or 1", bits.span)
+            message = f"{shown(bits.text)} is not {registers} digits 0 or 1"
+            helps = (f"write a digit for each of {', '.join(target.digital_registers) or 'none'}",)
+            faults.add("NS0714", message, bits.span, helps=helps)
         else:
             encoding[row] = [digit == "1" for digit in digits]
         if len(slot_tokens) != len(buckets):
             message = (
                 f"a shutter has slots for each of {len(buckets)} buckets, not {len(slot_tokens)}"
             )
-            faults.add("NS0714", message, bits.span)
+            helps = (f"write one set of slots for each bucket: {', '.join(buckets)}",)
+            faults.add("NS0714", message, bits.span, helps=helps)
             continue
         for bucket, token in enumerate(slot_tokens):
             open_slots = read_slots(token.text, slots)
@@ -351,10 +370,12 @@ def _table(
         values = [value for value in read if value is not None]
         if not len(values) == len(read) == 1 + len(fields):
             message = f"a code consists of a shutter and {len(fields)} values, all integers"
-            faults.add("NS0714", message, tokens[0].span)
+            helps = (f"write `{' '.join(['.code', 'SHUTTER', *fields])}`",)
+            faults.add("NS0714", message, tokens[0].span, helps=helps)
         elif not 0 <= values[0] < shutters:
             message = f"unknown shutter {shown(tokens[0].text)}: there are {shutters} shutters"
-            faults.add("NS0714", message, tokens[0].span)
+            helps = (f"write a number from 0 to {shutters - 1}, in the order of `.shutter`",)
+            faults.add("NS0714", message, tokens[0].span, helps=helps)
         else:
             shutter_of_code[row] = values[0]
             codes[row] = values[1:]
@@ -381,7 +402,10 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> Ints32 
         else:
             values = np.frombuffer(b64decode("".join(texts), validate=True), dtype="<i4")
     if values is None or values.size != rows * cols:
-        faults.add("NS0714", f"the lines below are not {rows} x {cols} codes", span)
+        needs = "integers between blanks" if form == "tile" else "base64 of int32"
+        helps = (f"write {rows * cols} {needs}, each line after a bar `|`",)
+        message = f"the lines below are not {rows} x {cols} codes"
+        faults.add("NS0714", message, span, helps=helps)
         return None
     values = values.reshape(rows, cols)
     if (
@@ -390,10 +414,13 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> Ints32 
         or (form == "plane" and values.shape != (target.rows, target.cols))
     ):
         message = f"{rows} x {cols} does not match {target.name}: {target.rows} x {target.cols}"
-        faults.add("NS0714", message, span)
+        helps = ("a plane has the size of the array, a tile at most this size",)
+        faults.add("NS0714", message, span, helps=helps)
         return None
     if values.min() < 0 or values.max() >= codes:
-        faults.add("NS0714", f"the code of a pixel is not one of the {codes} codes", span)
+        message = f"the code of a pixel is not one of the {codes} codes"
+        helps = (f"write numbers from 0 to {codes - 1}, in the order of `.code`",)
+        faults.add("NS0714", message, span, helps=helps)
         return None
     repeats = (-(-target.rows // rows), -(-target.cols // cols))  # rounded up, then cut
     tiled = np.tile(values.astype(np.int32), repeats)

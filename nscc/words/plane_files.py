@@ -40,14 +40,16 @@ def read_planes(
             helps = meant(register, target.digital_registers)
             faults.add("NS0712", message, draft.register.span, helps=helps)
         elif register in planes:
-            faults.add("NS0719", f"{register} has two planes", draft.register.span)
+            helps = ("keep one `.plane` line for each register",)
+            faults.add("NS0719", f"{register} has two planes", draft.register.span, helps=helps)
         try:
             stated_sha256 = draft.sha256.text if draft.sha256 else None
             shape = (target.rows, target.cols)
             planes[register] = _plane(base / draft.file.text, register, shape, stated_sha256)
         except _BadPlaneError as error:
             message = f"the plane file {shown(draft.file.text)} cannot be used: {error}"
-            faults.add("NS0716", message, draft.file.span)
+            helps = (f"a plane is a .npy file of {shape[0]} x {shape[1]} values 0 or 1",)
+            faults.add("NS0716", message, draft.file.span, helps=helps)
     return {name: planes[name] for name in target.digital_registers if name in planes}
 
 

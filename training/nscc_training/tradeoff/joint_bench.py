@@ -58,7 +58,8 @@ class Bench:
         if is_compiled(self.request.program):
             raise rejected(
                 "NS0743",
-                "the program is compiled already: give its text, FILE.nsl, to compare these",
+                f"'{self.request.program.as_posix()}' is compiled already, but this stage compiles "
+                "the text of a program: give the .nsl file",
             )
         return read_source(self.request.program)
 

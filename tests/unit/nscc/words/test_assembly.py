@@ -196,6 +196,10 @@ def test_all_errors_are_reported_at_once_with_their_places() -> None:
         (".readout A frame nan", "NS0714", "'nan' does not belong here: .readout takes"),
         (".readout A frame", "NS0719", "read out twice"),
         (".bucket late", "NS0719", "undefined bucket"),
+        (".readout A frame x", "NS0714", "'x' does not belong here: .readout takes"),
+        (".note a b\n.note a c", "NS0719", "the note 'a' appears twice"),
+        (".bucket frame other", "NS0715", "the bucket 'other' is not read out"),
+        (".code 0\n.fields a a", "NS0719", "'a' is defined twice"),
         (".target scamp7", "NS0719", "appears twice"),
         (".load Z9", "NS0719", "digital register"),
         (".shutter 01 never", "NS0714", "13 digits"),
@@ -221,12 +225,17 @@ def test_a_wrong_line_is_explained(line: str, code: str, words: str) -> None:
     table = ".shutter 0000000000000 0..3\n.code 0\n"
     needs_table = line.startswith((".shutter", ".code", ".pixels"))
     found = rejected(HAND + (table if needs_table else "") + line + "\n")
-    assert (code, True) in [(d.code, words in d.message) for d in found]
+    explained = [d for d in found if d.code == code and words in d.message]
+    assert explained
+    assert all(d.helps for d in explained), "a help says what to write"
 
 
 def test_missing_parts_of_an_assembly_text_are_named() -> None:
     found = rejected("nop\n")
     assert [d.code for d in found] == ["NS0715", "NS0715"]
+    found = rejected(HAND + ".pixels tile 1 1\n| 0\n")
+    assert [d.message for d in found] == [".pixels needs codes, but .code is missing"]
+    assert found[0].helps == ("write `.code` and `.shutter` lines, or remove .pixels",)
 
 
 def test_class_b_with_4096_slots_stays_small() -> None:

@@ -317,7 +317,7 @@ def test_compiled_programs_have_no_optimisation_levels(folder: Path) -> None:
     command = ["tradeoff", "p.icw", "--scene", "builtin:flat:9000", "--repeats", "1"]
     done = invoke([*command, "--stages", "compile,effects"], folder)
     assert done.status == 0
-    assert "compile: the program is compiled already" in done.out
+    assert "compile: 'p.icw' is compiled already" in done.out
 
 
 def test_pixels_that_look_have_one_lowering(folder: Path) -> None:
