@@ -150,7 +150,7 @@ def test_fish_keeps_what_stands_behind_a_comma(
     assert "(string split --max 1 , $completion)" in capsys.readouterr().out
 
 
-def test_bash_itself_completes(environment: dict[str, str], root: Path) -> None:
+def test_bash_runs_the_completion_script(environment: dict[str, str], root: Path) -> None:
     line = said_in((root / "docs/commands.md").read_text(), "bash")
     script = (
         f"{line}\nCOMP_WORDS=(nscc bui)\nCOMP_CWORD=1\n"

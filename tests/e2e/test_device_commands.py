@@ -85,7 +85,7 @@ def test_the_frame_is_the_emulators(folder: Path) -> None:
         assert json.loads((folder / "t.json").read_text())["expose_s"] > 0
 
 
-def test_a_bad_cable_changes_nothing(folder: Path) -> None:
+def test_a_frame_over_a_faulty_line_equals_one_over_a_good_line(folder: Path) -> None:
     fault = "corrupt=3e-4,drop=1e-4,delay=2ms,disconnect=after:1500,reboot=after:3000,outage=100ms"
     with serving(folder, "--fault", fault) as device:
         outcome = invoke(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
@@ -200,7 +200,7 @@ def test_a_busy_port_is_refused(folder: Path) -> None:
         os.close(master)
 
 
-def test_a_port_where_nobody_answers(folder: Path) -> None:
+def test_a_silent_port_is_reported_after_the_patience(folder: Path) -> None:
     master, slave = os.openpty()
     line = ["device", "info", os.ttyname(slave), "--patience", "0.5"]
     try:
@@ -241,7 +241,7 @@ def test_a_device_refuses_programs_of_another_target_table(folder: Path) -> None
         assert invoke(["run", "small.icw", "--on", device.port], folder).status == 0
 
 
-def test_a_device_that_does_not_come_back(folder: Path) -> None:
+def test_a_device_that_stays_away_is_reported_and_nothing_written(folder: Path) -> None:
     fault = "disconnect=after:1000,outage=60s"
     with serving(folder, "--fault", fault) as device:
         line = ["run", "small.icw", "--on", device.port, "--patience", "0.5", "-o", "d.npz"]
@@ -286,7 +286,7 @@ def test_ctrl_c_leaves_the_device_usable(folder: Path) -> None:
         same_frame(folder, "d.npz")
 
 
-def test_ctrl_c_ends_continuous_capture_with_whole_files(folder: Path) -> None:
+def test_ctrl_c_during_continuous_capture_leaves_only_complete_files(folder: Path) -> None:
     with serving(folder) as device:
         line = ["device", "capture", device.port, "small.icw", "--to", "many", "--every", "0.02"]
         running = start(line, folder)
@@ -302,7 +302,7 @@ def test_ctrl_c_ends_continuous_capture_with_whole_files(folder: Path) -> None:
             same_frame(folder, f"many/{name}")
 
 
-def test_serving_ends_when_told(folder: Path) -> None:
+def test_a_stand_in_stops_after_one_session_or_a_given_time(folder: Path) -> None:
     with serving(folder, "--once") as device:
         assert invoke(["device", "info", device.port], folder).status == 0
         assert device.process.wait(LIMIT_S) == 0

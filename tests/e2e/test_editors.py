@@ -65,7 +65,7 @@ def assert_coloured(text: str, found: Iterable[Token]) -> None:
     )
 
 
-def test_the_grammar_is_what_the_generator_makes() -> None:
+def test_the_committed_grammar_equals_the_generated_one() -> None:
     made = subprocess.run([sys.executable, str(ROOT / "editors/textmate.py"), "--check"])
     assert made.returncode == 0
 

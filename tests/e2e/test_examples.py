@@ -92,7 +92,7 @@ def test_builds_for_every_legal_code(path: Path, tmp_path: Path) -> None:
 
 
 @fixed
-def test_words_open_the_shutters_that_are_meant(path: Path, tmp_path: Path) -> None:
+def test_words_open_the_documented_shutters(path: Path, tmp_path: Path) -> None:
     fine(["shutters", path, "-o", "s.npz"], tmp_path)
     with np.load(tmp_path / "s.npz") as data:
         _, rows, cols, slots = shape = tuple(data["shutter_shape"].tolist())

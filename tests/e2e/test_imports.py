@@ -90,7 +90,7 @@ def files() -> dict[str, Path]:
     return found
 
 
-def test_no_floor_knows_one_above_it() -> None:
+def test_no_package_imports_a_package_above_it() -> None:
     assert arrows_up(file_graph(files()), FLOORS) == []
 
 
@@ -118,7 +118,7 @@ def test_imports_few_packages_of_others(floor: str) -> None:
     assert wanted - own <= EXTERNAL[floor]
 
 
-def test_every_package_that_is_imported_is_asked_for() -> None:
+def test_every_imported_package_is_a_dependency_or_in_an_extra() -> None:
     """So that whoever lacks one is told the extra; the compiler needs none."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
     extras = project["optional-dependencies"]
@@ -238,7 +238,9 @@ _IMAGES = ["nscc.neighbours.passes", "nscc.neighbours.pictures_proof"]
         ("edges", ["json", *_IMAGES]),  # stored words of kernels
     ],
 )
-def test_check_imports_what_the_program_needs(program: str, needed: list[str], root: Path) -> None:
+def test_check_imports_only_modules_that_the_program_needs(
+    program: str, needed: list[str], root: Path
+) -> None:
     code = (
         "import sys; from nscc_cli.main import main; status = main(sys.argv[1:]); "
         f"print(status, [name for name in {OF_SOME_PROGRAMS!r} if name in sys.modules])"

@@ -30,7 +30,7 @@ MAY_ASK = {
 }
 
 
-def test_no_other_file_asks_of_which_kind_a_program_is() -> None:
+def test_only_listed_files_test_the_kind_of_a_program() -> None:
     asking = [
         f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
         for folder in FOLDERS
@@ -43,7 +43,7 @@ def test_no_other_file_asks_of_which_kind_a_program_is() -> None:
     assert asking == []
 
 
-def test_files_that_may_ask_do() -> None:
+def test_every_listed_file_tests_the_kind_of_a_program() -> None:
     assert [name for name in MAY_ASK if not ASKS.search((ROOT / name).read_text())] == []
 
 

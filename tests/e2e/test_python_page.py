@@ -125,7 +125,7 @@ PROGRAM = "nscc.compile('nsl 1 frame 2 slots of 1ms open when true')"
         ),
     ],
 )
-def test_a_missing_package_is_named_with_what_to_type(
+def test_a_missing_package_is_named_with_the_pip_command(
     module: str, use: str, needs: str, extra: str
 ) -> None:
     code = (

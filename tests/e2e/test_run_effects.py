@@ -179,7 +179,9 @@ def parse(text: str) -> object:
         (["--fidelity", "best"], "NS0783"),
     ],
 )
-def test_bad_options_write_nothing(arguments: list[str], code: str, folder: Path) -> None:
+def test_invalid_options_of_a_run_write_no_frame(
+    arguments: list[str], code: str, folder: Path
+) -> None:
     outcome = run(folder, *arguments)
     assert outcome.status == 2
     assert code in outcome.codes

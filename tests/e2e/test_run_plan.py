@@ -103,7 +103,7 @@ def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     assert "wrote f.npz" in outcome.err
 
 
-def test_a_plan_is_one_line_and_its_table_is_there_to_look_at(folder: Path) -> None:
+def test_a_run_prints_one_line_of_its_plan_and_effects_prints_its_table(folder: Path) -> None:
     outcome = run(folder, "--tolerance", "2e", "--plan", "plan.json")
     [line] = [line for line in outcome.err.splitlines() if "simulated" in line]
     assert line.startswith("predicted error ")

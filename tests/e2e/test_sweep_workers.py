@@ -110,7 +110,7 @@ def test_a_worker_that_is_killed_loses_nothing(serial: tuple[Path, bytes]) -> No
     assert len(set(keys_of(folder, "killed"))) == ROWS == len(keys_of(folder, "killed"))
 
 
-def test_killed_at_random_moments_it_goes_on(serial: tuple[Path, bytes]) -> None:
+def test_a_sweep_killed_at_random_moments_resumes(serial: tuple[Path, bytes]) -> None:
     folder, table = serial
     begin = time.perf_counter()
     finished(folder, "serial", 0)  # nothing is left to compute
@@ -131,7 +131,7 @@ def test_killed_at_random_moments_it_goes_on(serial: tuple[Path, bytes]) -> None
     assert len(set(keys_of(folder, "moments"))) == ROWS == len(keys_of(folder, "moments"))
 
 
-def test_two_sweeps_at_once_lose_nothing(serial: tuple[Path, bytes]) -> None:
+def test_two_parallel_sweeps_share_the_rows(serial: tuple[Path, bytes]) -> None:
     folder, table = serial
     both = [started(folder, "both", 0) for _ in range(2)]
     for process in both:

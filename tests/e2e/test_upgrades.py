@@ -30,7 +30,7 @@ def test_programs_of_the_previous_version_compile(name: str, old: Path) -> None:
     assert "target:" not in same.out
 
 
-def test_words_of_version_1_stay_what_they_are(old: Path) -> None:
+def test_words_of_a_version_1_program_keep_their_bytes(old: Path) -> None:
     invoke(["build", "stops.nsl", "-o", "again.icw"], old)
     assert (old / "again.icw").read_bytes() == (old / "stops.icw").read_bytes()
 
@@ -63,7 +63,7 @@ def test_frames_are_reconstructed_and_drawn(name: str, old: Path) -> None:
     assert invoke(["view", f"{name}.npz", "-o", "frame.png"], old).status == 0
 
 
-def test_a_run_decodes_as_it_did(old: Path) -> None:
+def test_an_old_run_decodes_to_the_recorded_clip(old: Path) -> None:
     pytest.importorskip("torch")
     assert invoke(["reconstruct", "run", "like.npz", "-o", "again.npz"], old).status == 0
     with np.load(old / "video.npz") as before, np.load(old / "again.npz") as now:

@@ -91,6 +91,6 @@ def test_all_files_that_a_program_names_are_watched(tmp_path: Path) -> None:
     assert files_of(program) == {program, tmp_path / "k.npz"}
 
 
-def test_a_log_that_is_one_document_is_refused(capsys: pytest.CaptureFixture[str]) -> None:
+def test_watch_refuses_the_sarif_format(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", "--watch", "--message-format", "sarif", "a.nsl"]) == 2
     assert "--watch runs forever" in capsys.readouterr().err

@@ -66,7 +66,7 @@ def test_wheel_holds_grammar_targets_pages_and_types(elsewhere: Path) -> None:
         assert (site / name / "py.typed").is_file()
 
 
-def test_sdist_is_whole(dist: Path, root: Path) -> None:
+def test_sdist_contains_examples_tests_and_docs(dist: Path, root: Path) -> None:
     [sdist] = dist.glob("*.tar.gz")
     with tarfile.open(sdist) as archive:
         packed = {Path(*Path(name).parts[1:]) for name in archive.getnames()}

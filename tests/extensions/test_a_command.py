@@ -32,7 +32,7 @@ text = "no command"
 PROGRAM = "nsl 1 frame 4 slots of 1ms code stop : 1..4 open when n < stop"
 
 
-def test_a_command_from_outside_is_one_of_nscc(tmp_path: Path) -> None:
+def test_a_command_of_another_package_has_help_errors_and_suggestions(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.commands", "shine", "command")
     (tmp_path / "p.nsl").write_text(PROGRAM)
     assert "Write how many words" in nscc_with(tmp_path, "--help").stdout

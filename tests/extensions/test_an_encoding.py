@@ -43,7 +43,7 @@ BUILD = ("build", "p.nsl", "--lowering", "accumulate", "--emit", "report=-", "-O
 
 
 @pytest.mark.parametrize("level", [0, 1, 2, slow(3)])
-def test_an_encoding_from_outside_serves_a_program(tmp_path: Path, level: int) -> None:
+def test_an_encoding_of_another_package_is_used_and_proved(tmp_path: Path, level: int) -> None:
     add_package(tmp_path, SOURCE, "nscc.encodings", "sums", "GOOD")
     (tmp_path / "p.nsl").write_text(PROGRAM)
     report = json.loads(nscc_with(tmp_path, *BUILD, level).stdout)

@@ -53,7 +53,7 @@ def test_small_decoders_of_stills_are_small(slots: int, sees_code: bool) -> None
 
 
 @pytest.mark.parametrize("slots", [1, 13, 16])
-def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
+def test_decoders_keep_the_shapes_and_first_weights_of_earlier_runs(slots: int) -> None:
     """By shape and by value: what was trained loads, and what is trained begins the same."""
     makers = {
         "unet2d": (StillUNet, (16, 32, 64, 128)), "unet3d": (ClipUNet, (8, 16, 32, 64)),

@@ -59,7 +59,7 @@ def test_counts_of_plans_are_in_order_about_their_crossover(place, a, b):
 
 
 @given(st.lists(any_float, min_size=1, max_size=30), st.integers(0, 2**64 - 1))
-def test_any_bits_give_whole_counts_or_are_flagged(values, seed):
+def test_counts_of_any_rate_are_whole_numbers_or_marked_invalid(values, seed):
     rate = np.array(values)
     counts, valid = poisson(key(seed, 1), np.arange(len(values)), rate)
     assert np.array_equal(valid, ~np.isnan(rate))

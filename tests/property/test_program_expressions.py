@@ -57,7 +57,7 @@ PLANES = expressions(["x", "y", "rows", "cols", "k"])[0]
 
 @settings(max_examples=80, deadline=None)
 @given(rule=RULES, require=RULES.filter(lambda r: "n" not in r.replace("min", "")))
-def test_rules_mean_what_python_says(rule: str, require: str) -> None:
+def test_expressions_of_rules_equal_python(rule: str, require: str) -> None:
     text = (
         "nsl 1 frame 5 slots of 1ms let k = 7 - N code a : -2..3 code bits : bit[3] "
         f"require {require} open when {rule}"
@@ -79,7 +79,7 @@ def test_rules_mean_what_python_says(rule: str, require: str) -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(expr=PLANES)
-def test_pixels_mean_what_python_says(expr: str) -> None:
+def test_expressions_of_pixels_equal_python(expr: str) -> None:
     text = (
         f"nsl 1 frame 2 slots of 1ms let k = 3 code a : -50..50 open when n < a pixels a = {expr}"
     )

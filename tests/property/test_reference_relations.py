@@ -174,7 +174,7 @@ def test_chunks_of_rows_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
         assert exposures(container, light, sensor, "all").tobytes() == whole.tobytes()
 
 
-def test_seeds_change_what_they_name() -> None:
+def test_each_seed_changes_only_its_own_effects() -> None:
     container = program(BUMPS, "accumulate")
     light, sensor = random_light(), sensor_of(container)
 

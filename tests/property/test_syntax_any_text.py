@@ -143,7 +143,7 @@ def test_any_bytes_are_read_or_refused(tmp_path: Path, data: bytes) -> None:
             read_source(path)
 
 
-def test_a_change_that_a_fix_makes_can_be_made() -> None:
+def test_applied_fixes_leave_a_valid_program() -> None:
     text = "nsl 1\nframe 8 slots of 500 us\nopen when n = 3 and true"
     _, errors = read(text)
     for error in sorted(errors, key=lambda d: -d.fixes[0].span.start):

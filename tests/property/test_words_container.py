@@ -166,7 +166,9 @@ def test_a_damaged_container_is_refused(container: Container, data: st.DataObjec
 
 @settings(max_examples=150, deadline=None)
 @given(containers(), st.data())
-def test_a_forged_container_is_whole_or_refused(container: Container, data: st.DataObject) -> None:
+def test_a_forged_container_is_refused_or_written_back_unchanged(
+    container: Container, data: st.DataObject
+) -> None:
     """With a checksum made to fit, only what makes sense is let through."""
     body = bytearray(to_bytes(container)[:-32])
     header_end = 24 + int.from_bytes(body[12:16], "little")

@@ -116,7 +116,7 @@ def test_pictures_are_there_and_legible(opened: Any) -> None:
 
 
 @pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
-def test_what_is_copied_has_no_prompt(opened: Any) -> None:
+def test_the_copy_button_leaves_out_the_prompt(opened: Any) -> None:
     """By the button, as the clipboard gets it."""
     opened.context.grant_permissions(["clipboard-read", "clipboard-write"])
     opened.goto((SITE / "docs/start.html").as_uri())
@@ -201,7 +201,7 @@ def test_each_result_has_a_picture_before_the_tables(opened: Any) -> None:
 
 
 @pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
-def test_messages_come_last_in_the_search(opened: Any) -> None:
+def test_search_results_list_pages_of_messages_last(opened: Any) -> None:
     """Each message has a page with many words: without an order of their own they come first."""
     with http_server(SITE) as address:
         opened.goto(f"{address}/search.html?q=exposure")

@@ -55,7 +55,7 @@ def test_case_06_the_chance_of_any_electron_is_exact(x: float) -> None:
 
 
 @pytest.mark.parametrize("fraction", [1e-9, 1e-6, 1e-3])
-def test_case_06_narrow_spreads(fraction: float) -> None:
+def test_case_06_narrow_lognormal_spreads_keep_their_digits(fraction: float) -> None:
     """The lognormal spread of dark currents takes log1p of a square that 1 + would lose."""
     z = np.array([-2.0, -1.0, 1.0, 2.0])
     np.testing.assert_allclose(

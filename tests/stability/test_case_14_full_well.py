@@ -47,7 +47,7 @@ def test_case_14_codes_never_fall_around_the_full_well(lowering: str, effects: s
         assert np.all(frame.exposure_e[0, :, 1:] == WELL)
 
 
-def test_case_14_without_the_effect_nothing_is_lost() -> None:
+def test_case_14_an_exposure_without_effects_keeps_all_light() -> None:
     container = program(OPEN, "accumulate", 3, 7)
     light = light_near_the_well()
     found = exposures(container, light, sensor_of(container), "prnu,-prnu")[0, 0]

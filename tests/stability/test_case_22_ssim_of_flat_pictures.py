@@ -10,7 +10,7 @@ import pytest
 from nscc_training import metrics
 
 
-def test_flat_equal_pictures_are_one() -> None:
+def test_ssim_of_equal_flat_pictures_is_1() -> None:
     for level in (0.0, 1e-30, 0.5, 1e4, 1e8):
         flat = np.full((16, 16), level, np.float32)
         assert metrics.ssim(flat, flat, 1.0) == 1.0

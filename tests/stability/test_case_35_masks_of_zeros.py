@@ -14,7 +14,7 @@ FRAMES, SIZE = 4, 24
 
 @pytest.mark.parametrize("decode", [gap_tv, admm_tv])
 @pytest.mark.parametrize("where", ["a hole", "everywhere"])
-def test_case_35_numbers_come_out(decode, where: str) -> None:
+def test_case_35_decoders_return_finite_values_for_masks_of_zeros(decode, where: str) -> None:
     rng = np.random.default_rng(5)
     mask = rng.integers(0, 2, (FRAMES, SIZE, SIZE)).astype(np.float32)
     if where == "everywhere":

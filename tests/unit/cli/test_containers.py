@@ -35,7 +35,7 @@ def test_disassembled_text_assembles_to_the_same_container(tmp_path: Path) -> No
     assert "+.wait 1000us x5" in changed
 
 
-def test_words_come_as_the_examples_write_them() -> None:
+def test_asm_writes_the_published_words() -> None:
     found = CliRunner().invoke(asm, ["-", "--words"], input="AND R6, R2, R3\nall")
     assert found.stdout.split("\n")[3:] == [
         "0x80020 0x10000 0x20800 0x3b602 0x40000",

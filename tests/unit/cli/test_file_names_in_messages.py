@@ -24,7 +24,7 @@ def test_names_beyond_ascii_are_written_in_a_posix_locale(
 
 
 @pytest.mark.parametrize("name", ["mask.npz", "mask.npy", "mask.mat", "mask.txt"])
-def test_masks_are_no_codes_and_that_is_said(tmp_path: Path, name: str) -> None:
+def test_a_mask_given_as_codes_is_named_as_a_mask(tmp_path: Path, name: str) -> None:
     import numpy as np
     from scipy.io import savemat
 

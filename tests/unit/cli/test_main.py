@@ -259,7 +259,9 @@ def test_exceptions_become_messages_with_an_exit_status(
     assert "Traceback" not in outcome.err
 
 
-def test_missing_memory_is_told_in_numbers(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_memory_error_says_how_much_is_missing(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def fail(*_arguments: object) -> None:
         raise MemoryError("Unable to allocate 7.45 GiB for an array with shape (1000000000,)")
 
@@ -269,7 +271,7 @@ def test_missing_memory_is_told_in_numbers(folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.parametrize("caught", [True, False])
-def test_an_interrupt_that_is_swallowed_is_one(
+def test_an_interrupt_hidden_by_another_error_ends_as_an_interrupt(
     caught: bool, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As C code does it that is being imported: what fails then is a consequence."""

@@ -53,7 +53,7 @@ def rows():
 
 
 @pytest.mark.slow
-def test_a_limit_that_is_met_changes_nothing_but_the_other_lowerings(tmp_path, rows):
+def test_a_limit_of_words_that_holds_keeps_the_chosen_lowering(tmp_path, rows):
     """Of 24 rows some solutions on the way to the cheapest one do not meet it."""
     text = book_program(rows[:24])
     _, free = built(tmp_path, text)
@@ -178,7 +178,7 @@ def test_fewer_slots_are_named_where_they_help(tmp_path):
     assert within(report, 10)
 
 
-def test_what_is_certain_is_an_error_of_check_and_what_is_not_a_note(tmp_path):
+def test_check_reports_certain_limits_as_errors_and_others_as_notes(tmp_path):
     (tmp_path / "p.nsl").write_text(STOPS)
     certain = invoke(["check", "p.nsl", "--max-words-per-slot", "1"], tmp_path)
     assert (certain.status, certain.codes) == (1, ["NS0603"])

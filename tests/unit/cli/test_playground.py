@@ -138,7 +138,7 @@ def test_a_pixel_outside_of_the_array_is_refused(playground: Playground) -> None
         assert codes(ask(playground, "words", **place)) == ["NS0796"]
 
 
-def test_a_picture_has_the_exposure_where_it_is_white(playground: Playground) -> None:
+def test_white_of_an_opened_picture_has_the_given_exposure(playground: Playground) -> None:
     levels = np.zeros((256, 256), np.float32)
     levels[:, 100:] = 1
     picture = b64encode(levels.tobytes()).decode()

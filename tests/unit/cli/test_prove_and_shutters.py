@@ -90,7 +90,7 @@ def test_hand_written_words_have_shutters_and_nothing_to_prove(tmp_path: Path) -
     assert opened(tmp_path / "s.npz").all()
 
 
-def test_planes_say_what_hand_written_words_open(tmp_path: Path) -> None:
+def test_shutters_of_hand_written_words_follow_their_planes(tmp_path: Path) -> None:
     plane = np.random.default_rng(0).random((256, 256)) < 0.5
     np.save(tmp_path / "plane.npy", plane)
     text = HAND.format(step="step").replace(".kernel step\n", ".kernel step\n    WHERE R3\n")

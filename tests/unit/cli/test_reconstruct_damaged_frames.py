@@ -49,7 +49,7 @@ def remade(folder: Path, given: str, name: str, change: Callable[[dict[str, Any]
 
 
 @pytest.mark.parametrize("plan", [[1, 2], HALF, {"effects": 5}, "all", {"effects": [3]}], ids=str)
-def test_a_damaged_plan_is_said_to_be_one(plan: object, folder: Path) -> None:
+def test_a_damaged_plan_in_a_frame_file_is_refused(plan: object, folder: Path) -> None:
     remade(folder, "f", "bad", lambda arrays: arrays["meta"].update(plan=plan))
     for by in (["r"], ["any"], ["any", "--program", "r/shutter.nsl"]):
         done = invoke(["reconstruct", by[0], "bad.npz", "-o", "o.npz", *by[1:]], folder)

@@ -128,7 +128,7 @@ def test_pixel_codes_are_read_from_a_file(capsys: pytest.CaptureFixture[str]) ->
     np.testing.assert_allclose(np.load("open.frame.npz")["exposure_e"], 75.0, rtol=1e-6)
 
 
-def test_repeats_timings_and_a_summary_for_people_only(capsys: pytest.CaptureFixture[str]) -> None:
+def test_json_messages_of_a_run_omit_the_summary(capsys: pytest.CaptureFixture[str]) -> None:
     arguments = ("ok.nsl", "--scene", "builtin:dark", "--repeat", "3", "--timings", "t.json")
     status, err = run(*arguments, "--message-format", "json", capsys=capsys)
     assert status == 0
@@ -153,7 +153,7 @@ def test_repeats_timings_and_a_summary_for_people_only(capsys: pytest.CaptureFix
         (["ok.nsl", "--scene", "builtin:hdr", "-o", "x", "--png", "x"], "NS0745"),
     ],
 )
-def test_refusals_write_nothing(
+def test_refused_runs_write_no_file(
     arguments: list[str], code: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     before = sorted(folder.iterdir())

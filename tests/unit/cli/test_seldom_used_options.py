@@ -104,7 +104,7 @@ def test_threads_of_a_sweep_belong_to_the_key_of_what_is_trained(tmp_path: Path)
         torch.set_num_threads(before)
 
 
-def test_resume_goes_on_begins_anew_or_takes_another_run(tmp_path: Path) -> None:
+def test_resume_continues_restarts_or_copies_another_run(tmp_path: Path) -> None:
     (tmp_path / "c.toml").write_text(CONFIG)
     run("train c.toml --out a", tmp_path)
     log = (tmp_path / "a/metrics.csv").read_bytes()
@@ -132,7 +132,7 @@ def test_a_clip_begins_with_the_first_frame_that_is_named(tmp_path: Path) -> Non
     assert not np.array_equal(light[0], light[2])
 
 
-def test_crosstalk_that_is_known_is_not_measured(tmp_path: Path) -> None:
+def test_a_given_crosstalk_replaces_the_measured_one(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when true\n")
     for electrons in (0, 4000, 12000):
         line = f"--scene builtin:flat:{electrons} --effects shot,adc_noise --repeat 8"

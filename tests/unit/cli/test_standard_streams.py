@@ -42,7 +42,9 @@ def test_the_product_is_written_and_the_status_is_0(tmp_path: Path, closed: str)
 
 @pytest.mark.parametrize("closed", [">&-", ">/dev/full"])
 @pytest.mark.parametrize("line", ["disasm p.icw", "explain NS0101", "build p.nsl -o /dev/stdout"])
-def test_a_product_that_is_lost_is_an_error(tmp_path: Path, line: str, closed: str) -> None:
+def test_a_product_that_cannot_be_printed_is_an_error(
+    tmp_path: Path, line: str, closed: str
+) -> None:
     assert run(tmp_path, "build p.nsl -o p.icw", "")[0] == 0
     status, said = run(tmp_path, line, closed)
     assert (status, "NS0784" in said) == (2, True), said

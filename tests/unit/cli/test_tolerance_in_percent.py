@@ -140,7 +140,7 @@ def test_pieces_and_colours_of_a_picture_share_one_tolerance(folder: Path) -> No
     assert_found(folder, "2%", 0.02 * expected, expected)
 
 
-def test_a_study_asks_for_a_part_of_each_scene(folder: Path) -> None:
+def test_percent_tolerances_of_a_study_refer_to_each_scene(folder: Path) -> None:
     line = ["tradeoff", "emulator", "fixed.nsl", "--repeats", "1", "--tolerances", "1%,5e"]
     scenes = ["--scene", "builtin:flat:4000", "--scene", "builtin:flat:8000"]
     done = invoke([*line, *scenes, "--csv", "s.csv"], folder)

@@ -66,7 +66,7 @@ def test_a_clause_that_leaves_nothing_is_refused(clause: str) -> None:
         chosen(OUTPUT, [clause])
 
 
-def test_commands_run_and_their_faults_are_told(tmp_path: Path) -> None:
+def test_documented_commands_run_and_failures_show_their_output(tmp_path: Path) -> None:
     assert printed("nscc --help").startswith("Usage: nscc")
     wrong = tmp_path / "wrong.py"
     wrong.write_text("print('half')\nraise SystemExit(3)\n")

@@ -18,7 +18,7 @@ def frame() -> Frame:
     return found
 
 
-def test_the_emulator_does_what_is_assumed() -> None:
+def test_the_emulator_keeps_the_documented_facts_of_neighbours() -> None:
     ratios = measured([frame()], TARGET.full_well_e)
     assert {name: round(ratio.value, 9) for name, ratio in ratios.items()} == {
         "half": 0.5,

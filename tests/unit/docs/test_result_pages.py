@@ -117,7 +117,7 @@ def test_a_wrong_template_is_refused(page: Page, wrong: str) -> None:
         page.filled(f"{{{{{wrong}}}}}")
 
 
-def test_the_papers_tables_are_of_what_comes_with_nscc(tmp_path: Path) -> None:
+def test_tables_of_the_paper_use_the_shipped_results(tmp_path: Path) -> None:
     done = invoke(["evaluate", "tables", "--json", "-o", "t.json"], tmp_path)
     assert done.status == 0, done.err
     rows = json.loads(done.out)
@@ -174,7 +174,7 @@ def test_a_sweep_fills_the_tables(tmp_path: Path) -> None:
         ("paper.md", RESULTS.parents[1] / "docs/paper.md"),
     ],
 )
-def test_a_committed_page_is_what_the_results_say(name: str, page: Path) -> None:
+def test_a_committed_page_equals_the_page_made_from_results(name: str, page: Path) -> None:
     template = (RESULTS / "templates" / name).read_text(encoding="utf-8")
     text = Page(RESULTS / "evaluations").filled(template)
     assert text == page.read_text(encoding="utf-8"), (
@@ -226,7 +226,7 @@ def test_texts_of_pixels_that_look_name_no_training() -> None:
         assert "trained" not in line
 
 
-def test_one_long_film_does_not_hide_the_others() -> None:
+def test_means_by_source_are_printed_if_one_file_dominates() -> None:
     found = read_result(shipped_evaluations() / LEARNED / "seed0.json")
     assert result_text(found).count("by source 29.02 dB: 68 of 94 items are of one file") == 1
     still = shipped_evaluations() / "stills/class-b/2x2/unet2d/noise-alone/seed0.json"

@@ -78,7 +78,7 @@ PLAIN = {
 }
 
 
-def test_records_go_through_plain_values_and_text() -> None:
+def test_records_survive_json() -> None:
     assert to_plain(WHOLE) == PLAIN
     assert from_plain(Whole, PLAIN) == WHOLE
     noted = replace(WHOLE, note="n")
@@ -148,7 +148,7 @@ def test_errors_name_the_field(values: Any, text: str) -> None:
         (replace(WHOLE, gains={"a": float("nan")}), "`gains.a` is nan, not a finite number"),
     ],
 )
-def test_writing_refuses_what_reading_would(record: Whole, text: str) -> None:
+def test_writing_refuses_records_that_reading_would_refuse(record: Whole, text: str) -> None:
     with pytest.raises(InvalidRecord) as raised:
         to_plain(record)
     assert text in str(raised.value)

@@ -131,7 +131,7 @@ def test_follows_a_link_and_leaves_a_device_alone(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", [".", "file/under", "n" * 300])
-def test_refuses_in_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -> None:
+def test_write_whole_refuses_bad_paths_and_writes_nothing(tmp_path: Path, name: str) -> None:
     (tmp_path / "file").write_bytes(b"old")
     with pytest.raises(Rejected) as raised:
         write_whole(tmp_path / name, b"new")
@@ -173,7 +173,7 @@ def test_an_input_is_never_overwritten_by_any_name(tmp_path: Path) -> None:
     assert source.read_bytes() == b"words"
 
 
-def test_commands_keep_what_they_read(tmp_path: Path, run_nscc: RunNscc) -> None:
+def test_commands_refuse_to_overwrite_their_inputs(tmp_path: Path, run_nscc: RunNscc) -> None:
     """Also what only their inputs name."""
     np.savez(tmp_path / "codes.npz", stop=np.ones((256, 256), np.int64))
     (tmp_path / "a.nsl").write_text(
@@ -195,7 +195,7 @@ def test_commands_keep_what_they_read(tmp_path: Path, run_nscc: RunNscc) -> None
 
 
 @pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"])
-def test_writes_to_what_is_open(tmp_path: Path, name: str) -> None:
+def test_open_pipes_and_files_are_appended_to(tmp_path: Path, name: str) -> None:
     """A pipe has no path to put a temporary file beside; a file of the shell's is not replaced."""
     code = "from pathlib import Path; from nscc.files import write_whole; "
     code += f"write_whole(Path({name!r}), b'words')"

@@ -78,7 +78,7 @@ def test_more_effort_fits_where_less_does() -> None:
     assert prices == sorted(prices, reverse=True)
 
 
-def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_level_never_costs_more_than_the_levels_below(monkeypatch: pytest.MonkeyPatch) -> None:
     """Whatever more steps make of a search that ends elsewhere."""
     n = np.arange(9)
     program = program_from([(a <= n) & (n < b) for a in range(9) for b in range(a + 1, 10)])
@@ -137,7 +137,7 @@ def test_commands_compile_at_their_documented_level(
     assert taken == [level]
 
 
-def test_ways_out_wait_for_no_search(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_suggestions_are_compiled_at_level_1(monkeypatch: pytest.MonkeyPatch) -> None:
     """A program that cannot fit: what is offered instead was compiled at -O1."""
     from nscc import pipeline
 

@@ -126,7 +126,7 @@ SPOILT = {
 
 
 @pytest.mark.parametrize("name", PASSES)
-def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
+def test_an_invalid_value_of_a_pass_is_an_internal_error(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def spoilt(each):

@@ -30,7 +30,7 @@ class Lone(Record, eq=False):
     x: int
 
 
-def test_values_come_by_position_by_name_or_from_defaults() -> None:
+def test_records_take_values_by_position_name_or_default() -> None:
     assert Point(1) == Point(1, 2) == Point(y=2, x=1)
     assert repr(Named(1, name="q")) == "Named(x=1, y=2, name='q')"
 

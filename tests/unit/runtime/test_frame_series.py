@@ -44,7 +44,9 @@ def test_a_film_is_its_frames_stacked(most: int, monkeypatch: pytest.MonkeyPatch
     np.testing.assert_array_equal(found.told["open_slots"], wanted.told["open_slots"])
 
 
-def test_a_frame_is_let_go_before_the_next_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_gathered_frames_are_copied_before_the_next_is_computed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(frame_series, "MOST_BYTES", 0)
     room = np.zeros((1, 2, 2))
 

@@ -140,7 +140,7 @@ def test_whose_plan_a_scene_takes_follows_from_the_order_alone(threads: int) -> 
 
 
 @pytest.mark.parametrize("weights", [[2.0] * 5, [0.5, 1.0, 0.0, 3.0, 2.0]])
-def test_light_is_added_up_once_for_all_who_ask(weights: list[float]) -> None:
+def test_the_sum_of_the_light_is_computed_once(weights: list[float]) -> None:
     frames = np.random.default_rng(2).uniform(0, 9, (3, 4, 6)).astype(np.float32)
     starts, index = np.arange(6), np.array([0, 2, 1, 1, 0], np.int32)
     light = Light(frames, starts, index, np.array(weights), "clip")
@@ -192,7 +192,7 @@ def test_a_plan_is_made_again_after_8_scenes_and_then_after_16() -> None:
     assert made == [0, 8, 24]
 
 
-def test_a_plan_that_could_not_be_made_serves_nobody() -> None:
+def test_a_failed_plan_is_not_kept() -> None:
     plans = KeptPlans()
 
     def fails(_frames: int) -> Plan:
@@ -205,7 +205,7 @@ def test_a_plan_that_could_not_be_made_serves_nobody() -> None:
 
 
 @pytest.mark.parametrize("lost", [0, 1, 2, 3])
-def test_a_film_does_not_wait_for_a_frame_that_is_lost(lost: int) -> None:
+def test_a_film_continues_after_a_skipped_or_refused_frame(lost: int) -> None:
     """A number that is skipped, and one whose capture was refused."""
     plans, film = KeptPlans(), frames(4)
     for number, light in enumerate(film):

@@ -44,7 +44,7 @@ def test_patterns_of_many_chips_have_the_size_that_the_sensor_says() -> None:
     assert expected == pytest.approx(both)
 
 
-def test_a_level_is_one_number_a_readout() -> None:
+def test_the_readout_level_is_equal_in_all_pixels_of_a_readout() -> None:
     levels = codes("readout_level", 400)
     assert np.ptp(levels, axis=(1, 2)).max() == 0
     assert levels[:, 0, 0].std() == pytest.approx(SENSOR.adc_level_lsb, rel=0.15)

@@ -100,7 +100,7 @@ def test_the_longest_unsaturated_exposure_of_a_tile_tells_its_light(
     assert np.median(np.abs(ratio[lit & (whole_e > 3e3)] - 1)) < 0.05
 
 
-def test_the_merge_tells_light_everywhere(taken: tuple[Capture, Light]) -> None:
+def test_the_merge_estimates_light_over_all_decades(taken: tuple[Capture, Light]) -> None:
     frames, scene = taken
     (readout,) = readouts(frames.container, frames, frames.response)
     light, known = light_estimate(readout)

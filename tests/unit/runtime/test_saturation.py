@@ -169,7 +169,7 @@ def test_dark_and_closed_pixels_are_not_saturated() -> None:
         assert not found.saturated[..., ::2].any()
 
 
-def test_repeats_are_marked_as_saturated_each_on_its_own() -> None:
+def test_each_repeat_has_its_own_saturation_marks() -> None:
     container = case("b edges", rows=SHAPE[0], cols=SHAPE[1])
     sensor = sensor_of(container, **QUIET)
     found = capture(container, light_for(container), sensor=sensor, effects="all", repeat=3)

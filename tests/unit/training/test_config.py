@@ -147,7 +147,7 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
         (["sensor.file=none.toml"], 2, "NS0751"),
     ],
 )
-def test_nothing_is_learned_before_everything_fits(
+def test_training_refuses_invalid_settings_before_its_first_step(
     changes: list[str], status: int, code: str, tmp_path: Path
 ) -> None:
     """Infeasible shutters stop with the compiler's own error, the rest with ours."""

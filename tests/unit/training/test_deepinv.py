@@ -130,7 +130,7 @@ def test_invalid_shutters_are_refused(wrong: Any) -> None:
         PixelShutters(wrong)
 
 
-def test_light_of_another_shape_is_said() -> None:
+def test_light_of_another_shape_is_refused_with_both_shapes() -> None:
     with pytest.raises(TypeError, match=r"light \(batch, 1, 8, 12, 10\), not a Tensor \(2, 8, 12"):
         physics("clip").A(torch.ones(2, 8, ROWS, COLS))
 

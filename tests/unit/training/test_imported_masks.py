@@ -114,7 +114,7 @@ def test_the_axis_of_slots_is_chosen(tmp_path: Path, axis: Axis) -> None:
 
 
 @pytest.mark.parametrize("axis", [0, 1])
-def test_a_tile_whose_last_line_is_like_its_first(tmp_path: Path, axis: int) -> None:
+def test_a_tile_keeps_a_last_line_that_equals_its_first(tmp_path: Path, axis: int) -> None:
     """Columns 0 1 2 0 repeat as 0 1 2 0 0 1 2 0, not as 0 1 2 0 1 2."""
     stop = np.array([[1, 2, 3, 1]]).repeat(4, axis=0)
     mask = by_stop(stop if axis else stop.T)

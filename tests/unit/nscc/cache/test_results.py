@@ -213,7 +213,7 @@ def test_a_place_that_cannot_be_written_is_no_trouble(
     assert "runs without a cache" in said.out
 
 
-def test_doctor_tells_where_and_how_much(folder: Path, tmp_path: Path) -> None:
+def test_doctor_prints_the_folder_and_size_of_the_cache(folder: Path, tmp_path: Path) -> None:
     built(TEXTS["b"], level=2)
     said = invoke(["doctor"], tmp_path).out
     assert str(folder) in said
@@ -339,7 +339,7 @@ class Pair:
     second: object
 
 
-def test_digests_tell_values_apart() -> None:
+def test_digests_of_different_values_differ() -> None:
     values = [
         None, True, False, 0, 1, -1, 1 << 4000, 0.0, -0.0, 1.0, "", "1", "None", "i1", (), ((),),
         ("a", "b"), ("ab",), (("a",), "b"), {"a": 1}, {"a": 2}, {"b": 1}, {"a": 1, "b": 2},

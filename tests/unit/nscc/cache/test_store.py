@@ -43,7 +43,9 @@ def test_without_a_home_there_is_no_cache(monkeypatch: pytest.MonkeyPatch) -> No
     assert cache_folder({}) is None
 
 
-def test_a_folder_of_others_is_not_used(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_cache_folder_that_others_can_write_is_not_used(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     own = {"NSCC_CACHE_DIR": str(tmp_path / "c")}
     (tmp_path / "c").mkdir(mode=0o700)
     assert cache_folder(own) == tmp_path / "c"
@@ -64,7 +66,9 @@ def test_a_folder_of_others_is_not_used(tmp_path: Path, monkeypatch: pytest.Monk
     assert cache_folder(shared) == tmp_path / "shared" / "c"
 
 
-def test_entries_of_others_are_not_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_cache_entries_that_others_can_write_are_not_read(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     store = Store(tmp_path)
     store.write(KEYS[0], b"data")
     (tmp_path / KEYS[0]).chmod(0o622)
@@ -118,7 +122,7 @@ def test_entries_that_are_not_files_are_ignored(tmp_path: Path) -> None:
     assert not list(tmp_path.glob(".*.part"))
 
 
-def test_the_least_recently_used_go_first(tmp_path: Path) -> None:
+def test_a_full_cache_drops_the_least_recently_used_entries(tmp_path: Path) -> None:
     store = Store(tmp_path, most_bytes=20_000)
     for age, key in enumerate(KEYS[:10]):
         store.write(key, b"x" * 1500)
@@ -163,7 +167,9 @@ def test_a_folder_that_cannot_be_written_stores_nothing(place: str) -> None:
         assert cache_folder({"NSCC_CACHE_DIR": place}) is None
 
 
-def test_a_full_disk_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_leaves_no_partial_cache_entry(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 

@@ -150,7 +150,7 @@ def test_a_wrong_table_is_wrong_usage_where_an_option_names_it(tmp_path: Path) -
             assert caught.value.status == status
 
 
-def test_all_that_is_wrong_is_reported_at_its_place(tmp_path: Path) -> None:
+def test_all_errors_of_a_target_file_are_reported_at_their_lines(tmp_path: Path) -> None:
     found = rejected(MINIMAL.replace("rows = 4", "rows = -4").replace('"A"', '"a"'), tmp_path)
     places = []
     for diagnostic in found:

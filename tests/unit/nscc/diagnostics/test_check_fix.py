@@ -63,7 +63,7 @@ def test_of_fixes_that_overlap_one_is_taken() -> None:
     assert with_safe_fixes(source, [with_fixes(elsewhere, one)]) == (source, 0)
 
 
-def test_two_insertions_at_one_place_are_one() -> None:
+def test_equal_insertions_at_one_place_are_applied_once() -> None:
     source = Source("a.nsl", "ab")
     fix = Fix("", Span(1, 1), "-")
     assert with_safe_fixes(source, [with_fixes(source, fix)] * 2)[0].text == "a-b"

@@ -47,7 +47,7 @@ def test_a_misspelt_code_is_guessed(asked: str, meant: str) -> None:
 
 
 @pytest.mark.parametrize("asked", ["", "x" * 10_000, "../../etc/passwd", "NS9999", "\x1b[2J", "\0"])
-def test_an_unknown_code_is_one_error(asked: str, tmp_path: Path) -> None:
+def test_explain_refuses_an_unknown_code_with_one_error(asked: str, tmp_path: Path) -> None:
     found = invoke(["explain", asked], tmp_path)
     assert (found.status, found.codes, found.out) == (2, ["NS0790"], "")
     assert all(line.isprintable() for line in found.err.splitlines())

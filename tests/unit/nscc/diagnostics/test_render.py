@@ -79,7 +79,7 @@ def test_a_line_with_two_labels_is_shown_once() -> None:
 @pytest.mark.parametrize(
     "before", ["\t", "\t\t x ", "\u4f60\u597d ", "e\u0301 ", "\x1b[2J", "\u202e", "\x07"]
 )
-def test_marks_stand_under_what_they_mark(before: str) -> None:
+def test_marks_are_below_the_marked_text_at_any_character_width(before: str) -> None:
     line, marks = about(f"{before}WRONG and more", "WRONG").splitlines()[3:5]
     width = sum(
         0 if unicodedata.combining(ch) else 2 if unicodedata.east_asian_width(ch) in "WF" else 1
@@ -105,7 +105,7 @@ def test_places_at_the_end_and_over_lines_get_a_mark() -> None:
         assert "^" in text
 
 
-def test_colour_adds_nothing_but_colour() -> None:
+def test_coloured_messages_equal_plain_ones_without_escapes() -> None:
     error = Diagnostic(
         "NS0107",
         "wrong",

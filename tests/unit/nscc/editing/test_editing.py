@@ -121,7 +121,7 @@ def test_hovering_describes_the_name_at_a_place(text: str, piece: str, said: lis
     assert [each for each in said if each not in found] == []
 
 
-def test_slots_cost_what_the_words_say() -> None:
+def test_hints_of_slots_equal_the_compiled_words() -> None:
     """Words at each boundary, counted from the launches of the compiled container."""
     compiled = compile_source(Source("a.nsl", STOPS), ROOT, Options(level=1))
     container = compiled.container
@@ -140,7 +140,7 @@ def test_slots_cost_what_the_words_say() -> None:
     assert (most.text, STOPS[: most.offset].endswith("1 + 2")) == ("= 3", True)
 
 
-def test_planes_cost_what_their_rows_take() -> None:
+def test_hints_of_planes_equal_the_load_times_of_their_rows() -> None:
     """A row after the other, each in the time that the chip's table gives it."""
     chip = builtin_target("dual-tap")
     load_us = chip.rows * chip.row_load_us

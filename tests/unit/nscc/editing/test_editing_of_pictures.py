@@ -34,7 +34,7 @@ def test_a_kernel_is_shown_as_a_grid() -> None:
     assert " 1  0 -1\n 2  0 -2   / 8\n 1  0 -1" in found.text
 
 
-def test_an_image_says_what_it_costs() -> None:
+def test_hovering_over_an_image_shows_its_words_and_gains() -> None:
     document = document_of("edges")
     found = hover(document, document.text.index("strength >"))
     assert found is not None

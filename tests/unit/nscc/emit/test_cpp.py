@@ -194,7 +194,7 @@ def test_cpp_writes_all_thirteen_registers_the_masked_one_first(rows: str, tmp_p
 @needs_compiler
 @pytest.mark.parametrize("shape", [(33, 70), slow((256, 64)), (1, 8), slow((100, 256)), (5, 1)])
 @pytest.mark.parametrize("data", ["tile", "plane"])
-def test_cpp_serves_arrays_of_other_sizes(
+def test_cpp_loads_the_codes_of_arrays_of_any_size(
     shape: tuple[int, int], data: str, tmp_path: Path
 ) -> None:
     rows, cols = shape
@@ -231,7 +231,7 @@ def test_tiles_need_no_image_and_pictures_do(tmp_path: Path) -> None:
 
 @pytest.mark.slow
 @needs_compiler
-def test_bits_that_fade_fast_are_refreshed_while_images_come(tmp_path: Path) -> None:
+def test_cpp_refreshes_codes_before_they_fade_while_loading(tmp_path: Path) -> None:
     chip = chip_file(tmp_path, 256, 256, digital_retention_us="120000.0")
     text = "nsl 1\nframe 9 slots of 1ms\ncode bits : bit[9]\nopen when bits[n]\n"
     data = "pixels bits = (2917 * x + 4421 * y + x * y) % 512\n"
@@ -271,7 +271,7 @@ def test_cpp_exposes_a_frame_longer_than_its_clock(tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.slow
-def test_nothing_adds_up_over_4096_slots(tmp_path: Path) -> None:
+def test_cpp_times_do_not_drift_over_4096_slots(tmp_path: Path) -> None:
     """Slots of no whole number of microseconds, each with a launch that takes longer than it
     should."""
     text = "nsl 1\nframe 4096 slots of 20.3us\nopen when n % 2 == 0\n"
@@ -526,7 +526,7 @@ def test_programs_without_data_and_a_full_store_are_refused(tmp_path: Path) -> N
 
 
 @needs_compiler
-def test_the_store_holds_what_is_recorded(tmp_path: Path) -> None:
+def test_cpp_states_the_number_of_stored_words(tmp_path: Path) -> None:
     """The words that the refusal counts are those of the kernels that ran."""
     recording, _, written = checked(tmp_path, E13 + "pixels bits = (37 * x + 211 * y) % 8192\n")
     stored, more = (
@@ -552,7 +552,7 @@ def test_names_cannot_break_out_of_comments_and_strings(tmp_path: Path) -> None:
         check_syntax(tmp_path / f"{name}.cpp", "-std=c++11")
 
 
-def test_the_text_says_what_it_is_made_from(tmp_path: Path) -> None:
+def test_cpp_states_its_source_and_cost(tmp_path: Path) -> None:
     file, _ = build(tmp_path, (ROOT / "examples" / "hdr_2x2.nsl").read_text())
     text = file.read_text()
     source = sha256((tmp_path / "p.nsl").read_bytes()).hexdigest()

@@ -83,7 +83,7 @@ def test_a_capture_shows_its_picture_and_plan() -> None:
     assert not any("kept" in words for words in checked(exact).words)
 
 
-def test_plans_and_sensors_show_what_they_hold() -> None:
+def test_notebooks_show_plans_and_sensors() -> None:
     plan = nscc_runtime.plan(program(), np.ones((6, 8)))
     assert str(plan) in checked(plan).words
     assert "full_well_e" in checked(nscc_runtime.sensor_for(program())).words

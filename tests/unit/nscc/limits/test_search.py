@@ -56,7 +56,7 @@ def test_exploring_ends_between_a_size_that_fits_and_one_that_does_not(most, thr
         assert not tried[best + 1].fits
 
 
-def test_exploring_tells_of_sizes_below_the_largest_that_do_not_fit():
+def test_exploring_records_smaller_sizes_that_do_not_fit():
     _, tried = explored([1, 2, 4, 8, 16], lambda size: size != 4 and size <= 9)
     assert not tried[4].fits
     assert [size for size in sorted(tried) if tried[size].fits][-1] == 9
@@ -78,7 +78,7 @@ def test_candidates_hold_every_size_where_one_more_bit_is_needed():
 
 
 @pytest.mark.parametrize("shutters", [1, 2, 3, 4, 5, 8191, 8192, 8193])
-def test_bits_that_tell_shutters_apart(shutters):
+def test_bits_needed_is_the_least_that_numbers_all_shutters(shutters):
     bits = bits_needed(shutters)
     assert 2**bits >= shutters
     assert bits == 0 or 2 ** (bits - 1) < shutters

@@ -96,7 +96,7 @@ def test_a_slot_too_short_for_the_light_is_proved():
     assert limits["a", "1us"].impossible is None
 
 
-def test_a_store_that_is_full_proves_nothing():
+def test_a_full_store_leaves_the_limit_unknown():
     small = replace(TINY, store_words=24)
     limits = surveyed(small, "1ms")
     full = [limit for limit in limits.values() if "stored words" in limit.unknown_reason]
@@ -108,7 +108,7 @@ def test_a_store_that_is_full_proves_nothing():
 
 
 @pytest.mark.slow
-def test_the_same_limits_every_time():
+def test_a_survey_of_limits_is_deterministic():
     one, other = surveyed(TINY, "10us"), surveyed(TINY, "10us")
     assert limits_text(TINY, 1, list(one.values())) == limits_text(TINY, 1, list(other.values()))
 

@@ -240,7 +240,7 @@ def test_covers_hold_and_avoid(seed):
     assert off & covered == 0
 
 
-def test_planes_that_do_not_tell_shutters_apart():
+def test_a_cover_gives_up_if_equal_codes_must_differ():
     with pytest.raises(GaveUp, match="same code"):
         cover(0b01, [0b11, 0b00], 0b11, Budget(1000))
     with pytest.raises(GaveUp, match="steps"):

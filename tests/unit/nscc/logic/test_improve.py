@@ -124,7 +124,7 @@ def test_values_do_not_outlast_memory():
     assert words == 4 + REFRESH
 
 
-def test_flag_is_a_source_where_it_is_kept():
+def test_improvement_reads_flag_where_it_is_kept():
     answers = ["t0 = NOR p0 p1; FLAG = WHERE t0", "t0 = NOR p0 p1; t1 = NOT t0; FLAG = WHERE t1"]
     first = ALL ^ (A | B)
     problem, solution = solved([first, ALL ^ first], answers, scratch=2)

@@ -181,7 +181,7 @@ def test_every_single_word_that_compares_is_needed(name: str) -> None:
             assert not KINDS.of(other).prove(other, decoded(other)).holds
 
 
-def test_a_machine_that_is_another_is_noticed() -> None:
+def test_the_proof_notices_a_changed_state_machine() -> None:
     container = built(PROGRAMS["float"])
     machine = container.machine
     kernels = decoded(container)

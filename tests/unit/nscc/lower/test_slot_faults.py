@@ -124,7 +124,7 @@ def check_ways_out(found, slots, more=None):
     return [text[:24].strip() for text in found.ways_out]
 
 
-def test_ways_out_of_too_many_free_bits_fit():
+def test_suggestions_for_too_many_free_bits_compile():
     text = E16 + "\npixels bits = tile [[1, 2], [3, 4]]"
     offered = check_ways_out(
         fault(text),
@@ -154,7 +154,7 @@ def test_ways_out_of_a_general_rule_fit():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("slots", "code"), [(200, "NS0412"), (127, "NS0502")])
-def test_ways_out_of_too_many_bumps_fit(slots, code):
+def test_suggestions_for_too_many_bumps_compile(slots, code):
     found = fault(f"frame {slots} slots of 1ms\n{BUMPS}")
     assert found.code == code
     offered = check_ways_out(found, slots)
@@ -280,7 +280,7 @@ def test_a_search_without_gates_is_an_unproved_error():
     assert "leave --lowering at auto" in found.helps[0]
 
 
-def test_a_store_that_is_too_small():
+def test_too_many_stored_words_are_reported_with_the_number_that_suffices():
     text = f"frame 40 slots of 1ms\n{STOPS}"
     tiny = replace(load_target("scamp5", Path()), store_words=20)
     found = fault(text, target=tiny)
@@ -293,7 +293,7 @@ def test_a_store_that_is_too_small():
     assert done.lowered.schedule.words_stored <= stored
 
 
-def test_check_notes_what_only_build_can_decide():
+def test_check_prints_a_note_if_only_build_can_decide():
     done = compiled(f"frame 127 slots of 1ms\n{BUMPS}", unproved_is_error=False)
     (note,) = (d for d in done.diagnostics if d.code == "NS0503")
     assert note.severity is Severity.NOTE
@@ -303,7 +303,7 @@ def test_check_notes_what_only_build_can_decide():
 @pytest.mark.parametrize(
     ("slot", "proved"), [("1us", True), ("2.39us", True), ("2.41us", False), ("2.5us", False)]
 )
-def test_slots_that_are_too_short(slot, proved):
+def test_too_short_slots_are_reported_with_a_length_that_compiles(slot, proved):
     found = fault(f"frame 64 slots of {slot}\n{STOPS}", level=1)
     assert (found.code, found.data["proved"]) == ("NS0601", proved)
     assert found.data["required"] > found.data["available"] == float(slot[:-2])

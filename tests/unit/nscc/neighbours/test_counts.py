@@ -291,7 +291,7 @@ def test_levels_lie_half_way_between_attainable_counts(
     assert counts.half_way(Fraction(level), or_equal=or_equal) == half_way
 
 
-def test_editors_know_states_of_planes(cell: Path) -> None:
+def test_editors_complete_and_explain_states_of_planes(cell: Path) -> None:
     document = Document("cell.nsl", CELL, cell.parent)
     found = hover(document, CELL.index("h xor"))
     assert found is not None

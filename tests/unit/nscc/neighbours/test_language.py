@@ -254,7 +254,7 @@ def test_kernels_that_do_not_fit_name_the_largest_that_do() -> None:
         program(text(7))
 
 
-def test_too_large_values_have_ways_out_that_compile() -> None:
+def test_suggestions_for_too_large_values_compile() -> None:
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     with pytest.raises(Rejected) as caught:
         program(ONE + kernel)

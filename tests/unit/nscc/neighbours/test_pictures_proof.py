@@ -147,7 +147,7 @@ def test_words_of_examples_are_proved(name: str) -> None:
     assert pictures_fault(container_of(name)) is None
 
 
-def test_a_proof_that_is_too_large_is_the_program_s_error(
+def test_a_proof_that_is_too_large_is_refused_as_an_error_of_the_program(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     text = (
@@ -233,7 +233,7 @@ def test_words_that_overwrite_a_code_bit_are_found() -> None:
     )
 
 
-def test_a_state_stays_where_it_was() -> None:
+def test_the_proof_notices_a_state_in_another_register() -> None:
     """A register that holds something else at the end, or that the exposure writes, is no state."""
     container = container_of("cell")
     pictures = container.pictures

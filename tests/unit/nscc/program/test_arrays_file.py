@@ -53,7 +53,7 @@ def test_pixel_codes_of_any_integer_type_are_read(tmp_path: Path, dtype: str) ->
     np.testing.assert_array_equal(plane(program, 1), values + 1)
 
 
-def test_statements_go_before_the_file(tmp_path: Path) -> None:
+def test_statements_of_pixels_take_precedence_over_the_file(tmp_path: Path) -> None:
     save(tmp_path, a=np.full((256, 256), 99), b=np.full((256, 256), 5))
     program = program_of(PIXELS + 'pixels a = x % 5 pixels from "f.npz"', base=tmp_path)
     assert (plane(program, 1) == 5).all()

@@ -106,7 +106,7 @@ def test_a_program_without_fields_has_one_code_everywhere() -> None:
     assert not program.pixel_codes.any()
 
 
-def test_wide_rows_are_told_apart() -> None:
+def test_rows_wider_than_a_machine_word_are_sorted() -> None:
     # 4 x 100 digits do not fit one machine word, so another way of sorting is taken.
     text = (
         "nsl 1 frame 100 slots of 1us code a : 0..3 bucket p open when n == a * 33 "

@@ -190,7 +190,7 @@ def test_bits_that_decay_inside_a_frame_are_not_relied_on():
     assert "has decayed, at" in proof.failure.doubts[0]
 
 
-def test_the_third_frame_is_like_the_second():
+def test_the_proof_notices_a_code_that_is_not_restored():
     """A bit left behind that only a later frame reads: the code must stand where it stood."""
     container, kernels = built("stops", "scamp5", "accumulate")
     register = container.code_registers[0]

@@ -101,7 +101,7 @@ def test_every_single_bit_is_proved() -> None:
 
 
 @pytest.mark.parametrize("pipelined", [True, False])
-def test_planes_load_one_after_the_other_and_act_whole(pipelined: bool) -> None:
+def test_planes_load_in_turn_and_act_when_complete(pipelined: bool) -> None:
     chip = replace(CHIP, pipelined=pipelined, row_load_us=100.0)
     loads = list(schedule(chip, (700.0, 650.0, 900.0)))
     # Six rows of 100 us load in 600 us: before their slot if pipelined, else at its start.
@@ -234,7 +234,7 @@ def test_each_tap_has_a_well_of_its_own() -> None:
     assert np.allclose(off, np.minimum(1000.0 * slots, 4500.0) - 1000.0 * slots)
 
 
-def test_light_waits_for_planes_where_there_is_one_latch() -> None:
+def test_a_single_latch_loses_light_while_planes_load() -> None:
     chip = replace(CHIP, pipelined=False, row_load_us=10.0)
     off = _noisy(replace(chip), "dead_time")  # 32 rows of 10 us: 32 % of every slot
     slots = opened(built(SPLIT, replace(chip, rows=32, cols=32))).sum(axis=0).transpose(2, 0, 1)

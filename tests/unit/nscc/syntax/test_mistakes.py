@@ -150,7 +150,7 @@ def test_a_mistake_has_its_code_place_and_remedy(
         "require",
     ],
 )
-def test_a_statement_that_ends_too_soon(text: str) -> None:
+def test_an_incomplete_statement_is_reported_at_its_end(text: str) -> None:
     at_the_end = the_error(f"nsl 1\n{text}")
     assert at_the_end.code == "NS0107"
     assert "the end of the file" in at_the_end.message
@@ -193,7 +193,7 @@ def test_all_errors_come_at_once_and_in_order() -> None:
     assert [type(s).__name__ for s in file.statements] == ["Version", "Let", "Let"]
 
 
-def test_a_misspelt_statement_is_read_on_as_what_it_was_meant_to_be() -> None:
+def test_parsing_continues_with_the_statement_that_a_misspelt_word_suggests() -> None:
     file, errors = read("nsl 1\nFrame 8 slots of 1ms\nopne when true")
     assert [e.code for e in errors] == ["NS0109", "NS0109"]
     assert [type(s).__name__ for s in file.statements] == ["Version", "EqualSlots", "Open"]

@@ -20,7 +20,7 @@ def refusal(path: Path) -> tuple[str, int]:
     return diagnostic.code, caught.value.status
 
 
-def test_text_is_taken_as_it_is(tmp_path: Path) -> None:
+def test_source_text_keeps_its_line_ends_and_characters(tmp_path: Path) -> None:
     path = tmp_path / "a.nsl"
     path.write_bytes("nsl 1\r\n# \u00fc \u4e2d\n".encode())
     source = read_source(path)

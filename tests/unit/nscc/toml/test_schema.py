@@ -88,7 +88,7 @@ def test_what_is_written_is_read_back(title: str) -> None:
         assert CAMERA.read(tomllib.loads(text), complete=True) == (values, [])
 
 
-def test_rows_come_from_anywhere_but_never_twice() -> None:
+def test_a_schema_refuses_duplicate_keys_and_unknown_headings() -> None:
     glow = parameter("glow_e", "light", 0.0, "e", 0, 10, "of the chip itself")
     assert "glow_e" in schema_of((*parameters(), glow)).by_path
     with pytest.raises(ValueError, match="glow_e"):

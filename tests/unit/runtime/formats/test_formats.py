@@ -82,14 +82,14 @@ SHOWN: dict[str, Callable[[bytes, Path], Values]] = {
 
 
 @pytest.mark.parametrize("ending", EXACT)
-def test_light_comes_back_bit_by_bit(ending: str, tmp_path: Path) -> None:
+def test_exact_formats_return_the_same_light(ending: str, tmp_path: Path) -> None:
     for light in (GREY, COLOUR, CLIP, COLOUR_CLIP):
         given = content(light)
         if given.lacks(FORMATS[ending].holds) is None:
             assert np.array_equal(EXACT[ending](written(ending, given), tmp_path), light)
 
 
-def test_radiance_comes_back_within_its_mantissa() -> None:
+def test_radiance_files_keep_light_within_their_mantissa() -> None:
     for light in (GREY, COLOUR):
         data = np.frombuffer(written(".hdr", content(light)), np.uint8)
         found = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | cv2.IMREAD_COLOR)[..., ::-1]

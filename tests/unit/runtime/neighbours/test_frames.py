@@ -48,7 +48,7 @@ def exposed(
     return frame
 
 
-def test_the_margin_is_what_depends_on_light_beyond() -> None:
+def test_the_margin_marks_pixels_that_depend_on_light_beyond_the_array() -> None:
     container = container_of(HEAD + CROSS + "image i = k(exposure) read i")
     light = np.full((SIDE, SIDE), 800.0, np.float32)
     frame = exposed(container, light)
@@ -78,7 +78,7 @@ def test_bits_beyond_the_array_are_as_declared(outside: int) -> None:
         assert not told["margin"].any()
 
 
-def test_reports_tell_where_bits_are() -> None:
+def test_reports_list_the_positions_of_bits() -> None:
     text = (
         HEAD + "plane p = exposure > 50% report events p at most 3 report any p report box p read p"
     )
@@ -101,7 +101,7 @@ def test_planes_in_the_margin_are_not_reported() -> None:
     assert told["report_box_p"].tolist() == [1, 1, SIDE - 2, SIDE - 2]
 
 
-def test_values_beyond_what_was_assumed_are_marked() -> None:
+def test_values_beyond_the_assumed_exposure_are_marked() -> None:
     text = HEAD + "assume exposure <= 50% image twice = exposure * 2 read twice"
     light = np.full((SIDE, SIDE), 1000.0, np.float32)
     light[3, 3] = 15001

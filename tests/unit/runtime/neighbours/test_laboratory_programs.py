@@ -114,7 +114,7 @@ def test_a_background_follows_the_exposure_where_nothing_moves() -> None:
         assert capture.reports["count foreground"][frame] == opened.sum()
 
 
-def test_images_and_planes_move_far() -> None:
+def test_images_and_planes_shift_by_up_to_64_pixels() -> None:
     light, rng = film_light(4, 15), np.random.default_rng(15)
     offsets = [{"dx": int(dx), "dy": int(dy)} for dx, dy in rng.integers(-64, 65, (FRAMES, 2))]
     capture = nscc_runtime.film(program("far_shift"), light, params=offsets)

@@ -88,7 +88,7 @@ def test_labels_that_must_appear_move_away_with_a_line() -> None:
         assert (len(axes.texts), len(axes.lines)) == (1, 2), "the text, and a line to its mark"
 
 
-def test_a_text_without_room_is_told() -> None:
+def test_a_label_without_room_is_returned_and_not_drawn() -> None:
     with sheet.style():
         figure, [axes] = sheet.panels(1, (2, 2), 1)
         sheet.lay_out(figure)

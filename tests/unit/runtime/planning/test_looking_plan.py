@@ -120,7 +120,7 @@ def test_effects_that_are_forced_off_break_the_tolerance_with_a_warning(program:
     assert "in other states" in done.broken.diagnostics[0].message
 
 
-def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
+def test_a_plan_survives_json_and_is_measured_on_other_scenes(program: Container) -> None:
     plan, _ = run(program, light(0.05), "auto", tolerance=40.0)
     again: Plan = from_plain(Plan, json.loads(json.dumps(plan.as_json())))
     assert again == plan

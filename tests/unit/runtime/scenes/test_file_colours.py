@@ -178,7 +178,7 @@ def write_png(path: Path, picture: np.ndarray, chunks: dict[bytes, bytes]) -> No
     path.write_bytes(data)
 
 
-def test_numbers_precede_profile_precedes_gamma(tmp_path: Path) -> None:
+def test_cicp_numbers_precede_the_icc_profile_and_gamma(tmp_path: Path) -> None:
     picture = np.full((ROWS, COLS), 32768, np.uint16)
     picture[0, 0] = 65535
     icc = {b"iCCP": b"icc\0\0" + zlib.compress(profile(LINEAR, grey=True))}

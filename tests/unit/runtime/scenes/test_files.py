@@ -154,7 +154,7 @@ def test_display_pictures_undo_their_curve(tmp_path: Path, transfer: Any) -> Non
     np.testing.assert_allclose(light.total_e(), exposed(values @ WEIGHTS, 500.0), rtol=1e-6)
 
 
-def test_sixteen_bits_survive(tmp_path: Path) -> None:
+def test_pictures_of_16_bits_keep_their_precision(tmp_path: Path) -> None:
     import cv2
 
     stored = (colours(6) * 65535).astype(np.uint16)

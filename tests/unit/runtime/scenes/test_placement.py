@@ -65,7 +65,7 @@ def test_scaled_pictures_are_means_of_areas(photo: Path) -> None:
     assert found.colour
 
 
-def test_the_rest_of_the_array_sees_a_mirror(photo: Path) -> None:
+def test_pixels_beyond_a_scaled_picture_mirror_it(photo: Path) -> None:
     found, _ = laid(photo, rows=25, fit="scale")
     total = found.light.total_e()
     # Columns 24 to 31 show columns 23 to 16.

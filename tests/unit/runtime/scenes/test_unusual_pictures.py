@@ -50,7 +50,7 @@ def test_pages_of_a_tiff_are_a_clip(tmp_path: Path, big: bool) -> None:
     np.testing.assert_allclose(one[0], pages[2] / pages[2].max(), rtol=1e-5)
 
 
-def test_clips_written_as_tiff_come_back(tmp_path: Path) -> None:
+def test_clips_survive_tiff(tmp_path: Path) -> None:
     from nscc_runtime.formats.content import Content
     from nscc_runtime.formats.pictures import tiff
 

@@ -91,7 +91,7 @@ def test_missing_lines_have_their_default_and_changes_come_last(tmp_path: Path) 
         ("register_min_e = 0\nleakage_tau_s = 0\nfull_well_e = [1]", ["NS0754"] * 3),
     ],
 )
-def test_everything_wrong_in_a_file_is_said_at_once(
+def test_all_errors_of_a_sensor_file_are_reported_together(
     text: str, found: list[str], tmp_path: Path
 ) -> None:
     file = tmp_path / "sensor.toml"

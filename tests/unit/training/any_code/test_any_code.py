@@ -82,7 +82,7 @@ def test_a_correction_is_the_most_likely_error(buckets: int, disjoint: bool) -> 
         np.testing.assert_allclose(found[batch, :, row, col], wanted, rtol=2e-3, atol=1e-4)
 
 
-def test_saturated_places_are_one_sided_and_noise_is_trusted_less() -> None:
+def test_saturated_values_are_lower_bounds_and_noisier_values_weigh_less() -> None:
     measured = random_measured(1)
     full = Measured(
         measured.value, measured.mask, measured.variance, torch.ones_like(measured.saturated)
@@ -202,7 +202,9 @@ def test_clips_do_not_end_below_their_start(seed: int, count: int) -> None:
 
 
 @pytest.mark.parametrize(("frames", "rows", "cols"), [(1, 9, 16), (4, 37, 41), (30, 24, 20)])
-def test_clips_of_any_length_and_size(frames: int, rows: int, cols: int) -> None:
+def test_any_clip_returns_finite_light_for_any_length_and_size(
+    frames: int, rows: int, cols: int
+) -> None:
     generator = np.random.default_rng(frames)
     mask = (generator.random((frames, rows, cols)) < 0.5).astype(np.float32)
     mask[:, 2, 3] = 0
@@ -492,7 +494,7 @@ def test_frames_of_another_program_are_refused(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("laid", [1, 2])
-def test_what_pixels_read_without_light_is_taken_in_place_of_their_words_mean(laid: int) -> None:
+def test_a_dark_frame_replaces_the_predicted_bias(laid: int) -> None:
     generator = np.random.default_rng(laid)
     light_e, dark = generator.uniform(50, 90, (1, 4 * laid, 6 * laid)), generator.random((1, 4, 6))
     gain, lsb_e = 0.5, 2.0
@@ -569,7 +571,7 @@ def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
     assert all(torch.equal(wanted[name], found[name]) for name in wanted)
 
 
-def test_tiles_give_the_clip_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_decoding_in_tiles_equals_decoding_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
     """Sides that no tile divides, mirrored in all ways, in single precision."""
     from nscc_training.any_code import decode, stages
 

@@ -149,7 +149,7 @@ def test_yardsticks_interpolate_a_plane_exactly() -> None:
     )
 
 
-def test_merging_asks_unsaturated_neighbours() -> None:
+def test_merging_replaces_saturated_pixels_by_their_neighbours() -> None:
     light = np.full((8, 8), 120000.0)
     share = np.tile(np.array([[1.0, 0.25], [0.0625, 1 / 64]]), (4, 4))
     codes = np.minimum(np.rint(light * share / 30000 * 255), 255).astype(np.float32)
@@ -391,7 +391,7 @@ def test_evaluate_sci8_refuses_wrong_files_and_options(
     assert (outcome.status, outcome.codes) == (2, [code])
 
 
-def test_a_clip_that_is_not_there_is_said_to_be_missing(tmp_path: Path) -> None:
+def test_a_missing_clip_is_reported_as_missing(tmp_path: Path) -> None:
     assert "the file does not exist" in invoke(["evaluate", "sci8", "none.mat"], tmp_path).err
 
 

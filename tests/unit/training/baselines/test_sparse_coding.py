@@ -67,7 +67,7 @@ def test_without_confidence_the_coarse_picture_is_left() -> None:
     np.testing.assert_allclose(found, wanted, atol=1e-6)
 
 
-def test_edges_come_back_sharper_than_by_merging() -> None:
+def test_sparse_coding_has_less_error_at_edges_than_merging() -> None:
     light = np.full((48, 48), 2000.0)
     light[:, 24:] = 90000.0
     light[20:28] = 300.0

@@ -101,7 +101,7 @@ def test_a_dark_patch_stays_dark_beside_a_bright_one() -> None:
     assert (brightest >= WELL * 0.99).any()
 
 
-def test_clips_of_one_exposure_share_it_too() -> None:
+def test_patches_of_one_exposure_of_a_clip_share_its_scale() -> None:
     """The 99th percentile of what an open pixel gathers fills a well; 1 is white."""
     light = np.random.default_rng(2).random((9, 30, 33))
     cut = Cuts({"s": light}, batch=4, together=2, augment=False).train(1)
@@ -191,7 +191,7 @@ def test_quantiles_are_those_of_numpy(count: int, part: float, seed: int) -> Non
 
 
 @given(st.integers(1, 300), st.floats(0, 1), st.integers(0, 2**32 - 1))
-def test_each_row_has_its_own_quantile(count: int, part: float, seed: int) -> None:
+def test_quantiles_of_rows_equal_numpy(count: int, part: float, seed: int) -> None:
     rng = np.random.default_rng(seed)
     values, parts = rng.normal(size=(3, count)), [part, 0.0, 1.0]
     found = quantiles(torch.from_numpy(values), torch.tensor(parts, dtype=torch.float64))
@@ -286,7 +286,7 @@ def smooth_panorama() -> Any:
 
 @pytest.mark.parametrize("yaw", [0.0, 100.0, 179.9, 300.0, 721.0])
 @pytest.mark.parametrize("pitch", [0.0, 14.0, -20.0])
-def test_a_camera_sees_what_is_where_it_looks(yaw: float, pitch: float) -> None:
+def test_a_view_samples_the_panorama_along_pinhole_rays(yaw: float, pitch: float) -> None:
     """Rays of a pinhole with 90 degrees, turned by matrices; pitch is upwards."""
     found = view(smooth_panorama(), np.radians(yaw), np.radians(pitch), 40)
     a, b = np.radians(yaw), np.radians(pitch)
@@ -319,7 +319,7 @@ def test_objects_before_a_turning_camera_keep_their_size(monkeypatch: pytest.Mon
     np.testing.assert_allclose(np.quantile(ratios, [0.05, 0.95]), 2, rtol=0.01)
 
 
-def test_a_turning_camera_moves_what_nothing_covers() -> None:
+def test_a_turning_camera_moves_the_whole_picture() -> None:
     light = np.exp(np.random.default_rng(5).normal(0, 1, (128, 256))).astype(np.float32)
     moved = 0
     for seed in range(6):
@@ -374,7 +374,7 @@ def test_a_file_is_never_on_both_sides(tmp_path: Path) -> None:
         loaded(tmp_path, str(tmp_path / "val"))
 
 
-def test_one_panorama_is_too_few_however_many_its_paths(tmp_path: Path) -> None:
+def test_a_single_panorama_is_refused_for_training(tmp_path: Path) -> None:
     panorama(tmp_path / "p.hdr", 1)
     with pytest.raises(Rejected, match="NS0811"):
         loaded(tmp_path, paths=20)

@@ -71,7 +71,7 @@ def test_scenes_that_are_mostly_dark_are_refused(tmp_path: Path, lit: float, ref
     assert "dark where it should saturate" in diagnostic.notes[0]
 
 
-def test_a_folder_alone_is_split_and_that_is_said(tmp_path: Path) -> None:
+def test_a_single_folder_is_split_and_the_split_is_reported(tmp_path: Path) -> None:
     pictures(tmp_path)
     told: list[str] = []
     found = scenes_of(tmp_path, told=told)
@@ -147,7 +147,7 @@ def test_sensors_that_there_are_not(values: dict[str, float]) -> None:
         SensorModel(**{"full_well_e": 1.0, "electrons_per_lsb": 1.0, **values})
 
 
-def test_guesses_refuse_what_they_would_spread() -> None:
+def test_guesses_refuse_values_that_are_not_finite() -> None:
     frame = torch.ones(1, 16, 16)
     still_guess(frame, torch.ones(16, 16))
     frame[0, 3, 4] = torch.nan

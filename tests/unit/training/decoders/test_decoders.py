@@ -33,7 +33,7 @@ def coded(slots: int, rows: int, cols: int) -> tuple[torch.Tensor, torch.Tensor]
 
 @pytest.mark.parametrize("size", [(32, 32), (37, 41), (16, 24)])
 @pytest.mark.parametrize("name", [name for name, each in DECODERS.items() if each.clips])
-def test_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
+def test_decoders_return_finite_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
     decoder = make_decoder(name, "small", CLIP)
     found = decoder(*coded(16, *size))
     assert found.shape == (2, 16, *size)

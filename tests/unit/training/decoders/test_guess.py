@@ -27,7 +27,9 @@ def drawn(*shape: int, seed: int = 0) -> Any:
 
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("scale", [1e-9, 1.0, 1e6])
-def test_a_constant_is_its_own_average(size: tuple[int, int], scale: float) -> None:
+def test_the_weighted_average_of_a_constant_is_the_constant(
+    size: tuple[int, int], scale: float
+) -> None:
     """Whatever the weights are, nearly nothing included; most pixels have none."""
     weights = scale * drawn(2, 3, *size) * (drawn(2, 3, *size, seed=1) < 0.3)
     weights[..., 0, 0] = scale
@@ -83,7 +85,7 @@ def test_averages_have_true_gradients() -> None:
 
 
 @pytest.mark.parametrize("light", [0.02, 0.7, 3.0, 60.0])
-def test_constant_light_comes_back_from_any_code_of_a_still(light: float) -> None:
+def test_the_guess_of_constant_light_is_exact_for_any_still_code(light: float) -> None:
     """Exposures of 1/256 to 1 saturate wherever light x share is a full well."""
     generator = torch.Generator().manual_seed(3)
     stops = torch.randint(0, 9, (2, 23, 18), generator=generator)
@@ -154,7 +156,7 @@ def random_shutters(slots: int, rows: int, cols: int) -> Any:
 
 
 @pytest.mark.parametrize("size", SIZES[1:])
-def test_constant_clips_come_back_from_any_code(size: tuple[int, int]) -> None:
+def test_the_guess_of_a_constant_clip_is_exact_for_any_code(size: tuple[int, int]) -> None:
     """One pixel never opens, one always; in every slot some pixel does."""
     shutters = random_shutters(5, *size)
     exposure = 0.3 * shutters.sum(dim=0)[None]
@@ -257,7 +259,9 @@ def test_only_decoders_that_guess_do(monkeypatch: pytest.MonkeyPatch) -> None:
     ("name", "kind", "channels"),
     [("unet2d", "still", 3), ("unet2d", "clip", 6), ("unet3d", "clip", 1)],
 )
-def test_the_papers_sizes_begin_with_nothing(name: str, kind: str, channels: int) -> None:
+def test_networks_of_the_papers_size_start_without_a_guess(
+    name: str, kind: str, channels: int
+) -> None:
     with torch.device("meta"):
         decoder = make_decoder(name, "paper", DecoderTask(kind, 5, (4, 4)))
     first = decoder.network.down[0][0]

@@ -69,7 +69,7 @@ def test_the_first_clip_reproduces_the_frame(name: str, size: tuple[int, int], s
     torch.testing.assert_close(decoder(frame, mask), found)
 
 
-def test_a_stage_goes_its_step_of_the_way() -> None:
+def test_a_stage_reduces_the_residual_by_its_step() -> None:
     """One whole step gives the frame, half a step leaves half of what misses."""
     decoder = make_decoder("unrolled", "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)

@@ -232,7 +232,7 @@ def test_files_that_cannot_be_viewed_are_refused_with_their_contents(tmp_path: P
 
 
 @pytest.mark.parametrize("line", ["view hdr", "run a.nsl --scene builtin:dark -o a.npz"])
-def test_curves_that_there_are_not_are_refused_where_none_is_drawn(
+def test_an_unknown_tone_curve_is_refused_where_nothing_is_drawn(
     line: str, tmp_path: Path, run_nscc: RunNscc
 ) -> None:
     (tmp_path / "a.nsl").write_text(START)
@@ -241,7 +241,7 @@ def test_curves_that_there_are_not_are_refused_where_none_is_drawn(
     assert not (tmp_path / "a.npz").exists()
 
 
-def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:
+def test_every_kind_of_file_has_a_view(folder: Path, run_nscc: RunNscc) -> None:
     runs, evaluation = shipped_runs(), EVALUATIONS / "looks/looks-2/hdr-v1.json"
     (folder / "sensor.toml").write_text(run_nscc(["effects", "--toml"], folder).out)
     run_nscc(["run", "--like", "hdr", "--scene", "builtin:hdr", "-o", "frame.npz"], folder)

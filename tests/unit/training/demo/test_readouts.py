@@ -81,7 +81,7 @@ def test_still_light_is_the_mean_of_all_readouts_by_precision() -> None:
     assert np.ptp(found, axis=0).max() < 1e-6
 
 
-def test_a_clip_that_is_right_takes_the_noise_away() -> None:
+def test_a_correct_clip_reduces_the_noise_of_readouts() -> None:
     masks = masks_of("three_readouts", 64)
     flat = np.full((16, 64, 64), 0.5, np.float32)
     exact = measured_of(flat, masks, sd=0.3)
@@ -93,7 +93,7 @@ def test_a_clip_that_is_right_takes_the_noise_away() -> None:
     assert np.std(found - 0.5) < 0.4 * np.std(alone)
 
 
-def test_moving_parts_come_from_the_given_clip() -> None:
+def test_moving_parts_of_joined_readouts_keep_the_given_clip() -> None:
     masks = masks_of("three_readouts", 64)
     clip = np.full((16, 64, 64), 0.5, np.float32)
     clip[8:, 20:44, 20:44] = 0.1
@@ -124,7 +124,7 @@ def test_motion_shows_where_the_always_open_readout_is_full() -> None:
 
 
 @pytest.mark.parametrize(("buckets", "name"), [(1, "class_c"), (2, "coded_two_buckets")])
-def test_nothing_is_joined_without_an_always_open_readout(buckets: int, name: str) -> None:
+def test_readouts_are_not_joined_without_an_always_open_one(buckets: int, name: str) -> None:
     masks = masks_of(name)
     assert masks.shape[0] == buckets
     assert always_open(measured_of(np.ones((masks.shape[1], 16, 16), np.float32), masks)) is None

@@ -26,7 +26,7 @@ def scene_of(path: Path, **values: object) -> Scene:
         (".hdr", "srgb", "srgb"),
     ],
 )
-def test_the_curve_that_is_asked_for_is_used(
+def test_a_given_transfer_curve_replaces_the_default(
     tmp_path: Path, ending: str, asked: str | None, taken: str
 ) -> None:
     path = tmp_path / f"a{ending}"

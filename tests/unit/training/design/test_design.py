@@ -254,7 +254,7 @@ def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
     assert ranked[cheapest([p.mean_db for p in ranked], words.__getitem__)] is one
 
 
-def test_a_camera_meters_the_light() -> None:
+def test_the_best_single_exposure_shortens_with_more_light() -> None:
     """It opens for less the more light there is, and for all of a frame that is dark."""
     sensor = SENSOR.changed(
         analog_noise_lsb=0.4, spread_noise_lsb=0.65, adc_pattern_lsb=0.0, adc_smooth_lsb=0.0

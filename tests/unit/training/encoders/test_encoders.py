@@ -195,7 +195,7 @@ def test_random_codes_are_uniform_over_those_that_are_required() -> None:
 
 
 @pytest.mark.parametrize("start", ["uniform", "quad", "random"])
-def test_what_is_required_holds_from_the_start_and_is_where_gradients_live(start: str) -> None:
+def test_codes_obey_requirements_from_the_start_and_after_steps(start: str) -> None:
     """A parameter far from the legal codes would change nothing for thousands of steps."""
     spec = ShutterSpec("d", 16, (4, 4))
     encoder = make_encoder(spec, start, seed=2)
@@ -269,7 +269,7 @@ def test_a_cold_relaxation_is_the_hard_shutter(spec: ShutterSpec, relaxation: st
     assert torch.allclose(soft, encoder.hard(), atol=1e-6)
 
 
-def test_an_edge_moves_towards_the_light() -> None:
+def test_the_gradient_of_a_stop_is_the_light_of_the_slots_beside_it() -> None:
     """More light is wanted: every stop must rise, by the light of the slots beside it."""
     encoder = make_encoder(ShutterSpec("b", 8, (1, 2)), "uniform")
     encoder.load_codes({"stop": np.array([[3, 5]])})

@@ -143,7 +143,7 @@ def test_rows_are_named_by_their_protocols(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_two_buckets_tell_more_than_one(tmp_path: Path) -> None:
+def test_two_buckets_score_above_one_bucket_and_flutter(tmp_path: Path) -> None:
     """The order of the published figures, on a made clip: flutter, pixel-wise, two buckets."""
     from small_runs import clip
 

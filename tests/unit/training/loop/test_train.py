@@ -269,7 +269,7 @@ def test_every_process_needs_a_patch(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert [d.code for d in caught.value.diagnostics] == ["NS0815"]
 
 
-def test_reconstruct_and_what_it_refuses(tmp_path: Path) -> None:
+def test_a_still_run_reconstructs_its_frames_and_refuses_others(tmp_path: Path) -> None:
     run(changed(STILL, "train", steps=2), tmp_path / "r")
     exposed = invoke(
         ["run", "r/shutter.nsl", "-O", "1", "--scene", "builtin:hdr", "-o", "f.npz"], tmp_path

@@ -133,7 +133,7 @@ def test_short_exposures_are_tried_in_small_steps(noise: float, wanted: list[flo
     assert trial.spread[0, :2, :2].reshape(-1).tolist() == wanted
 
 
-def test_a_single_trial_counts_only_what_is_around() -> None:
+def test_the_gradient_of_a_trial_is_limited_to_5_by_5_pixels() -> None:
     """One pixel alone has a loss: only places within two pixels of it get a gradient."""
     parts = parts_of(Share(), tile=[SIDE, SIDE])
     seen = torch.zeros(SIDE, SIDE)

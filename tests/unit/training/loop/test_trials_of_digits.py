@@ -238,7 +238,7 @@ def test_digits_leave_saturation_where_straight_through_does_not(kind: str) -> N
     assert learned("straight-through") == 1
 
 
-def test_a_choice_goes_to_the_shape_that_suits() -> None:
+def test_each_place_learns_the_shape_of_least_loss() -> None:
     """Shapes as they are, two of which are wanted in turn; each place finds its own."""
     parts = parts_of(Share(), slots=8, rows=4, tile=[2, 2], init="random", **{"class": "codebook"})
     book = np.arange(8)[None] < np.arange(1, 9, 2)[:, None]
@@ -286,7 +286,7 @@ def test_digits_learn_in_the_window_of_the_patch_alone(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["e", "codebook"])
-def test_a_trial_of_digits_counts_only_what_is_beside(kind: str) -> None:
+def test_the_gradient_of_a_digit_is_limited_to_3_by_3_pixels(kind: str) -> None:
     """One pixel alone has a loss: only it and its eight neighbours get a gradient."""
     parts = parts_of(Share(), slots=8, tile=[20, 20], init="random", **{"class": kind})
     seen = torch.zeros(20, 20)

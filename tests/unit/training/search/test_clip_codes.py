@@ -143,7 +143,7 @@ def test_codes_that_do_not_fit_are_left_out(target: str, monkeypatch: pytest.Mon
     assert refusal.value.diagnostics[0].code.startswith("NS06")
 
 
-def test_a_still_beside_a_clip_is_one_in_which_nothing_moves(
+def test_design_repeats_a_still_in_all_slots_beside_a_clip(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     scenes = []

@@ -398,7 +398,7 @@ def test_a_searched_run_says_what_moved_and_goes_on_where_it_stopped(tmp_path: P
     assert ("start alone" in card) == (codes["moved"] > 0)
 
 
-def test_a_limit_of_words_is_a_search_s_and_is_kept_to_the_end(tmp_path: Path) -> None:
+def test_only_a_search_accepts_a_limit_of_words_and_its_result_obeys_it(tmp_path: Path) -> None:
     shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "moves": 2}
     values = {**SMALL, "shutter": shutter | {"most_words": 0.25}, "decoder": {"learn": False}}
     with pytest.raises(Rejected, match="NS0850"):

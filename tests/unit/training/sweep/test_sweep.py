@@ -174,7 +174,7 @@ def replaced(compute: Any) -> Any:
     return replace(compiling.COMPILE, compute=compute)
 
 
-def test_a_grid_that_changed_gets_what_is_missing(tmp_path: Path) -> None:
+def test_a_changed_grid_computes_only_its_new_points(tmp_path: Path) -> None:
     written(tmp_path, GRID)
     swept(tmp_path)
     written(tmp_path, GRID.replace("[4, 8]", "[8, 9]"))
@@ -203,7 +203,9 @@ def test_a_point_that_fails_twice_is_a_row(tmp_path: Path, monkeypatch: pytest.M
     assert [row["code"] for row in swept(tmp_path, "--again")] == ["", ""]
 
 
-def test_a_key_is_that_of_what_decides(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_key_of_a_point_covers_what_its_result_depends_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     written(tmp_path, "nsl 1 frame 2 slots of 1ms open when true", "a.nsl")
     path = written(tmp_path, 'kind = "compile"\n[one]\nprogram = "a.nsl"\ntarget = "c.toml"\n')
@@ -441,7 +443,7 @@ def test_a_run_begins_with_another_of_the_grid(tmp_path: Path) -> None:
     assert not list((tmp_path / "out/runs").glob("first*"))
 
 
-def test_one_part_is_computed_and_the_table_has_all_that_is_known(tmp_path: Path) -> None:
+def test_a_part_is_computed_alone_and_the_table_lists_all_known_rows(tmp_path: Path) -> None:
     two = GRID.partition("[stops]\n")[2].replace("[4, 8]", "[5, 6]")
     written(tmp_path, GRID + "[two]\n" + two)
     whole = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run", "--part", "two"], tmp_path)

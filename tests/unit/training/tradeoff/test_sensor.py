@@ -225,7 +225,7 @@ def test_more_readouts_take_longer(tmp_path: Path) -> None:
     assert coded.time_ms == burst.time_ms == pytest.approx(33.4)
 
 
-def test_a_chip_that_nobody_knows(tmp_path: Path) -> None:
+def test_an_unknown_target_of_a_tradeoff_is_refused(tmp_path: Path) -> None:
     done = invoke(["tradeoff", "sensor", "--target", "nochip"], tmp_path)
     assert (done.status, done.codes) == (2, ["NS0230"])
 
