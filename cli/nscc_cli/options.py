@@ -122,7 +122,7 @@ class CommaList(click.ParamType):  # type: ignore[type-arg]  # not generic befor
     name = "list"
 
     def __init__(self, kind: Distinct | Several) -> None:
-        """Take the values of lists of this kind."""
+        """Take lists whose values `kind` describes, such as numbers or names."""
         self.kind = kind
 
     def convert(

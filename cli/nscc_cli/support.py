@@ -183,7 +183,7 @@ class OutPath(click.Path):
     as input files."""
 
     def __init__(self, path_type: type[Any] = Path) -> None:
-        """Take paths of output files."""
+        """Take paths of output files; `path_type` is the type of the values, such as Path."""
         super().__init__(path_type=path_type)
 
 

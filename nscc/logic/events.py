@@ -79,8 +79,9 @@ _MOST_KINDS = 24
 
 
 def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield solutions with groups and places for every field: first those with the fewest
-    inversions and with the fewest planes. Spare registers may store the last demands directly.
+    """Yield solutions that number the events of each field, and compare these numbers with the code
+    by a group and a place in the group. The first have the fewest inversions or planes. Spare
+    registers may store the last demands directly.
 
     `steps` limits the search for the gates of each solution. Yields nothing if no layout fits or no
     search succeeds. Raises GaveUp if the demands are levels (what is open in each slot), if there

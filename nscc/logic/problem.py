@@ -243,7 +243,7 @@ class Gates:
     split."""
 
     def __init__(self, machine: Machine) -> None:
-        """Begin without gates."""
+        """Begin without gates; `machine` gives the largest number of sources of a word."""
         self._machine = machine
         self._gates: list[Gate] = []
 

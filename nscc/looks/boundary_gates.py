@@ -314,12 +314,12 @@ def write_simultaneously(contents: RegisterContents, new_values: dict[str, int])
 def _with_changes(
     contents: RegisterContents, new_values: dict[str, int], most: float
 ) -> Iterator[RegisterContents]:
-    """Yield copies of the contents with a further scratch register: the truth vector (an integer
-    with one bit for each simulated pixel) of the lanes (simulated pixels) in which several
-    registers become 1.
+    """Yield copies of the contents, each with one more scratch register, with which at least two
+    registers can be ORed to get their new values.
 
-    Each of these registers can then be ORed with it. `new_values` are truth vectors by register.
-    Computing the further register takes at most `most` words."""
+    The scratch register is 1 in the lanes (simulated pixels) in which these registers become 1.
+    `new_values` are truth vectors (integers with one bit for each lane) by register. Computing the
+    scratch register takes at most `most` words."""
     rises = [v & ~contents.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in contents.values.values():

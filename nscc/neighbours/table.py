@@ -24,11 +24,11 @@ class WordForms(Record):
 
     @classmethod
     def choices(cls, target: Target) -> list[WordForms]:
-        """Return the word forms of a target, and those that are published of scamp5 if they are
-        fewer: one or two.
+        """Return the sets of word forms to try on a target: all that it has, then, if these are
+        more, those that are published of scamp5.
 
-        Programs of fewer forms may leave more values in registers for the convolution kernels after
-        them."""
+        A convolution kernel in fewer forms may leave more values in registers, which the next
+        kernels can use."""
         keeps = target.news_read_keeps
         forms = cls(target.directed_sources, target.directed_halving, keeps)
         public = cls(min(cls.sources, forms.sources), news_keeps=keeps)

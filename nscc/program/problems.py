@@ -20,7 +20,7 @@ class Problems:
     """Collects the errors, warnings and notes about one source text."""
 
     def __init__(self, source: Source) -> None:
-        """Begin without diagnostics."""
+        """Begin without diagnostics; `source` is the text that their places refer to."""
         self.source = source
         self._found: list[Diagnostic] = []
         self._unknown: set[str] = set()

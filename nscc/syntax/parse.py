@@ -119,7 +119,7 @@ class _Errors:
     """Collects the errors of a text: keeps the first MOST_ERRORS, and counts the others."""
 
     def __init__(self, source: Source) -> None:
-        """Begin without errors."""
+        """Begin without errors; `source` is the text that their places refer to."""
         self._source = source
         self._first: list[Diagnostic] = []
         self._more = 0

@@ -113,7 +113,7 @@ def test_the_promise_holds_for_a_scene_with_one_lamp() -> None:
 
 @pytest.mark.parametrize(("slots", "name"), [(4, "hdr"), (16, "saturated")])
 def test_reset_noise_cancels_unless_a_read_saturates(slots: int, name: str) -> None:
-    """It cancels in a difference of two reads, unless one of them saturates."""
+    """The noise of a reset cancels in the difference of two reads, unless one of them saturates."""
     light = scene(name, slots, ROWS, COLS)
     check(runs("c edges", [(name, light)], slots, tolerances=(0.5,)), least_judged=0)
 

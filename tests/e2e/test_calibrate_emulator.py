@@ -112,7 +112,7 @@ def test_calibration_finds_the_sensor_of_the_emulator(folder: Path) -> None:
 
 
 def test_a_calibrated_emulator_takes_the_same_frames(folder: Path) -> None:
-    """With every effect the frames' noise has many sources; the file holds what they add up to."""
+    """Frames with every effect have many noise sources; the calibrated file contains their sums."""
     changes = {
         **SENSOR,
         "adc_noise_lsb": 0.65,

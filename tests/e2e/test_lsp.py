@@ -181,7 +181,7 @@ async def a_file_beside_the_text_changes(client: LanguageClient, tmp_path: Path)
 def test_one_server_answers_every_scenario(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """One server for all of it: each scenario has texts of its own, and none is a fault."""
+    """All scenarios, each with its own texts, talk to the same server."""
 
     async def session(client: LanguageClient) -> None:
         for scenario in (

@@ -122,7 +122,7 @@ def test_a_run_prints_one_line_of_its_plan_and_effects_prints_its_table(folder: 
 
 
 def test_a_frame_that_measuring_would_not_pay_for_has_all_effects(folder: Path) -> None:
-    """What was not measured is null, and the table says why."""
+    """Figures that were not measured are null, and the table says why."""
     assert run(folder, "--effects", "all", "--seed", "4").status == 0
     every = loaded(folder)[0]["exposure_e"]
     assert "every effect simulated" in run(folder, "--effects", "auto", "--seed", "4").err

@@ -54,7 +54,7 @@ def test_small_decoders_of_stills_are_small(slots: int, sees_code: bool) -> None
 
 @pytest.mark.parametrize("slots", [1, 13, 16])
 def test_decoders_keep_the_shapes_and_first_weights_of_earlier_runs(slots: int) -> None:
-    """By shape and by value: what was trained loads, and what is trained begins the same."""
+    """Weights of earlier runs load, and new runs begin with the same weights."""
     makers = {
         "unet2d": (StillUNet, (16, 32, 64, 128)), "unet3d": (ClipUNet, (8, 16, 32, 64)),
         "fcnet": (BlockNet, (96,)), "unrolled": (Unrolled, (24, 48, 64)),

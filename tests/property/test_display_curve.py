@@ -31,6 +31,6 @@ def test_display_curves_increase(values: np.ndarray) -> None:
 
 
 def test_srgb_curves_give_the_values_of_the_standard() -> None:
-    """Of IEC 61966-2-1: grey of 18 % is 0.4614; the first of 255 steps is a light of 1 / 3294.6."""
+    """IEC 61966-2-1: grey of 18 % is 0.4614; the first of 255 steps is a light of 1 / 3294.6."""
     np.testing.assert_allclose(linear_to_srgb(np.array([0, 0.18, 1])), [0, 0.4614, 1], atol=5e-5)
     np.testing.assert_allclose(linear_to_srgb(np.array([1 / 3294.6])), [1 / 255], rtol=1e-4)

@@ -66,7 +66,7 @@ def test_overlapping_buckets_share_their_reads() -> None:
 
 @pytest.mark.parametrize("name", LINEAR)
 def test_dropping_an_effect_changes_no_other_effects_draw(name: str) -> None:
-    """With additive effects, what the rest adds is the same with and without this one."""
+    """The other, additive effects add the same electrons with and without the dropped effect."""
     container = program(BUMPS, "edges")
     light, sensor = random_light(), sensor_of(container)
     others = [other for other in ("read", "reset", "dark") if other != name]

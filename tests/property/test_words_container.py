@@ -169,7 +169,7 @@ def test_a_damaged_container_is_refused(container: Container, data: st.DataObjec
 def test_a_forged_container_is_refused_or_written_back_unchanged(
     container: Container, data: st.DataObject
 ) -> None:
-    """With a checksum made to fit, only what makes sense is let through."""
+    """The checksum of a forged container is valid, so only checks of the contents can refuse it."""
     body = bytearray(to_bytes(container)[:-32])
     header_end = 24 + int.from_bytes(body[12:16], "little")
     for _ in range(data.draw(st.integers(1, 3))):
@@ -193,6 +193,6 @@ def test_random_bytes_are_refused(data: bytes, magic: bool) -> None:
 @settings(max_examples=100, deadline=None)
 @given(st.tuples(INTEGER, INTEGER, INTEGER, INTEGER, INTEGER))
 def test_random_words_are_no_operation(word: tuple[int, int, int, int, int]) -> None:
-    """Of 2^160 words the table knows few: hitting one by chance would mean a loose check."""
+    """The table contains few of 2^160 words, so a random word must not be in it."""
     found = matching(word)
     assert found is None or encode(found) == word

@@ -108,7 +108,7 @@ def test_any_string_in_a_container_is_read_or_refused(
 def test_free_text_of_containers_is_shown_by_diff_and_disasm(
     name: str, text: str, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
-    """What the compiler would never ask the meaning of is still shown by `diff` and `disasm`."""
+    """Names and notes that the compiler does not read are shown by `diff` and `disasm`."""
     value: Any = ["nsl 1", text] if name == "source_lines" else {"class": text, text: "b"}
     judge({**good()[1], name: value}, tmp_path_factory)
 

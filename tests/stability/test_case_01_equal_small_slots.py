@@ -83,7 +83,8 @@ def test_case_01_a_clip_is_scaled_to_its_exposure_without_bias(tmp_path: Path) -
 @pytest.mark.parametrize("kind", ["clip", "still"])
 @pytest.mark.parametrize("effects", ["none", "crosstalk"])
 def test_case_01_planned_frames_are_exact(kind: str, effects: str) -> None:
-    """In one go over the pixels, and by weighted sums: equal light is not changed by crosstalk."""
+    """Both paths are tested: the loop over pixels and weighted sums. Crosstalk does not change
+    equal light."""
     container = program(TEXT, "edges", 1, len(STOPS))
     found = capture(container, lights()[kind], effects=effects).exposure_e[0, 0]
     for value, stop in zip(found, STOPS, strict=True):

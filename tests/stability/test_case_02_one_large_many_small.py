@@ -39,7 +39,7 @@ def test_case_02_all_slots_open_give_the_exact_sum(lowering: str) -> None:
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 def test_case_02_the_large_one_before_the_shutter_opens(lowering: str) -> None:
-    """What fell before is subtracted again, and the single electrons are left."""
+    """Charge from before the shutter opens is subtracted, and the single electrons remain."""
     found = expose(program(LATE, lowering, 1, len(PLACES)), light()).exposure_e[0, 0]
     wanted = [SLOTS - 1, *[LARGE + SLOTS - 2] * (len(PLACES) - 1)]
     np.testing.assert_allclose(found, wanted, rtol=1e-6)

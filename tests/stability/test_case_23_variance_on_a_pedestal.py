@@ -16,5 +16,5 @@ def test_variance_of_values_far_from_zero_is_exact() -> None:
     moments = summary(exact, ["scene"] * len(exact))
     mean = math.fsum(exact) / len(exact)
     variance = math.fsum((v - mean) ** 2 for v in exact) / (len(exact) - 1)
-    assert moments["mean"] == pytest.approx(mean, rel=1e-9)
-    assert moments["sd"] ** 2 == pytest.approx(variance, rel=1e-3)
+    assert moments.mean == pytest.approx(mean, rel=1e-9)
+    assert moments.sd**2 == pytest.approx(variance, rel=1e-3)

@@ -165,7 +165,8 @@ class Accidents:
     """Decides, by the number of transferred bytes, when the line breaks or the loader reboots."""
 
     def __init__(self, faults: LineFaults) -> None:
-        """Plan the faults: after how many bytes the line breaks and the loader restarts."""
+        """Plan the accidents that `faults` describe: after how many bytes the line breaks, and
+        after how many the loader restarts."""
         after = {"disconnect": faults.disconnect_after, "reboot": faults.reboot_after}
         self._to_come = {name: count for name, count in after.items() if count is not None}
         self._passed = 0

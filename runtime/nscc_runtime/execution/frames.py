@@ -64,9 +64,11 @@ class FrameSource:
     block: BlockScene | None = None
 
     def expose(self, seed: int, number: int) -> Exposure:
-        """Return frame `number` before the converter, with the noise of `seed`: by the reference;
-        or all pixels by sums, then those near saturation by their words, which replace the sums.
-        Values that are not finite, as for light that is NaN, are invalid."""
+        """Return frame `number` before the converter, with the noise of `seed`.
+
+        It is computed by the reference, or all pixels by sums. Pixels near saturation then run
+        through their words, whose results replace their sums. Values that are not finite, as for
+        light that is NaN, are invalid."""
         if isinstance(self.by, Reference):
             scene = reference_scene(self.container, self.light)
             return self.by.expose(scene, seed, self.device_seed, number, self.threads)

@@ -422,7 +422,7 @@ class _WordsOfParams:
     which they were asked for last."""
 
     def __init__(self, container: Container) -> None:
-        """Begin without words."""
+        """Begin without words for the parameters of `container`."""
         self._container = container
         self._last: tuple[Any, list[tuple[Op, int | None]], PictureWords | None] | None = None
 

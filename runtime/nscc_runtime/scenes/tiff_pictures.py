@@ -202,8 +202,8 @@ def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:
         chosen["Z"] = "slice"
     if not chosen or prod(shape) != len(pages):
         return pages, ()
-    # The first axis of `order` varies fastest in the file; afterwards axis k of `numbers` is the
-    # k-th.
+    # The first axis of `order` varies fastest in the file. Transposed, axis k of `numbers` is axis
+    # `order[k]` of the stack.
     numbers = np.arange(len(pages)).reshape(shape[::-1]).transpose(2, 1, 0)
     for axis in chosen:
         numbers = np.take(numbers, [0], order.index(axis))

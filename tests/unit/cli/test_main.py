@@ -274,7 +274,7 @@ def test_a_memory_error_says_how_much_is_missing(
 def test_an_interrupt_hidden_by_another_error_ends_as_an_interrupt(
     caught: bool, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """As C code does it that is being imported: what fails then is a consequence."""
+    """C code that is being imported may swallow an interrupt and fail with another error."""
 
     def fail(*_arguments: object) -> None:
         with suppress(KeyboardInterrupt) if caught else nullcontext():
@@ -480,7 +480,7 @@ def test_doctor_says_that_loops_are_compiled_in_every_run(
 def test_loops_that_a_run_says_to_compile_are_compiled(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Also loops that the scene does not need, so that the next run says nothing."""
+    """Loops that the scene does not need are compiled too, so the next run prints no message."""
     pytest.importorskip("numba")
     from nscc_runtime.execution.block_loop import run_blocks
     from nscc_runtime.loop import Loop

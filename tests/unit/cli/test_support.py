@@ -60,7 +60,7 @@ def test_nothing_is_drawn_in_a_pipe_or_within_a_second(monkeypatch: pytest.Monke
 
 
 def test_a_build_that_takes_long_says_so(tmp_path: Path) -> None:
-    """On the terminal of a process of its own: what `nscc build` really draws."""
+    """`nscc build` runs in a process with a terminal of its own."""
     import pty
     import subprocess
 

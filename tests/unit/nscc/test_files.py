@@ -30,7 +30,7 @@ def test_a_file_is_written_and_replaced(tmp_path: Path) -> None:
 def test_files_of_a_killed_process_are_no_obstacle(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In a container the next process has the same number, and counts its writes from 0 again."""
+    """In a container the next process has the same number, and also counts its writes from 0."""
     half: list[str] = []
 
     def killed(file: BinaryIO) -> None:
@@ -174,7 +174,7 @@ def test_an_input_is_never_overwritten_by_any_name(tmp_path: Path) -> None:
 
 
 def test_commands_refuse_to_overwrite_their_inputs(tmp_path: Path, run_nscc: RunNscc) -> None:
-    """Also what only their inputs name."""
+    """Files that the inputs name are protected, too."""
     np.savez(tmp_path / "codes.npz", stop=np.ones((256, 256), np.int64))
     (tmp_path / "a.nsl").write_text(
         "nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\n"

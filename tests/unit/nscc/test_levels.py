@@ -79,7 +79,7 @@ def test_more_effort_fits_where_less_does() -> None:
 
 
 def test_a_level_never_costs_more_than_the_levels_below(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever more steps make of a search that ends elsewhere."""
+    """A search with more steps may end elsewhere, so lower levels are tried, too."""
     n = np.arange(9)
     program = program_from([(a <= n) & (n < b) for a in range(9) for b in range(a + 1, 10)])
     real = gate_search.solutions

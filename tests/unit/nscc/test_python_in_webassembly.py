@@ -48,7 +48,7 @@ def test_all_examples_compile_to_the_same_number_of_words(tmp_path: Path) -> Non
 
 
 def test_choices_of_narrow_integers_are_wide() -> None:
-    """So that products of them do not wrap before they are compared with the limit."""
+    """Products of the results must not overflow before they are compared with the limit."""
     where = np.array([True, False])
     narrow = np.array([7, 8], np.int32)
     assert _chosen(Value(where), Value(narrow), Value(narrow)).data.dtype == np.int64

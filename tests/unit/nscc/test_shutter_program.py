@@ -205,7 +205,7 @@ def test_repr_is_a_line(made: str, tmp_path: Path) -> None:
 
 
 def test_the_report_of_pixels_that_look_is_of_their_own_words() -> None:
-    """It has the words of the state machine, not those of the shutters in the dark."""
+    """The report counts the words of the state machine, not those of the shutters without light."""
     looking = nscc.compile(ROOT / "examples/auto_exposure.nsl", level=0)
     report = looking.report
     assert report["words_total"] == looking.words_per_frame

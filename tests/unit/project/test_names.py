@@ -66,7 +66,7 @@ def test_public_class_names_are_unique() -> None:
     assert len(SHARED_CLASS_NAMES) <= 10
 
 
-def test_module_names_are_told_apart() -> None:
+def test_at_most_three_modules_share_a_name() -> None:
     counts = Counter(Path(path).stem for path in trees())
     del counts["__init__"]
     assert {name: count for name, count in counts.items() if count > MOST_MODULES_OF_A_NAME} == {}

@@ -132,7 +132,7 @@ def test_saturation_of_device_frames_follows_from_codes(
 
 
 def test_many_small_losses_in_registers_add_up_to_saturation() -> None:
-    """Each write beyond the knee bends again what the one before had bent."""
+    """Each write beyond the knee reduces the value again."""
     container = program(WHOLE.format(slots=256, slot="100us"), "accumulate", *SHAPE)
     ideal = {"analog_gain": 1.0, "leakage_tau_s": 1e9, "analog_bias_lsb": 0.0}
     sensor = sensor_of(container, **QUIET | ideal)

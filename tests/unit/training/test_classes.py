@@ -58,7 +58,7 @@ def class_folders(root: Path, side: int = 64, count: int = 2, name: str = "{labe
 
 
 def test_the_cross_entropy_is_that_of_the_loss() -> None:
-    """It still separates codes where nearly all classes are right."""
+    """The cross-entropy still distinguishes codes whose answers are nearly all right."""
     result = np.array([2.0, -1.0, 0.5])
     for label in ("a", "b", "c"):
         scene = SimpleNamespace(classes=("a", "b", "c"), label=label)

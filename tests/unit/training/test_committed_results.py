@@ -38,7 +38,8 @@ def test_runs_have_weights_where_they_are_shipped() -> None:
 
 @pytest.mark.parametrize("run", RUNS, ids=named)
 def test_a_run_is_of_one_piece(run: Path) -> None:
-    """Its files are those that were written; its program opens the pixels that its codes open."""
+    """The files of a shipped run match its digests, and its program opens the shutters of its
+    codes."""
     digests = json.loads((run / "result.json").read_text())["files"]
     present = [name for name in digests if (run / name).is_file()]
     assert "shutter.nsl" in present

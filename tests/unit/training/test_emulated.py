@@ -332,7 +332,7 @@ def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: 
 def test_saturated_pixels_are_marked_as_the_emulator_marks_them(
     program: Container, table: EmulatedSensor
 ) -> None:
-    """Of light that fills some of the places, and of light just above the full well of one."""
+    """The light fills some pixels, or is just above the full well of one."""
     sensor = sensor_of(program)
     model = SensorModel.of(sensor, program.target)
     rows, cols = program.target.rows, program.target.cols
@@ -349,8 +349,8 @@ def test_saturated_pixels_are_marked_as_the_emulator_marks_them(
             assert mine.mean() == pytest.approx(theirs.mean(), abs=0.06)
 
 
-def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
-    """At rate 0 it stays what the other is; where that one has gone, it can still be loaded."""
+def test_a_run_starts_from_the_weights_and_codes_of_another(tmp_path: Path) -> None:
+    """With rate 0 the run keeps the weights of the other run, which may then be deleted."""
     shutter = {"slots": 4, "tile": [2, 2]}
     first = trained(tmp_path / "a", shutter={**shutter, "init": "random"})
     begun = trained(
@@ -402,7 +402,7 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
 
 
 def test_the_dark_level_of_a_run_is_subtracted_once() -> None:
-    """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
+    """The run was trained under effects: only the mean of each place is subtracted."""
     folder = load_run(RUNS / "stills/class-b/2x2/unet2d/every-effect/seed0")
     size = (folder.setup.target.rows, folder.setup.target.cols)
     generator = np.random.default_rng(5)

@@ -137,7 +137,7 @@ def test_a_run_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run
 def test_a_mostly_saturated_frame_gives_a_warning(
     run: nscc_training.Run, tmp_path: Path, light: str, warned: bool
 ) -> None:
-    """By a run's decoder and by the one for any code; the reconstruction is made."""
+    """The decoder of a run and the decoder for any code both warn and reconstruct."""
     run.capture(f"builtin:flat:{light}").save(tmp_path / "f.npz")
     for decoder in (str(run.path), "any"):
         outcome = invoke(["reconstruct", decoder, "f.npz", "-o", "r.npz"], tmp_path)

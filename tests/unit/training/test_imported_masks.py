@@ -67,7 +67,8 @@ def test_the_class_that_holds_a_mask(tmp_path: Path, kind: str) -> None:
 
 
 def test_the_smallest_tile_of_a_mask_is_found(tmp_path: Path) -> None:
-    """Of a mask of the whole array, time first or last; a tile need not divide the array."""
+    """The mask covers the array, with the axis of slots first or last; the tile need not divide
+    it."""
     tile = by_stop(1 + RNG.permutation(15).reshape(3, 5) % 8)
     mask = np.tile(tile, (86, 52, 1))[:256, :256]
     for stored in (mask, np.moveaxis(mask, 2, 0)):
@@ -225,7 +226,7 @@ def test_import_mask_writes_a_program_or_codes_for_one(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("suffix", [".npz", ".mat"])
 def test_the_only_array_of_a_file_is_its_mask(suffix: str, tmp_path: Path) -> None:
-    """Whatever its name; one of several must have the name `mask`."""
+    """A single array may have any name; one of several must be named `mask`."""
     mask = MASKS["b"].astype(float)
 
     def read(**arrays: np.ndarray) -> np.ndarray:

@@ -75,7 +75,7 @@ def test_answers_are_as_sure_as_the_comparator() -> None:
 
 
 def test_codes_are_looks_in_their_order() -> None:
-    """Whatever the parameters are, boundaries rise and stay within the frame."""
+    """Boundaries rise and stay within the frame for any parameters."""
     encoder = make_encoder(SPEC, "quad")
     encoder.load_codes({"at": np.array([[2, 9, 33]]), "level": np.array([[5, 60, 126]])})
     assert encoder.codes()["at"].tolist() == [[2, 9, 33]]
@@ -151,7 +151,7 @@ def test_learned_looks_compile_to_a_program(run: Path) -> None:
 
 
 def test_a_design_is_a_start(run: Path) -> None:
-    """Of pixels that look, and of fixed tiles."""
+    """Designs of pixels that look and of fixed tiles start a training."""
     scene = ["--scene", "builtin:hdr", "--exposure", "300000", "--slots", "64", "-O", "0"]
     one = ["--set", "train.steps=1", "--set", "train.code_rate=0"]
     assert invoke(["design", "--looks", "4", *scene, "-o", "d.nsl"], run).status == 0

@@ -229,7 +229,7 @@ def test_memory_that_runs_out_is_nobodys_fault(folder: Path, name: str) -> None:
     assert not list(folder.glob("*.zip"))
 
 
-def test_nothing_to_learn_is_refused(folder: Path) -> None:
+def test_a_training_without_anything_to_learn_is_refused(folder: Path) -> None:
     settings = settings_of(
         {
             "shutter": {"slots": 8, "tile": [2, 2], "learn": False},

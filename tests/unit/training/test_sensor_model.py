@@ -112,7 +112,7 @@ def test_saturation_has_a_stand_in_slope() -> None:
 def test_decoders_see_1_where_a_pixel_is_saturated(
     values: dict[str, float], full_e: float, full_code: int
 ) -> None:
-    """Whatever comes first, the full well or the end of the converter."""
+    """The pixel saturates at its full well or at the end of the converter, whichever is lower."""
     model = SensorModel(**{"full_well_e": 30000.0, "electrons_per_lsb": 30000 / 255, **values})
     assert model.full_e == pytest.approx(full_e)
     assert model.full_code == full_code

@@ -175,7 +175,7 @@ def readout_points(settings: SensorStudySettings) -> list[StudyPoint]:
 def _readouts(method: str, count: int, values: Values) -> Figures:
     """Return the mean PSNR in dB over clips that were captured in `count` readouts, the readout
     time in ms, and a text of both as `setting`. `method` is "burst", ordinary frames one after
-    another, or "coded", the shipped program with so many readouts (1 to 4). `values` are those of
+    another, or "coded", the shipped program with `count` readouts (1 to 4). `values` are those of
     `bench_values` and describe the scenes. Raises Rejected if the program does not fit the target.
     """
     scenes = scenes_of(values)

@@ -120,7 +120,7 @@ def test_coloured_messages_equal_plain_ones_without_escapes() -> None:
     assert re.sub(r"\x1b\[[0-9;]*m", "", painted) == plain
 
 
-def test_nothing_of_the_users_text_reaches_the_terminal_raw() -> None:
+def test_control_characters_of_the_users_text_are_escaped() -> None:
     error = Diagnostic(
         "NS0107",
         "a\nb\x1b[2J",

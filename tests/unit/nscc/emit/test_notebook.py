@@ -42,7 +42,7 @@ def test_a_program_shows_chart_and_costs(tmp_path: Path) -> None:
 
 
 def test_bars_are_where_shutters_are_open() -> None:
-    """From the paths' own numbers: the open time of every lane, as a share of the chart."""
+    """The open time of every lane is computed from the numbers of the drawn paths."""
     p = program()
     p_shutters = p.shutters()[:, :2].transpose(1, 0, 2)
     page = Page(shutter_chart(p_shutters, ["a", "b"], p.slot_us, p.buckets))

@@ -115,7 +115,7 @@ def test_registers_are_free_for_more_than_the_generator_took():
 
 
 def test_values_do_not_outlast_memory():
-    """Where scratch decays before the next demand, a value is computed anew."""
+    """A value is computed again if its scratch register decays before the next demand."""
     answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"] * 2
     predicate = ALL ^ (A | B)
     problem, solution = solved([predicate] * 2, answers, flag_lasts=False)

@@ -213,7 +213,7 @@ def test_counts_that_cancel_or_lie_in_one_place() -> None:
 
 
 def test_margins_of_states_grow_with_the_frames() -> None:
-    """What a state took from beyond the array stays unknown, and goes on to its neighbours."""
+    """Values from beyond the array stay unknown in a state, and spread to its neighbours."""
     text = (
         "nsl 3 frame 1 slots of 1ms open when true outside 0 "
         + AROUND
@@ -286,7 +286,7 @@ def test_registers_of_an_exposure_are_not_those_of_states() -> None:
 def test_levels_lie_half_way_between_attainable_counts(
     level: int, or_equal: bool, half_way: int | None
 ) -> None:
-    """Of the counts -3, -1, 1 and 3."""
+    """The counts are -3, -1, 1 and 3."""
     counts = CountRange(Fraction(-3), Fraction(3), Fraction(2))
     assert counts.half_way(Fraction(level), or_equal=or_equal) == half_way
 
@@ -316,7 +316,7 @@ def test_editors_complete_and_explain_states_of_planes(cell: Path) -> None:
     ],
 )
 def test_counts_that_cancel_are_counts(image: str, times: float) -> None:
-    """They have the unit of counts, and are values of 0 among counts."""
+    """Counts that cancel keep the unit of counts, and their value is 0."""
     text = HEAD + AROUND + f"plane p = exposure > 50% image a = agree(p, k) image o = {image} "
     made = small(text + "read o, a")
     assert image_unit(made).keys() == {"o", "a"}

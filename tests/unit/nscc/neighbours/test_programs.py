@@ -322,7 +322,7 @@ def test_reads_of_a_news_that_does_not_keep_its_value(
 def test_stored_programs_are_those_of_a_search(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Whatever was searched before, and whatever a damaged entry contains."""
+    """The result depends neither on earlier searches nor on damaged entries."""
     kernels = [exact_taps(weights_of(*each)) for each in ((LAPLACE_8, 8), (GAUSS_5, 64))]
     found = [Synthesis(60, PUBLIC).variants(taps) for taps in kernels]
     both = Synthesis(60, PUBLIC, Results(Store(tmp_path)))

@@ -106,7 +106,7 @@ def test_codes_of_a_device_mean_what_the_target_says(
 
 
 def test_a_program_that_leaves_no_register_is_converted_as_it_is() -> None:
-    """By the emulator and a stand-in alike: nothing is code 128 then."""
+    """Emulator and stand-in give code 128 for 0 electrons of such a program."""
     rules = (f"bucket b{n} open when n == {n}" for n in range(6))
     container = compiled("frame 6 slots of 1ms", *rules)
     target = container.target

@@ -122,7 +122,7 @@ def test_it_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path)
 
 @needs_compiler
 def test_the_core_has_no_heap_and_no_exceptions(tmp_path: Path) -> None:
-    """What its object files want from outside is at most what compilers call by themselves."""
+    """Its object files import only functions that compilers call on their own."""
     found = firmware.compiler()
     assert found is not None
     wanted: set[str] = set()

@@ -182,7 +182,7 @@ def test_a_loader_that_falls_silent_is_given_up() -> None:
 
 
 def test_a_loader_that_never_gets_on_is_given_up() -> None:
-    """It answers everything, and has never received a byte."""
+    """The loader answers every packet, but reports that it has received no byte."""
     example = examples()[0]
     host, loader = new_host(1, patience_s=0.05), python_loader(example)
     line = Simulation(host, loader)
@@ -261,7 +261,7 @@ def test_a_refused_program_leaves_a_loader_that_takes_another() -> None:
 
 
 def test_the_masked_register_is_loaded_before_its_mask(large: Upload) -> None:
-    """Whatever the container's order: the chip writes R12 only where R0 is 1."""
+    """The order does not depend on the container: the chip writes R12 only where R0 is 1."""
     assert [each.register for each in large.objects[3:]] == [12, *range(12)]
 
 

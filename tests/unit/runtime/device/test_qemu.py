@@ -117,7 +117,7 @@ def test_a_frame_without_a_breath_is_cancelled_at_once(
 
 @pytest.mark.slow
 def test_a_board_that_is_stuck_starts_anew(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its emulator takes nothing more, so that it waits for ever: nobody feeds the watchdog."""
+    """The emulator of the board stops reading, so the board blocks and its watchdog restarts it."""
     monkeypatch.setattr(qemu, "_TIME", "shift=8,sleep=off")  # four seconds are soon over
     loader, chip = qemu.built(TARGET, "m4"), chip_of(examples(SLOT_US)[0])
     with qemu.Emulated(loader, chip, "m4") as board:

@@ -59,7 +59,7 @@ ONE = (
 
 
 def test_the_level_holds_the_light_since_the_reset_and_at_most_a_full_well() -> None:
-    """What is subtracted grows with the light until PIX is full when it is read."""
+    """The subtracted level grows with the light until PIX is full when it is read."""
     container, exact = case("a", SLOTS, rows=ROWS, cols=COLS), {"fidelity": "reference"}
 
     def lost_e(slot_e: float, said: str = "") -> float:
@@ -106,7 +106,7 @@ def test_pixels_that_look_show_the_black_sun(effects: str) -> None:
 
 @pytest.mark.parametrize("name", CASES)
 def test_its_weights_are_the_words(name: str) -> None:
-    """In dim light, where sums know it: what is left out is what the table says."""
+    """In dim light, the table predicts exactly what the words leave out."""
     container = case(name, SLOTS, rows=ROWS, cols=COLS)
     plan = nscc_runtime.plan(container, sun(2000.0), sensor=sensor_of(container), tolerance="5e")
     [row] = [each for each in plan.decisions if each.name == "black_sun"]
@@ -120,7 +120,7 @@ def test_its_weights_are_the_words(name: str) -> None:
 
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
 def test_a_plan_has_a_sun_in_a_dim_scene() -> None:
-    """One pixel of the array loses a full well, which is more than the tolerance."""
+    """One pixel loses a full well, which exceeds the tolerance."""
     container = case("b edges", SLOTS, rows=ROWS, cols=COLS)
     sensor = sensor_of(container, crosstalk_fraction=0.0)
     bright = nscc_runtime.plan(container, sun(3e9), sensor=sensor, tolerance="20e")

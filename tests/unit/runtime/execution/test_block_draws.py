@@ -67,7 +67,7 @@ def test_counts_of_every_rate_are_nowhere_far_from_the_law(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", ["mixed", "rarely low"])
-def test_how_pixels_are_split_changes_no_bit(kind: str) -> None:
+def test_splitting_pixels_into_parts_changes_no_bit(kind: str) -> None:
     rates = some_rates(kind, 3000)
     cut = drawn(rates, 0, 700)
     cut[700:] = drawn(rates, 700)[700:]
@@ -75,7 +75,7 @@ def test_how_pixels_are_split_changes_no_bit(kind: str) -> None:
 
 
 def test_the_formula_decides_only_where_its_error_cannot() -> None:
-    """Where a count ends, the formula is within the margin of a whole number."""
+    """At the end of a count, the formula is within its margin of a whole number."""
     for rate in np.linspace(FORMULA_FROM, SEARCH_BELOW, 60):
         counts = np.arange(60)
         reached, left = law.cdf(counts, rate), law.sf(counts, rate)

@@ -59,8 +59,9 @@ def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> Non
     assert parts.tobytes() == whole.tobytes()
 
 
-def test_weights_are_those_of_the_light_that_is_asked_for() -> None:
-    """Also where its matrix is what another's was, and has been written to since."""
+def test_weights_follow_a_changed_matrix_of_the_light() -> None:
+    """The matrix of weights is equal to that of earlier light, and is changed in place
+    afterwards."""
     rng = np.random.default_rng(5)
     weights, matrix = sums.SlotWeights([rng.random((4, 3)), rng.random((4, 3))]), rng.random(4)
     frame = rng.random((2, 3), dtype=np.float32)
@@ -132,7 +133,7 @@ def test_between_two_rates_leakage_is_that_of_every_pixel(spread: float) -> None
 
 @pytest.mark.parametrize("buckets", [1, 2, 3, 4])
 def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> None:
-    """Also where a bucket is a multiple of another one, and with what neighbours add."""
+    """One bucket is a multiple of another, and neighbours add counts."""
     rng, (rows, cols) = np.random.default_rng(buckets), (4, 7)
     pixels, pairs = rows * cols, buckets * (buckets + 1) // 2
     factors = rng.normal(size=(pixels, buckets, buckets))

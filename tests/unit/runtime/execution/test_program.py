@@ -192,7 +192,7 @@ def test_many_lanes_share_the_reach_of_the_worst() -> None:
 
 
 def test_weights_of_words_in_few_lanes_are_held_by_lane() -> None:
-    """Of frames of many slots most words act in one lane of thousands."""
+    """In frames of many slots, most words act in one of thousands of lanes."""
     weights, found = np.eye(2000)[:, :, None] * -0.5, ByName[int]()
     weights[7] = 0.25
     weights[8] = 0.0

@@ -243,8 +243,7 @@ def spiral() -> NDArray[np.bool_]:
 
 
 def test_a_flood_removes_what_touches_the_border() -> None:
-    """What touches the border is removed; a spiral is longer than the steps, and the frame says
-    so."""
+    """A spiral is longer than the number of steps, so the frame reports an incomplete flood."""
     light = film_light(4, 6, most_steps=80)
     light[-1] = np.where(spiral(), 1.25, 100.25) * STEP_E / 4
     capture = nscc_runtime.film(program("flood_border"), light, params={"t": "35%"})

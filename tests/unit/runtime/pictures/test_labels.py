@@ -74,7 +74,8 @@ def test_names_keep_off_lines_and_from_each_other(across: float) -> None:
 
 
 def test_labels_that_must_appear_move_away_with_a_line() -> None:
-    """Where marks and lines leave no room beside its own, and the others' texts are left out."""
+    """Marks and lines leave no room beside the label's own place; texts of other labels are left
+    out."""
     with sheet.style():
         figure, [axes] = sheet.panels(1, (4, 3), 1)
         axes.set(xlim=(0, 1), ylim=(0, 1))

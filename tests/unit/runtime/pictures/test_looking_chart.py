@@ -65,7 +65,7 @@ def test_charts_of_random_programs_agree_with_the_interpreter() -> None:
 
 
 def test_answers_change_where_the_light_reaches_the_level() -> None:
-    """Of a pixel that is not reset, at every look: 45 % of a well, rounded to a step of IN."""
+    """The pixel is not reset, and looks at 45 % of a well, rounded to a step of IN."""
     container = nscc.compile(ROOT / "examples/float_pixel.nsl", level=0).container
     level = round(0.45 * 127) / 127
     # By slot n of 256 a pixel has n / 256 of the frame's light.

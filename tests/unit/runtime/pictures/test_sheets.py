@@ -391,7 +391,7 @@ OKLAB = [
 @pytest.mark.parametrize("kind", BLIND)
 @pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
 def test_the_colour_blind_tell_series_apart(chosen: Theme, kind: str) -> None:
-    """By colour (0.07 in Oklab is three times the least difference to be seen)."""
+    """Colours of two series differ by 0.07 in Oklab, three times the least visible difference."""
     rgb = np.array([to_rgb(colour) for colour in chosen.series])
     linear = np.where(rgb > 0.04045, ((rgb + 0.055) / 1.055) ** 2.4, rgb / 12.92)
     seen = np.clip(linear @ np.array(BLIND[kind]).T, 0, 1)

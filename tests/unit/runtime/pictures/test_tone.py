@@ -13,7 +13,7 @@ def srgb(linear: float) -> float:
 
 
 def test_reinhard_maps_the_geometric_mean_to_the_key() -> None:
-    """Of lit pixels alone: dark ones have no logarithm."""
+    """Only lit pixels count, because dark ones have no logarithm."""
     light = np.array([[0.0, 0.0, 1.0], [10.0, 100.0, 1000.0]])
     tone = fitted("reinhard", light, white=1000.0)
     scale = 0.18 / np.exp(np.log(light[light > 0] / 1000).mean())

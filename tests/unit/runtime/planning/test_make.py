@@ -45,7 +45,7 @@ def test_plans_of_random_programs_scenes_and_sensors_keep_it(seed: int) -> None:
 
 @pytest.mark.parametrize("seed", [8, 30008])
 def test_few_pixels_with_most_of_the_error_are_measured(seed: int) -> None:
-    """Of 30008, nine pixels saturate only in frames with much noise."""
+    """Nine of 30008 pixels saturate, and only in frames with much noise."""
     draw = rare_pixels(seed)
     assert draw.found.kept, draw.said
 

@@ -87,7 +87,7 @@ def test_the_brightest_and_darkest_pixels_near_saturation_are_drawn() -> None:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_the_standard_error_is_that_of_other_samples(seed: int) -> None:
-    """Of 400 samples of an uneven population, the spread of their means is what each says."""
+    """The standard error equals the spread of the means of 400 samples of an uneven population."""
     rng = np.random.default_rng(seed)
     errors_e = rng.standard_gamma(2.0, 20_000) * 10
     chance = rng.uniform(0.2, 5.0, 20_000)

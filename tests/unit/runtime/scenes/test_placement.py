@@ -125,7 +125,7 @@ def test_a_clip_may_begin_later_or_be_a_still(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["clip.gif", "folder", "clip.mat"])
 def test_any_frame_of_a_clip_may_be_a_still(name: str, tmp_path: Path) -> None:
-    """Of a half that is brighter from frame to frame, beside one that is 200."""
+    """Half of the picture gets brighter from frame to frame, the other half is 200."""
     frames = [np.full((24, 32), level, np.uint8) for level in (10, 50, 90)]
     for frame in frames:
         frame[:, 16:] = 200

@@ -165,7 +165,7 @@ def test_rotation_is_that_of_the_file(tmp_path: Path, quarters: int) -> None:
 
 
 def test_frames_of_unequal_length_are_repeated(tmp_path: Path) -> None:
-    """At 0, 40, 80, 200 and 240 ms: the one at 80 lasts for three steps."""
+    """Frames begin at 0, 40, 80, 200 and 240 ms, so the one at 80 ms lasts for three steps."""
     values = (20, 60, 100, 140, 180)
     write(tmp_path / "v.mkv", [grey(v) for v in values], times=[0, 40, 80, 200, 240])
     (note,) = timed(open_pages(tmp_path / "v.mkv")).notes

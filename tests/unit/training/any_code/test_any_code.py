@@ -170,7 +170,7 @@ def test_corrected_clips_reproduce_exact_frames() -> None:
 
 @pytest.mark.parametrize("seed", range(3))
 def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
-    """By squared errors of the logarithm, behind the 2 x 2 pattern of a noisy sensor."""
+    """Errors are squared differences of logarithms, for the 2 x 2 tile of a noisy sensor."""
     generator = np.random.default_rng([8, seed])
     light = made_scenes.still(generator, 96)
     light /= np.quantile(light, 0.7)
@@ -234,7 +234,7 @@ def test_two_buckets_give_a_better_clip_than_one() -> None:
 
 @pytest.mark.parametrize("buckets", [1, 2])
 def test_gap_tv_of_arrays_equals_that_of_tensors(buckets: int) -> None:
-    """With noise, saturated pixels, and two buckets that share light."""
+    """The measurement has noise, saturated pixels, and two buckets that share light."""
     clip, mask = scene(5, 6, 40)
     masks = np.stack([mask, np.maximum(mask, 1 - mask[::-1])])[:buckets].astype(np.float32)
     frames = (clip * masks).sum(axis=1).astype(np.float32)
@@ -298,7 +298,7 @@ def test_white_is_a_quantile_of_the_pixels_that_ever_open() -> None:
 def test_total_variation_is_the_same_by_operators_and_by_the_loop(
     shape: tuple[int, ...], time: float
 ) -> None:
-    """Both beside the loop for one clip at a time; a batch's clips do not mix."""
+    """Clips of a batch do not mix: both results equal the loop over single clips."""
     clips = torch.rand(shape, generator=torch.Generator().manual_seed(1))
     by_loop, by_operators = (f(clips, 0.2, 6, time) for f in (tv_denoised, tv_by_operators))
     alone = np.stack([tv_denoise(clip.numpy(), 0.2, 6, time) for clip in clips])
@@ -316,7 +316,7 @@ def test_shipped_weights_are_small() -> None:
 
 @pytest.mark.parametrize("lessons", ["denoise", "codes", "stills"])
 def test_lessons_resume_where_they_stopped(lessons: str, tmp_path: Path) -> None:
-    """With Muon and a moving average, from random weights: the same bytes."""
+    """With Muon and a moving average, resumed lessons write the same bytes."""
     import cv2
 
     (tmp_path / "in").mkdir()
@@ -470,7 +470,7 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
 
 
 def test_frames_of_another_program_are_refused(tmp_path: Path) -> None:
-    """By the shutters that a frame holds, and by its program's digest where it holds none."""
+    """Programs are compared by the shutters in the frame, or without these by their digest."""
     for name, stop in (("p", "x % 5"), ("q", "y % 5")):
         text = "nsl 1\nframe 4 slots of 1ms\ncode stop : 0..4\nopen when n < stop\n"
         text += f"pixels stop = {stop}\n"
@@ -552,7 +552,7 @@ def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:
 
 
 def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
-    """Of runs that have learned nothing: those that they began with."""
+    """Runs without any step write the weights that they began with."""
     from safetensors.torch import load_file, save_file
 
     from nscc_training.any_code.decode import WEIGHTS, AnyCode, write_shipped

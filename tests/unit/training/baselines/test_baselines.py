@@ -48,7 +48,8 @@ def plain_tv(image: Volume, weight: float, iterations: int, time: float) -> Volu
 @pytest.mark.parametrize("reach", [1, 2, 5, 16, 40])
 @pytest.mark.parametrize("shape", [(9, 31), (1, 20), (17, 8)])
 def test_sums_with_falling_weights_are_exact(shape: tuple[int, int], reach: int) -> None:
-    """By matrices of weights, for values that differ by a factor of 1e12 from pixel to pixel."""
+    """The oracle is a matrix of weights, for values that differ by a factor of 1e12 between
+    pixels."""
     generator = np.random.default_rng(reach)
     values = 10 ** generator.uniform(-6, 6, shape) * (generator.random(shape) < 0.3)
     weights = [

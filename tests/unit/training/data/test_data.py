@@ -255,7 +255,7 @@ def test_clips_of_panoramas_are_encoded_where_values_are_taken_as_light(tmp_path
 
 
 def test_a_photograph_gives_clips_whose_parts_move(tmp_path: Path) -> None:
-    """Of itself alone: what is in no photograph of the training's files is in none of its clips."""
+    """Clips of a photograph contain only parts of this photograph."""
     import cv2
 
     rng = np.random.default_rng(1)
@@ -405,7 +405,7 @@ def test_stills_for_lessons_are_cut_from_pictures_of_two_patches_by_two(
 def test_the_best_state_is_that_of_the_least_loss(
     name: str, best: int | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Also where the PSNR says the opposite: one loss falls as the error grows."""
+    """The state of least loss counts even if its PSNR is lower."""
     (tmp_path / "losses_of_best.py").write_text(
         "def away(p, t):\n    return -(p - t).abs().mean()\n"
         "def near(p, t):\n    return (p - t).abs().mean()\n"

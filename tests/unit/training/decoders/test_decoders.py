@@ -158,7 +158,7 @@ def test_blocks_are_taken_and_put_as_torch_does(
 
 @pytest.mark.parametrize("overlapping", [(True, True), (False, True), (False, False)])
 def test_blocks_have_true_gradients(overlapping: tuple[bool, bool]) -> None:
-    """Of the frame and of the layers: sizes that whole blocks do not fill."""
+    """Gradients of the frame and the layers are checked for sizes that whole blocks do not fill."""
     net = BlockNet((3,), DecoderTask("clip", 2, (2, 1)), "small").double()
     net.layers[1] = net.layers[3] = net.layers[5] = torch.nn.Tanh()
     net.overlapping = overlapping

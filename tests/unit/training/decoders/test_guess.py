@@ -30,7 +30,7 @@ def drawn(*shape: int, seed: int = 0) -> Any:
 def test_the_weighted_average_of_a_constant_is_the_constant(
     size: tuple[int, int], scale: float
 ) -> None:
-    """Whatever the weights are, nearly nothing included; most pixels have none."""
+    """Weights may be nearly 0, and most pixels have none."""
     weights = scale * drawn(2, 3, *size) * (drawn(2, 3, *size, seed=1) < 0.3)
     weights[..., 0, 0] = scale
     found = averaged(torch.full((2, 3, *size), 0.37, dtype=torch.float64), weights)

@@ -70,7 +70,7 @@ def test_the_first_clip_reproduces_the_frame(name: str, size: tuple[int, int], s
 
 
 def test_a_stage_reduces_the_residual_by_its_step() -> None:
-    """One whole step gives the frame, half a step leaves half of what misses."""
+    """A step of 1 reproduces the frame, and a step of 1/2 leaves half of the residual."""
     decoder = make_decoder("unrolled", "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     mask = whole(shutters, 13, 10)
@@ -86,7 +86,7 @@ def test_a_stage_reduces_the_residual_by_its_step() -> None:
 
 
 def test_refined_begins_nearer_to_the_truth() -> None:
-    """Of a square that moves: that is what the iterations of GAP-TV are for."""
+    """The clip is a moving square, for which the first guess uses iterations of GAP-TV."""
     rows, cols = np.mgrid[:32, :32]
     clip = np.stack(
         [0.2 + 0.6 * ((abs(rows - 14) < 6) & (abs(cols - 8 - k) < 5)) for k in range(8)]
@@ -144,7 +144,7 @@ def test_gradients_reach_everything_and_are_finite(name: str) -> None:
 
 
 def test_gradients_through_the_projection_are_true() -> None:
-    """Of the start, without the network, against finite differences."""
+    """The gradient of the start, without the network, equals finite differences."""
     decoder = make_decoder("unrolled", "small", DecoderTask("clip", 3, (2, 2))).double()
     generator = torch.Generator().manual_seed(4)
     frame = torch.rand(1, 3, 4, generator=generator, dtype=torch.float64).requires_grad_()

@@ -49,7 +49,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_a_photo_becomes_a_sheet_and_a_picture(
     folder: Path, run_nscc: RunNscc, monkeypatch: pytest.MonkeyPatch, update_cases: bool
 ) -> None:
-    """What the sheet counts is what its files hold, and its commands make the same files."""
+    """The numbers on the sheet equal those in its files, and the printed commands make the same
+    files."""
     drawn = []
 
     def image_sheet(rows: list[list[images.Image]], title: str, *arguments: Any) -> Any:
@@ -160,7 +161,7 @@ def test_black_and_missing_scenes_are_refused(folder: Path, run_nscc: RunNscc) -
 
 
 def test_run_like_uses_the_program_and_exposure_of_a_run(folder: Path, run_nscc: RunNscc) -> None:
-    """Its program, slots, exposure and sensor; what is said wins."""
+    """The run sets program, slots, exposure and sensor; given options replace them."""
     like = run_capture(Path("hdr"))
     assert (like.slots, like.exposure, like.still) == (256, "30000@65", True)
     line = ["run", "--like", "hdr", "--scene", "builtin:hdr", "--keep", "truth", "-o", "like.npz"]

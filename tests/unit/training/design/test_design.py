@@ -215,7 +215,7 @@ def test_a_search_tries_patterns_of_one_to_eight_levels() -> None:
     assert [[64, 8], [8, 64]] in [pattern.stops.tolist() for pattern in found]
 
 
-def test_a_searched_pattern_does_what_the_search_says() -> None:
+def test_a_searched_pattern_keeps_its_predicted_rank_on_the_emulator() -> None:
     """The program itself, exposed under every effect and merged, beside frames put together."""
     [laid] = laid_lights(Scene("builtin:hdr", exposure="30000@70"), [125.0] * 64, TARGET)
     light_e = laid.light.total_e()
@@ -255,7 +255,7 @@ def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
 
 
 def test_the_best_single_exposure_shortens_with_more_light() -> None:
-    """It opens for less the more light there is, and for all of a frame that is dark."""
+    """The exposure is shorter for more light, and a whole frame for a dark scene."""
     sensor = SENSOR.changed(
         analog_noise_lsb=0.4, spread_noise_lsb=0.65, adc_pattern_lsb=0.0, adc_smooth_lsb=0.0
     )

@@ -301,7 +301,7 @@ KEPT = {"t.toml": "target.toml", "s.toml": "sensor.toml"}
 def test_a_run_is_for_the_files_that_it_began_with(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Whatever becomes of them while it runs: broken, or gone."""
+    """The files may be damaged or removed while the run trains."""
     monkeypatch.chdir(tmp_path)
     given = own_files(tmp_path)
     train(settings_of(OWN), tmp_path / "whole")
@@ -322,7 +322,7 @@ def test_a_run_is_for_the_files_that_it_began_with(
 
 
 @pytest.mark.parametrize("which", ["t.toml", "s.toml"])
-def test_no_run_goes_on_with_other_files(
+def test_a_run_refuses_to_resume_with_other_files(
     which: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

@@ -19,7 +19,7 @@ NAMES = ["fig5_coded_frame", "fig6_frames", "fig7_shutters", "fig5_exposures", "
 
 @pytest.mark.slow
 def test_figures_are_drawn_of_given_scenes(tmp_path: Path) -> None:
-    """Of a folder's panorama and clip; the built-in scenes give others, but the same shutters."""
+    """A panorama and a clip of a folder change the pictures, but not the shutters."""
     (tmp_path / "d").mkdir()
     one_crop(tmp_path / "d/p.hdr")
     clip(tmp_path / "d/c.mat", 16, 256)

@@ -113,7 +113,7 @@ def test_staggered_shutters_go_on_into_the_next_frame() -> None:
 
 @pytest.mark.parametrize("name", ["staggered", "staggered-alone"])
 def test_frames_are_decoded_together_or_alone(name: str) -> None:
-    """Of still light, what frames together say is the light; a frame's slots are its own."""
+    """Frames of a still are decoded together; the slots of a frame belong to it alone."""
     light = np.full((8, 16, 16), 1000.0)
     protocol = load_protocol("staggered-v1")
     scene = ClipWindow(Path("c"), None, 0, light, protocol, 1000.0, False)

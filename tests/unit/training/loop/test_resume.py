@@ -86,7 +86,8 @@ def test_a_run_interrupted_before_its_products_ends_as_if_it_had_not(
 def test_a_run_resumed_in_another_folder_is_complete_there(
     begun: int | None, tmp_path: Path
 ) -> None:
-    """Of a finished run and of one that goes further: both folders hold the same, and go on."""
+    """A finished run and an extended run leave equal files in both folders, and both can
+    continue."""
     values = changed(STILL, "train", steps=4)
     run(values, tmp_path / "whole")
     wanted = {path.name: path.read_bytes() for path in (tmp_path / "whole").iterdir()}
@@ -119,7 +120,7 @@ def test_a_run_interrupted_after_it_was_brought_goes_on(
 
 
 @pytest.mark.parametrize("text", [b"", b"\xff\xfe", b"step\nfirst,1\n", b"step\n\n"])
-def test_a_damaged_log_is_said_to_be_one(text: bytes, tmp_path: Path) -> None:
+def test_a_damaged_log_is_reported(text: bytes, tmp_path: Path) -> None:
     run(STILL, tmp_path, stop_after=2)
     (tmp_path / "metrics.csv").write_bytes(text)
     with pytest.raises(Rejected) as caught:
@@ -147,7 +148,7 @@ def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: 
     assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
 
 
-def test_a_run_does_not_go_on_with_other_scenes(
+def test_a_run_refuses_to_resume_with_other_scenes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Else split.json would forget what the first steps have seen, and evaluations accept it."""
@@ -198,9 +199,7 @@ def test_a_run_with_a_missing_or_foreign_file_is_refused(name: str, tmp_path: Pa
         assert [d.code for d in caught.value.diagnostics] == ["NS0818"]
 
 
-def test_a_run_that_was_made_on_cuda_is_loaded_without(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_cuda_run_loads_without_cuda(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from hashlib import sha256
 
     from nscc_training.run_folder import load_run
@@ -226,7 +225,7 @@ def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
     assert not np.array_equal(*codes)
 
 
-def test_a_finished_run_goes_on_with_more_steps_and_not_with_fewer(tmp_path: Path) -> None:
+def test_a_finished_run_resumes_with_more_steps_but_not_with_fewer(tmp_path: Path) -> None:
     from nscc_training.run_folder import load_run
 
     run(STILL, tmp_path / "r")

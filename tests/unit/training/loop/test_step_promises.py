@@ -103,7 +103,7 @@ def stepped(values: dict[str, Any], tmp_path: Path) -> Counter[str]:
 def test_nothing_of_a_step_leaves_its_device(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With the operators that other devices have in the place of the CPU's compiled loop."""
+    """The operators of other devices replace the compiled loop of the CPU."""
     monkeypatch.setattr(tensor_tv, "tv_denoised", tensor_tv.tv_by_operators)
     assert stepped(values_of(name), tmp_path) == Counter()
 
@@ -139,7 +139,7 @@ def test_the_counter_counts_moves_off_the_device() -> None:
 
 
 def test_noise_is_drawn_where_the_run_is(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    """On the device meta, which draws nothing: everything that is drawn names the device."""
+    """On the device meta, which computes nothing, every draw names the device."""
     asked: set[str] = set()
     for name in ("randn", "rand", "randint"):
         kept = getattr(torch, name)
@@ -157,7 +157,7 @@ def test_noise_is_drawn_where_the_run_is(monkeypatch: pytest.MonkeyPatch, tmp_pa
 @pytest.mark.parametrize(
     "name", [*(n for n in RUNS if n not in ("any", "refined")), "with effects of"]
 )
-def test_what_is_printed_while_training_is_what_evaluate_reports(name: str, tmp_path: Path) -> None:
+def test_evaluate_reports_the_scores_printed_while_training(name: str, tmp_path: Path) -> None:
     if name == "with effects of":
         values = {**STILL, "sensor": {"effects": "all"}, "train": {**TRAIN, "steps": 2}}
     else:
@@ -224,7 +224,7 @@ def test_batches_by_other_processes_are_the_same(tmp_path: Path) -> None:
 
 @pytest.mark.filterwarnings("ignore:The .grad attribute of a Tensor")  # of torch's own tracing
 @pytest.mark.filterwarnings("ignore:.*should not be instantiated:DeprecationWarning")
-def test_a_decoder_is_compiled_where_that_is_asked_for(
+def test_a_decoder_is_compiled_if_the_setting_asks(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked = []
@@ -245,7 +245,7 @@ def test_a_decoder_is_compiled_where_that_is_asked_for(
 def test_event_files_are_written_where_tensorboard_is(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Its writer has the numbers of metrics.csv; without the package there is no folder."""
+    """The events have the numbers of metrics.csv; without the package no folder is written."""
     told: list[tuple[str, float, int]] = []
 
     class Writer:
@@ -278,7 +278,7 @@ def test_event_files_are_written_where_tensorboard_is(
 
 
 def test_the_sensor_s_gradient_does_not_loop_over_samples() -> None:
-    """That of shutters, of many clips at once: beside the sum written out."""
+    """The gradient of shutters for many clips equals the sum of those of single clips."""
     from nscc_training.sensor_model import exposed, read_out
 
     generator = torch.Generator().manual_seed(1)

@@ -256,7 +256,8 @@ def test_two_processes_learn_the_same_parameters(tmp_path: Path) -> None:
 
 
 def test_every_process_needs_a_patch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A mean over no patch is not finite, which said nothing of why."""
+    """A mean over no patch is not finite, so the training is refused with the number of
+    processes."""
 
     class ThreeRanks(Ranks):
         def __init__(self) -> None:
@@ -313,7 +314,7 @@ def test_a_still_run_reconstructs_its_frames_and_refuses_others(tmp_path: Path) 
 
 @pytest.mark.parametrize("relaxation", ["straight-through", "tried"])
 def test_settled_codes_stay_and_the_decoder_learns(relaxation: str, tmp_path: Path) -> None:
-    """From half of the run on; before, and without it, the codes change."""
+    """Codes are frozen from half of the run on; before, and without settling, they change."""
 
     def at(step: int, settle: float) -> dict[str, Any]:
         out = tmp_path / f"r{settle}"
@@ -347,7 +348,7 @@ def test_codes_wait_for_the_decoder(tmp_path: Path) -> None:
 
 
 def test_rates_rise_in_the_first_steps() -> None:
-    """At most 20 of them, and one in fifty."""
+    """Rates rise in at most 20 steps, and in at most a fiftieth of all steps."""
     parameter = torch.nn.Parameter(torch.zeros(1))
     optimizer = torch.optim.Adam([{"params": [parameter], "base": 0.5}])
     for schedule, steps, risen in (("constant", 1000, 20), ("cosine", 100, 2), ("cosine", 40, 0)):

@@ -94,7 +94,7 @@ def test_trials_find_the_slope_of_the_smoothed_loss(
 
 
 def test_a_single_trial_is_the_difference_of_the_losses_around() -> None:
-    """For squared errors, pixel by pixel: no mean over trials hides anything."""
+    """The loss is a sum of squared errors of pixels, so each pixel can be checked."""
     parts = parts_of(Share(), tile=[SIDE, SIDE], init="random")
     parts.encoder.noise = 3.0
     wish = np.random.default_rng(1).random((SIDE, SIDE))

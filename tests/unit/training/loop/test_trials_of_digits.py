@@ -301,7 +301,7 @@ def test_the_gradient_of_a_digit_is_limited_to_3_by_3_pixels(kind: str) -> None:
 
 
 def test_hard_shutters_are_in_the_middle_of_a_trial() -> None:
-    """With little noise for their margins most pixels show the codes themselves."""
+    """With little noise, most pixels show the codes themselves."""
     for kind in ("e", "codebook"):
         parts = parts_of(Share(), slots=8, rows=6, tile=[4, 4], init="random", **{"class": kind})
         trial = trial_of(parts.encoder, 20, 20, (1,), (2,))
@@ -329,7 +329,7 @@ SMALL: dict[str, dict[str, Any]] = {
 
 
 @pytest.mark.parametrize("kind", ["e", "codebook"])
-def test_a_run_goes_on_bit_by_bit_and_its_program_compiles(kind: str, tmp_path: Path) -> None:
+def test_a_resumed_run_equals_an_uninterrupted_one_and_compiles(kind: str, tmp_path: Path) -> None:
     def run(name: str, stop_after: int | None = None, **shutter: Any) -> None:
         values = {**SMALL, "shutter": {**SMALL["shutter"], "class": kind, **shutter}}
         out = tmp_path / name

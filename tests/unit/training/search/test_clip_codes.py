@@ -71,7 +71,7 @@ def test_a_program_opens_the_shutters_of_its_code(target: str) -> None:
         assert shutters[:, :, 0].all() or not code.long
 
 
-def test_the_search_says_what_its_program_reaches(
+def test_the_search_prints_the_score_of_its_program(
     tmp_path: Path, target: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The program, exposed and reconstructed by the commands, beside the PSNR that is printed."""

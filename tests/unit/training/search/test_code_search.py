@@ -263,7 +263,7 @@ def parts_of(**shutter: object) -> searching.TrainingSetup:
 
 
 @pytest.mark.usefixtures("no_gradient")
-def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_search_reduces_losses_in_spite_of_noise(monkeypatch: pytest.MonkeyPatch) -> None:
     """With losses that count late places, against noise that must not lead astray."""
     parts = parts_of(moves=12, judged=12)
     asked = []
@@ -378,7 +378,7 @@ def test_the_command_says_what_it_chose(tmp_path: Path) -> None:
     assert invoke(both, tmp_path).status == 2
 
 
-def test_a_searched_run_says_what_moved_and_goes_on_where_it_stopped(tmp_path: Path) -> None:
+def test_a_searched_run_reports_moved_codes_and_resumes(tmp_path: Path) -> None:
     shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "moves": 6}
     values = {**SMALL, "shutter": shutter, "decoder": {"learn": False}}
     values["train"] = values["train"] | {"validate_every": 1}

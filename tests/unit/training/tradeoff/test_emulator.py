@@ -348,7 +348,7 @@ def test_tradeoff_emulator_refuses_wrong_usage(folder: Path, more: list[str], co
     assert not (folder / "out.csv").exists()
 
 
-def test_files_of_the_same_name_are_told_apart(folder: Path) -> None:
+def test_files_with_equal_names_are_distinguished(folder: Path) -> None:
     for name in ("a", "b"):
         (folder / name).mkdir()
         np.save(folder / name / "s.npy", clip().frames)

@@ -133,7 +133,7 @@ def test_a_store_that_another_process_holds_is_waited_for(
 
 
 @pytest.mark.parametrize("full", [sqlite3.SQLITE_FULL, sqlite3.SQLITE_IOERR, errno.ENOSPC])
-def test_a_full_disk_is_told_from_a_folder_without_permission(
+def test_a_full_disk_and_a_missing_permission_have_different_errors(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, full: int
 ) -> None:
     """SQLite calls some writes to a full disk I/O errors."""
@@ -202,7 +202,7 @@ def test_two_processes_share_a_store_and_nothing_is_lost(tmp_path: Path) -> None
     assert sorted(map(int, made)) == list(range(150))
 
 
-def test_killed_at_any_moment_every_measurement_is_whole(tmp_path: Path) -> None:
+def test_measurements_killed_at_any_moment_are_complete(tmp_path: Path) -> None:
     before = 0
     for kill in range(20):
         process = writer(tmp_path, 400)
@@ -221,7 +221,7 @@ def test_killed_at_any_moment_every_measurement_is_whole(tmp_path: Path) -> None
     assert before >= 20
 
 
-def test_a_measurement_that_was_ended_goes_on(
+def test_an_interrupted_measurement_resumes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     program = StudiedProgram("p", Source("p.nsl", TEXT), Path(), "open")

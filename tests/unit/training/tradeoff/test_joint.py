@@ -110,7 +110,7 @@ def test_times_are_in_si_units(time_ms: float, text: str) -> None:
 
 
 def test_advice_stays_readable_in_crowded_diagrams() -> None:
-    """It is the name of its stage's line, beside it or in the legend."""
+    """The recommended setting is named at the line of its stage, or in the legend."""
     rng = np.random.default_rng(0)
     crowd = rng.uniform(1.0, 1.3, (400, 2))
     for names in ("short", "a setting whose name is as long as the panel is wide, " * 3):
@@ -259,7 +259,7 @@ def test_tradeoff_of_a_program_writes_table_and_diagram(folder: Path) -> None:
     assert not [*folder.glob("*.jsonl")]
 
 
-def test_slots_of_different_lengths_are_told_by_their_mean(folder: Path) -> None:
+def test_slots_of_different_lengths_are_printed_as_their_mean(folder: Path) -> None:
     uneven = TEXT.replace("8 slots of 1ms", "slots [1ms, 2ms, 4ms, 8ms, 16ms, 32ms, 64ms, 128ms]")
     (folder / "p.nsl").write_text(uneven)
     command = [
@@ -377,7 +377,7 @@ def test_the_decoders_of_a_run_are_compared(tmp_path: Path) -> None:
 
 
 def test_shot_noise_is_a_share_of_the_signal() -> None:
-    """That of counts about 400 electrons is 5 %."""
+    """The shot noise of 400 electrons is 5 %."""
     counts = np.random.default_rng(1).poisson(400.0, 100_000)
     bench = SimpleNamespace(ideal_e=np.full((1, 4, 4), 400.0), signal_e=lambda: 400.0)
     found = Bench.shot_percent.func(bench)  # type: ignore[attr-defined]

@@ -197,7 +197,7 @@ def measured_readouts(options: SensorStudySettings) -> tuple[list[Any], list[Any
 
 
 def test_more_readouts_take_longer(tmp_path: Path) -> None:
-    """Where a chip has few registers, the searched bits of one readout do not fit."""
+    """On a chip with few registers, the searched bits of one readout do not fit."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
     changes = {
         "rows": "rows = 48",

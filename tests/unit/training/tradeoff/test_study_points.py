@@ -59,7 +59,7 @@ def test_points_with_higher_scores_dominate() -> None:
     assert found == [False, True, False]
 
 
-def test_csv_says_what_was_refused_and_where_a_point_is_from() -> None:
+def test_csv_lists_refused_points_and_the_origin_of_each() -> None:
     points = [replace(point("a", "1", 2, 0.0021), device="a card")]
     text = csv_text(points, "chip", [Refused("a", "m", "2", "NS0412", "too many bits")])
     assert list(csv.reader(io.StringIO(text)))[1:] == [

@@ -154,7 +154,7 @@ def test_tradeoff_synthesis_measures_the_chosen_levels_and_lowerings(folder: Pat
     assert sorted(path.name for path in folder.iterdir()) == ["a.csv", "other", "stops.nsl"]
 
 
-def test_tradeoff_synthesis_says_what_does_not_fit(folder: Path) -> None:
+def test_tradeoff_synthesis_lists_programs_that_do_not_fit(folder: Path) -> None:
     (folder / "d.nsl").write_text(BUMPS)
     arguments = ["tradeoff", "synthesis", "d.nsl", "--lowerings", "latch", "--repeats", "1"]
     done = invoke([*arguments, "-o", "out"], folder)
