@@ -403,25 +403,21 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> Ints32 
             values = np.frombuffer(b64decode("".join(texts), validate=True), dtype="<i4")
     if values is None or values.size != rows * cols:
         needs = "integers between blanks" if form == "tile" else "base64 of int32"
-        helps = (f"write {rows * cols} {needs}, each line after a bar `|`",)
         message = f"the lines below are not {rows} x {cols} codes"
-        faults.add("NS0714", message, span, helps=helps)
-        return None
-    values = values.reshape(rows, cols)
-    if (
+        advice = f"write {rows * cols} {needs}, each line after a bar `|`"
+    elif (
         rows > target.rows
         or cols > target.cols
-        or (form == "plane" and values.shape != (target.rows, target.cols))
+        or (form == "plane" and (rows, cols) != (target.rows, target.cols))
     ):
         message = f"{rows} x {cols} does not match {target.name}: {target.rows} x {target.cols}"
-        helps = ("a plane has the size of the array, a tile at most this size",)
-        faults.add("NS0714", message, span, helps=helps)
-        return None
-    if values.min() < 0 or values.max() >= codes:
+        advice = "a plane has the size of the array, a tile at most this size"
+    elif values.min() < 0 or values.max() >= codes:
         message = f"the code of a pixel is not one of the {codes} codes"
-        helps = (f"write numbers from 0 to {codes - 1}, in the order of `.code`",)
-        faults.add("NS0714", message, span, helps=helps)
-        return None
-    repeats = (-(-target.rows // rows), -(-target.cols // cols))  # rounded up, then cut
-    tiled = np.tile(values.astype(np.int32), repeats)
-    return np.ascontiguousarray(tiled[: target.rows, : target.cols])
+        advice = f"write numbers from 0 to {codes - 1}, in the order of `.code`"
+    else:
+        repeats = (-(-target.rows // rows), -(-target.cols // cols))  # rounded up, then cut
+        tiled = np.tile(values.reshape(rows, cols).astype(np.int32), repeats)
+        return np.ascontiguousarray(tiled[: target.rows, : target.cols])
+    faults.add("NS0714", message, span, helps=(advice,))
+    return None

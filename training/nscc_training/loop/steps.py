@@ -144,7 +144,8 @@ class StepLoss(nn.Module):
     the processes that train together."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
-        """Prepare to compute losses of this run. `ranks` are the processes that train together."""
+        """Prepare to compute losses of the run `setup`. `ranks` are the processes that train
+        together."""
         super().__init__()
         self.encoder, self.decoder = setup.encoder, setup.decoder
         self._setup, self._ranks = setup, ranks
