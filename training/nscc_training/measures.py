@@ -213,14 +213,12 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> Su
         raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
     scores = np.array([v for v, _ in finite], np.float64)
-    interval = None
-    if len({g for _, g in finite}) > 1:
-        interval = bootstrap(scores, [g for _, g in finite], seed)
+    scenes = [g for _, g in finite]
     variance = float(scores.var(ddof=1)) if len(scores) > 1 else 0.0
     return Summary(
         mean=float(scores.mean()) if finite else None,
         sd=variance**0.5 if finite else None,
-        ci95=list(interval) if interval else None,
+        ci95=list(bootstrap(scores, scenes, seed)) if len(set(scenes)) > 1 else None,
         infinite=len(values) - len(finite),
     )
 
@@ -258,12 +256,14 @@ def paired(
         second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
         for k in common
     ]
-    gain_summary = summary(gains, [scene_names[k] for k in common])._asdict()
+    gain = summary(gains, [scene_names[k] for k in common])
     return {
         "items": len(common),
         "scenes": len({scene_names[k] for k in common}),
         "only_first": len(set(first) - set(second)),
         "only_second": len(set(second) - set(first)),
-        "gain_db": gain_summary.pop("mean"),
-        **gain_summary,
+        "gain_db": gain.mean,
+        "sd": gain.sd,
+        "ci95": gain.ci95,
+        "infinite": gain.infinite,
     }
