@@ -187,15 +187,9 @@ class MeasuredTables:
         """Use the table that `tensors` of a checkpoint hold; with empty `tensors`, change nothing.
         The names are those of `tensors()`. Raise KeyError if some are missing."""
         if tensors:
-            table = EmulatedSensor(
-                tensors["light_e"],
-                share=tensors["share"],
-                code=tensors["code"],
-                spread=tensors["spread"],
-                full=tensors["full"],
-                readout=tensors["readout"],
-                crosstalk=float(tensors["crosstalk"]),
-            )
+            names = "light_e", "share", "code", "spread", "full", "readout"
+            arrays = {name: tensors[name] for name in names}
+            table = EmulatedSensor(**arrays, crosstalk=float(tensors["crosstalk"]))
             self.use(tensors["shutters"], lambda: table)
 
 

@@ -286,12 +286,16 @@ class SensorSettings:
         "",
         checks=(
             lambda run: (
-                run.sensor.effects and run.looks and "pixels that look are trained with noise alone"
+                run.sensor.effects
+                and run.looks
+                and "pixels that look are trained with noise alone: leave out `effects`; "
+                "`nscc evaluate RUN --effects all` applies them to the finished run"
             ),
             lambda run: (
                 run.sensor.effects
                 and run.shutter.buckets > 1
-                and "two buckets are trained with noise, full well and converter alone"
+                and "two buckets are trained with noise, full well and converter alone: leave "
+                "out `effects`; `nscc evaluate RUN --effects all` applies them to the finished run"
             ),
             lambda run: (
                 run.sensor.effects

@@ -103,7 +103,7 @@ def test_decoders_of_one_bucket_refuse_two() -> None:
     [
         (("shutter.class=a",), "class a leaves no light"),
         (("data.protocol=hdr-v1", "shutter.class=b"), "two buckets need clips"),
-        (("sensor.effects=all",), "two buckets are trained with noise"),
+        (("sensor.effects=all",), "leave out `effects`; `nscc evaluate RUN --effects all`"),
         (("decoder.name=fcnet",), "accepts one bucket"),
         (("shutter.buckets=3",), "shutter.buckets"),
     ],

@@ -17,7 +17,6 @@ from torch import Tensor
 
 from nscc.arrays import Floats
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_training.code_choices import ARRANGE
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
 from nscc_training.encoders.base import Codes
@@ -25,7 +24,7 @@ from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.random_streams import DrawStream
-from nscc_training.search.moves import MOST_AT_ONCE, SINGLE_SHARE, arranged, moved
+from nscc_training.search.moves import SINGLE_SHARE, candidate
 from nscc_training.settings import ShutterSettings
 
 _FEWER = 0.9
@@ -59,18 +58,13 @@ def search(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> float:
     # A single place hardly changes the number of words.
     single_share = 0.0 if over else SINGLE_SHARE
     candidates = [
-        arranged(
-            setup.encoder.spec, current, generator, int(generator.integers(1, MOST_AT_ONCE + 1))
-        )
-        if setup.encoder.relaxation == ARRANGE
-        else moved(setup.encoder.spec, current, generator, single_share)
-        for _ in range(chosen.moves)
+        candidate(setup.encoder, current, generator, single_share) for _ in range(chosen.moves)
     ]
     best = None if over else (current, first)
     fitting = (
         codes
         for codes in _promising(setup, current, candidates, gain)
-        if _fits(setup, codes, allowed)
+        if (words := _words(setup, codes)) is not None and words <= allowed
     )
     for codes in islice(fitting, chosen.judged):
         candidate_losses = _losses(setup, codes, batches, step)
@@ -124,13 +118,6 @@ def expected_gain(setup: TrainingSetup, batches: Sequence[Batch], step: int) -> 
         losses = _patch_losses(setup, tile, batches, step)
     (slope,) = torch.autograd.grad(losses.mean(), tile)
     return -slope
-
-
-def _fits(setup: TrainingSetup, codes: Codes, allowed: float) -> bool:
-    """Return whether codes compile with at most `allowed` words per slot. The encoder keeps these
-    codes."""
-    words = _words(setup, codes)
-    return words is not None and words <= allowed
 
 
 def _words(setup: TrainingSetup, codes: Codes) -> float | None:

@@ -41,7 +41,7 @@ from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import WEIGHTS, run_path
-from nscc_training.search.moves import MOST_AT_ONCE, arranged, moved
+from nscc_training.search.moves import arranged, candidate
 from nscc_training.sensor_model import SensorModel, shared_out
 from nscc_training.settings import RunSettings, ShutterSettings
 
@@ -138,16 +138,16 @@ class TrainingSetup:
             seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
             generator = np.random.default_rng(seeds)
             try:
-                if self.encoder.relaxation == ARRANGE:
-                    spec, codes = self.encoder.spec, self.encoder.codes()
-                    exchanges = MOST_AT_ONCE if near else _MIXING * spec.places
-                    self.encoder.load_codes(arranged(spec, codes, generator, exchanges))
-                elif near is None or attempt > 0:
-                    self.encoder.start_random(generator)
-                else:
+                if near is not None and attempt == 0:
                     # No move of a single pixel: these codes shall differ clearly from `near`.
-                    codes = moved(self.encoder.spec, near, generator, single_share=0.0)
+                    codes = candidate(self.encoder, near, generator, single_share=0.0)
                     self.encoder.load_codes(codes)
+                elif self.encoder.relaxation == ARRANGE:
+                    spec, codes = self.encoder.spec, self.encoder.codes()
+                    codes = arranged(spec, codes, generator, _MIXING * spec.places)
+                    self.encoder.load_codes(codes)
+                else:
+                    self.encoder.start_random(generator)
                 self.compiled()
             except (Rejected, ValueError):  # ValueError: `require` forbids the moved codes
                 if attempt == _MOST_DRAWS - 1:

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.arrays import Bools, Ints
-from nscc_training.encoders.base import Codes, ShutterSpec
+from nscc_training.code_choices import ARRANGE
+from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 
 Generator = np.random.Generator
 Where = Bools
@@ -21,6 +22,19 @@ SINGLE_SHARE = 0.5
 """Probability that only the shutter of one pixel changes."""
 _REPEATED = 0.25
 """Probability that a move of many pixels starts by copying one block over the whole tile."""
+
+
+def candidate(
+    encoder: Encoder, codes: Codes, generator: Generator, single_share: float = SINGLE_SHARE
+) -> Codes:
+    """Return other codes near `codes`, which stay unchanged, in the form of `Encoder.codes`.
+
+    With the encoder's relaxation `arrange`, one to four pairs of places exchange their codes, four
+    if `single_share` is 0. With the others, the codes are `moved`."""
+    if encoder.relaxation != ARRANGE:
+        return moved(encoder.spec, codes, generator, single_share)
+    exchanges = int(generator.integers(1, MOST_AT_ONCE + 1)) if single_share else MOST_AT_ONCE
+    return arranged(encoder.spec, codes, generator, exchanges)
 
 
 def moved(
