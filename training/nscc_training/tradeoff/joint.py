@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.lower.resources import time_text
 from nscc_runtime.pictures.precision import Guide, Panel, Point, PointReading, precision_diagram
 from nscc_training.command_settings import JointRequest
 from nscc_training.experiments.study import NotMeasured, Study, StudyPoint, StudyResult
@@ -131,8 +132,8 @@ def joint_text(joint: Joint, measured: StudyResult) -> str:
             continue
         setting = ", ".join(filter(None, (point.method, point.setting)))
         remark = "" if reached else "above the target: the best there is"
-        time_text, error = si_seconds(point.time_ms), f"{point.error:.3g}"
-        rows.append((stage, setting, time_text, error, time_of, error_of, remark))
+        figures = si_seconds(point.time_ms), f"{point.error:.3g}"
+        rows.append((stage, setting, *figures, time_of, error_of, remark))
     if joint.largest:
         named = ", ".join(f"{name} {percent:.3g} %" for name, percent in joint.largest)
         head += f"\nthe largest errors of the chip's frame: {named} (`nscc effects NAME` says more)"
@@ -147,12 +148,7 @@ def joint_text(joint: Joint, measured: StudyResult) -> str:
 def si_seconds(time_ms: float) -> str:
     """Return a time in milliseconds (0 or more) as text with three digits in a suitable unit: 2.5
     us, 31 ms, 1.2 s. Times below 1 us are in ns."""
-    time_ms = float(f"{time_ms:.3g}")
-    steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
-    unit, factor = next(
-        ((unit, factor) for limit, unit, factor in reversed(steps) if time_ms >= limit), ("ns", 1e6)
-    )
-    return f"{time_ms * factor:.3g} {unit}"
+    return time_text(float(f"{1e3 * time_ms:.3g}"))
 
 
 def joint_diagram(joint: Joint, measured: StudyResult, device: str) -> Figure:

@@ -14,6 +14,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import MOST_DIGITS, book_text
 from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import KINDS, Compiled
+from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import EqualSlots, ListedSlots
@@ -355,7 +356,9 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
         truth = np.asarray(light.total_e())[None]
         yield _point("merged", "neighbours", partial(_merged, bench, capture), truth)
         still = coded.still().tensors()
-        yield _point("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
+        yield _point(
+            "any", counted(STILL_STAGES, "stage"), lambda: decoded_still(still).numpy(), truth
+        )
         yield from _of_run(bench, capture, truth)
         return
     middle = _middle(coded.row.shape, container.slots)
@@ -381,7 +384,7 @@ def _of_codes(bench: Bench, capture: Simulated) -> Iterator[StudyPoint]:
     for count in TV_ITERATIONS:
         yield _point("gap-tv", f"{count} iterations", partial(by_tv, count), clip)
     for count in ANY_STAGES:
-        yield _point("any", _stages(count), partial(by_any, count), clip)
+        yield _point("any", counted(count, "stage"), partial(by_any, count), clip)
     yield from _of_run(bench, capture, clip, middle)
 
 
@@ -397,11 +400,6 @@ def _merged(bench: Bench, capture: Simulated) -> Array:
     frame_s = sum(container.slot_us) * 1e-6
     light = np.nanmean([np.where(known, estimate, np.nan) for estimate, known in estimates], axis=0)
     return np.asarray(light)[None] * frame_s
-
-
-def _stages(count: int) -> str:
-    """Return a number of stages as text: "1 stage", "2 stages"."""
-    return f"{count} stage{'s' * (count > 1)}"
 
 
 def _of_run(
