@@ -53,8 +53,10 @@ def dagger(folder: Path, name: str) -> str:
     """Return † if a run of this name lacks weights in the folder `runs` beside the results, so that
     it cannot be loaded; else ""."""
     paths = (path.relative_to(folder).with_suffix("") for path in folder.glob(f"{name}.json"))
-    names = (path.as_posix().removeprefix("every-effect/") for path in paths)
-    runs = [run for run_name in names if (run := folder.parent / "runs" / run_name).is_dir()]
+    places = (
+        folder.parent / "runs" / path.as_posix().removeprefix("every-effect/") for path in paths
+    )
+    runs = [place for place in places if place.is_dir()]
     return "" if all((run / WEIGHTS).is_file() for run in runs) else "†"
 
 

@@ -134,20 +134,21 @@ class TrainingSetup:
         independent of them. With the relaxation `arrange`, all draws give the present codes other
         places. Raises Rejected with the compiler's errors if none of `_MOST_DRAWS` draws compiles.
         The encoder then has the last ones."""
+        encoder = self.encoder
         for attempt in range(_MOST_DRAWS):
             seeds = (self.settings.train.seed, DrawStream.RANDOM_CODES, *numbers, attempt)
             generator = np.random.default_rng(seeds)
             try:
                 if near is not None and attempt == 0:
                     # No move of a single pixel: these codes shall differ clearly from `near`.
-                    codes = candidate(self.encoder, near, generator, single_share=0.0)
-                    self.encoder.load_codes(codes)
-                elif self.encoder.relaxation == ARRANGE:
-                    spec, codes = self.encoder.spec, self.encoder.codes()
+                    codes = candidate(encoder, near, generator, single_share=0.0)
+                    encoder.load_codes(codes)
+                elif encoder.relaxation == ARRANGE:
+                    spec, codes = encoder.spec, encoder.codes()
                     codes = arranged(spec, codes, generator, _MIXING * spec.places)
-                    self.encoder.load_codes(codes)
+                    encoder.load_codes(codes)
                 else:
-                    self.encoder.start_random(generator)
+                    encoder.start_random(generator)
                 self.compiled()
             except (Rejected, ValueError):  # ValueError: `require` forbids the moved codes
                 if attempt == _MOST_DRAWS - 1:
