@@ -369,10 +369,15 @@ class Light:
         with np.errstate(over="ignore", invalid="ignore"):
             strips = (np.asarray(light.frames) for _, _, light in self.strips())
             if (weight == weight[0]).all():
-                sums = [frames.sum(axis=0) * weight[0] for frames in strips]
+                sums = [
+                    (frames[0] if len(frames) == 1 else frames.sum(axis=0)) * weight[0]
+                    for frames in strips
+                ]
             else:
                 sums = [np.einsum("t,trc->rc", weight, frames) for frames in strips]
-            total = np.concatenate(sums)
+        total = np.ascontiguousarray(sums[0] if len(sums) == 1 else np.concatenate(sums))
+        if total.max() <= _MOST_E:  # False if a pixel is NaN
+            return total, False
         return np.minimum(total, _MOST_E), bool((total > _MOST_E).any())
 
     def on_frames(self, slots: Floats) -> Floats:

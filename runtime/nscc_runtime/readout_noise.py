@@ -8,7 +8,7 @@ from math import hypot
 
 import numpy as np
 
-from nscc.arrays import Floats, Ints
+from nscc.arrays import Floats
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals
@@ -47,24 +47,22 @@ class ReadoutNoise:
         pattern."""
         from nscc_runtime.readout_loop import NoiseSizes, add_noise
 
-        rows, cols = self.pattern_lsb.shape
-        sizes = NoiseSizes(pixels=rows * cols, cols=cols, weights=WEIGHTS)
-        places = _places((rows + WEIGHTS - 1) * cols)
-        errors = np.empty((buckets, rows, cols))
+        errors = np.empty((buckets, *self.pattern_lsb.shape))
         for bucket, errors_of_bucket in enumerate(errors):
             noise, common = (key(seed, s, frame=frame, group=bucket) for s in self.streams)
             if self.sigma_lsb:
+                rows, cols = self.pattern_lsb.shape
                 add_noise(
-                    sizes=sizes,
+                    sizes=NoiseSizes(rows=rows, cols=cols, weights=WEIGHTS, key=noise),
                     weights=self.sigma_lsb * self.weights,
-                    normals=normals(noise, places, single=True),
-                    pattern=self.pattern_lsb.reshape(-1),
-                    out=errors_of_bucket.reshape(-1),
+                    pattern=self.pattern_lsb,
+                    drawn=np.empty((WEIGHTS, cols)),
+                    out=errors_of_bucket,
                 )
             else:
                 errors_of_bucket[:] = self.pattern_lsb
             if self.common_lsb:
-                errors_of_bucket += self.common_lsb * normals(common, places[:1])
+                errors_of_bucket += self.common_lsb * normals(common, np.zeros(1, np.int64))
         return errors
 
 
@@ -90,9 +88,3 @@ def _readout_noise(
         hypot(*(sigma(sensor) for _, sigma in common)),
         streams,
     )
-
-
-@lru_cache(4)
-def _places(count: int) -> Ints:
-    """Return the numbers 0 .. count - 1; cached."""
-    return np.arange(count)

@@ -6,7 +6,7 @@ import numpy as np
 
 from nscc_runtime.execution.block_draws import BLOCK, ROOM
 from nscc_runtime.execution.count_loop import Counting, draw_counts
-from nscc_runtime.noise import RATE_CAP, poisson
+from nscc_runtime.noise import poisson
 
 
 def by_plan(stream: np.uint64, pixels: np.ndarray, rate: np.ndarray) -> np.ndarray:
@@ -14,9 +14,7 @@ def by_plan(stream: np.uint64, pixels: np.ndarray, rate: np.ndarray) -> np.ndarr
     pixels, rates = np.ravel(pixels), np.ravel(rate)
     away = np.zeros((1, len(rates)))
     draw_counts(
-        counting=Counting(
-            begin=0, end=len(rates), pixels=len(rates), groups=1, accumulates=0, rate_cap=RATE_CAP
-        ),
+        counting=Counting(begin=0, end=len(rates), pixels=len(rates), groups=1, accumulates=0),
         keys=np.array([stream], np.uint64),
         rates=rates[None],
         places=pixels,

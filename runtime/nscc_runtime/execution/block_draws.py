@@ -12,8 +12,8 @@ import numpy as np
 from nscc.arrays import Floats, Ints
 from nscc_runtime.loop import compiled, inlined
 from nscc_runtime.noise.gaussian import normal_fast
-from nscc_runtime.noise.keys import bits, unit
-from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
+from nscc_runtime.noise.noise_loops import uniform
+from nscc_runtime.noise.poisson_law import RATE_CAP, SEARCH_BELOW, SETTLED_ABOVE, quantile
 
 BLOCK = 1024
 """Number of pixels of a block."""
@@ -36,9 +36,6 @@ _UNSURE = -1.0
 """In place of a count: it must be searched. Counts are never negative."""
 _FEW = 8
 """The formula is used if more than one pixel in this number has a rate for the formula."""
-
-FIRST_LANE = np.uint64(0)
-"""Every draw of this module uses the first of the random numbers that a key has at a place."""
 
 
 @inlined
@@ -156,7 +153,7 @@ def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: 
     places[first + i]. The two steps are separate loops, because a single loop runs out of processor
     registers."""
     for i in range(count):
-        out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
+        out[i] = uniform(stream, places[first + i])
     for i in range(count):
         out[i] = float(normal_fast(out[i]))
 
@@ -164,7 +161,6 @@ def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: 
 @compiled
 def counted(
     stream: np.uint64,
-    top: float,
     places: Ints,
     first: int,
     stop: int,
@@ -178,11 +174,11 @@ def counted(
 
     For rates below SEARCH_BELOW they equal those of `nscc_runtime.noise.poisson_law.search`, else
     `quantile` rounded down; below SETTLED_ABOVE, they are at least the count at SEARCH_BELOW. Rates
-    are clipped to 0..`top`; NaN counts as 0."""
+    are clipped to 0..`RATE_CAP`; NaN counts as 0."""
     count, low, middle, high = stop - first, 0, 0, 0
     for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0
-        values[i] = rate if rate < top else top
+        values[i] = rate if rate < RATE_CAP else RATE_CAP
     # How many pixels are below the range in which the formula is used without a check, within the
     # range in which it is checked, and in that in which counts are raised.
     for i in range(count):
@@ -197,7 +193,7 @@ def counted(
         return
     uniforms, normals, counts = BLOCK, 0, 2 * BLOCK
     for i in range(count):
-        scratch[uniforms + i] = unit(bits(stream, places[first + i], FIRST_LANE))
+        scratch[uniforms + i] = uniform(stream, places[first + i])
     uses_formula = middle > count // _FEW
     if uses_formula or high:
         for i in range(count):

@@ -28,9 +28,8 @@ from nscc_runtime.execution.layout import (
 from nscc_runtime.execution.word_loop import add, begin, compare, fill, read_out, reset, write
 from nscc_runtime.loop import Words, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.gaussian import normal_fast
-from nscc_runtime.noise.keys import bits, unit
-
-_FIRST_LANE = np.uint64(0)
+from nscc_runtime.noise.keys import bits
+from nscc_runtime.noise.noise_loops import uniform
 
 
 @record
@@ -84,7 +83,7 @@ def _drawn(
     """Set normals[at + j], for j below `count`, to the standard normal number of `key` at the place
     of pixel running[j] of the block whose first pixel is `first`."""
     for j in range(count):
-        normals[at + j] = unit(bits(key, places[first + running[j]], _FIRST_LANE))
+        normals[at + j] = uniform(key, places[first + running[j]])
     for j in range(count):
         normals[at + j] = float(normal_fast(normals[at + j]))
 

@@ -60,7 +60,6 @@ from nscc_runtime.execution.stretch_loop import (
     light_means,
 )
 from nscc_runtime.light import Light
-from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.trace import retention_us
@@ -246,7 +245,6 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         "counts_dark": bool(dark),
         "slow_words": slow,
         "exchanged": exchanged,
-        "rate_cap": RATE_CAP,
     }
     shared: NamedValues = {"stretches": program.stretches, "sites": sites, "means": means}
     order = np.arange(count) if scene.light.even else np.argsort(sites.place)

@@ -10,22 +10,21 @@ import numpy as np
 from nscc.arrays import Floats, Ints
 from nscc_runtime.execution.block_draws import BLOCK, ROOM, counted
 from nscc_runtime.loop import Words, Written, loop, record
-from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.noise import RATE_CAP, keys
 from nscc_runtime.pool import in_parts
 
 
 @record
 class Counting:
     """Sizes for `draw_counts`. Pixels `begin` to `end` - 1 of `pixels` are counted, in `groups`
-    groups of slots. `accumulates`: 1 to add to the deviations of another source, 0 to replace them.
-    `rate_cap`: larger rates count as this rate."""
+    groups of slots. `accumulates`: 1 to add to the deviations of another source, 0 to replace
+    them."""
 
     begin: int
     end: int
     pixels: int
     groups: int
     accumulates: int
-    rate_cap: float
 
 
 @loop
@@ -54,7 +53,6 @@ def draw_counts(
                 values[i] = rates[at + i]
             counted(
                 keys[group],
-                counting.rate_cap,
                 places,
                 first,
                 stop,
@@ -65,7 +63,7 @@ def draw_counts(
             )
             for i in range(stop - first):
                 # Counts are clipped to the cap, but sums contain the light: no deviation there.
-                mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
+                mean = rates[at + i] if rates[at + i] < RATE_CAP else values[i]
                 before = away[at + i] if counting.accumulates else 0.0
                 away[at + i] = before + (values[i] - mean)
 
@@ -87,16 +85,13 @@ def draw_deviations(
     rows, pixels = sources[0][2].shape
     away = np.empty((rows, pixels))
     # One key for each source and row, so that a draw depends only on these and on the pixel.
-    keys = [
-        np.array([key(seed, stream, source, frame, row) for row in range(rows)], np.uint64)
-        for stream, source, _ in sources
-    ]
+    keyed = [(keys(seed, stream, source, frame, rows), means) for stream, source, means in sources]
 
     def run(begin: int, end: int) -> None:
         """Draw the counts of the pixels from `begin` up to before `end` from all sources, and write
         the deviations into `away`."""
         values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
-        for number, (of_rows, (_, _, means)) in enumerate(zip(keys, sources, strict=True)):
+        for number, (of_rows, means) in enumerate(keyed):
             draw_counts(
                 counting=Counting(
                     begin=begin,
@@ -104,7 +99,6 @@ def draw_deviations(
                     pixels=pixels,
                     groups=rows,
                     accumulates=int(number > 0),
-                    rate_cap=RATE_CAP,
                 ),
                 keys=of_rows,
                 rates=means,

@@ -34,38 +34,6 @@ class Adding:
 
 
 @compiled
-def _beside(
-    adding: Adding,
-    direction: int,
-    draw: int,
-    bucket: int,
-    first: int,
-    stop: int,
-    own_weights: Floats32,
-    neighbour_weights: Floats32,
-    away: Floats,
-    total: Floats,
-) -> None:
-    """Add to total[bucket, i], for pixel first + i, the charge from the neighbour in one
-    `direction` (above, below, left or right: 0 to 3) minus the charge given to it. Pixels at a
-    border without such a neighbour get nothing.
-
-    Pixels `first` to `stop` - 1 are in one row. `away`: deviations of counts from their means, of
-    which number `draw` is used. `own_weights`, `neighbour_weights`: electrons in this bucket of the
-    pixel for one count of its own, and of the neighbour."""
-    cols, pixels = adding.cols, adding.pixels
-    step, begin, end = on_side(first // cols, adding.rows, cols, direction)
-    draw_start = draw * adding.pixels
-    own_start = (draw * adding.buckets + bucket) * pixels
-    neighbour_start = ((draw * 4 + direction) * adding.buckets + bucket) * pixels
-    at = bucket * BLOCK - first
-    for p in range(max(begin, first), min(end, stop)):
-        given_e = own_weights[own_start + p] * away[draw_start + p]
-        received_e = neighbour_weights[neighbour_start + p] * away[draw_start + p + step]
-        total[at + p] += adding.fraction * (received_e - given_e)
-
-
-@compiled
 def _counted(
     adding: Adding,
     first: int,
@@ -76,33 +44,29 @@ def _counted(
     total: Floats,
 ) -> None:
     """Set total[bucket, i] to the deviation of the exposure of pixel first + i from its mean, due
-    to counts of photons; 0 without counts. Pixels `first` to `stop` - 1 are computed.
+    to counts of photons; 0 without counts. Pixels `first` to `stop` - 1 are computed; if neighbours
+    exchange counts, they are in one row.
 
     `away` (draws, pixels): deviations of counts from their means. `own_weights` (draws, buckets,
     pixels) and `neighbour_weights` (draws, 4, buckets, pixels): electrons in each bucket for one
-    count of the pixel, and of a neighbour. All are flat."""
+    count of the pixel, and of a neighbour. All are flat. Pixels at a border get nothing from beyond
+    it, and give nothing there."""
+    cols, pixels = adding.cols, adding.pixels
     for bucket in range(adding.buckets):
         at = bucket * BLOCK - first
         for p in range(first, stop):
             total[at + p] = 0.0
         for draw in range(adding.draws):
-            own_start = (draw * adding.buckets + bucket) * adding.pixels
-            draw_start = draw * adding.pixels
+            own, draw_start = (draw * adding.buckets + bucket) * pixels, draw * pixels
             for p in range(first, stop):
-                total[at + p] += own_weights[own_start + p] * away[draw_start + p]
-            for direction in range(4 if adding.exchanges else 0):
-                _beside(
-                    adding,
-                    direction,
-                    draw,
-                    bucket,
-                    first,
-                    stop,
-                    own_weights,
-                    neighbour_weights,
-                    away,
-                    total,
-                )
+                total[at + p] += own_weights[own + p] * away[draw_start + p]
+            for side in range(4 if adding.exchanges else 0):
+                step, begin, end = on_side(first // cols, adding.rows, cols, side)
+                beside = ((draw * 4 + side) * adding.buckets + bucket) * pixels
+                for p in range(max(begin, first), min(end, stop)):
+                    given_e = own_weights[own + p] * away[draw_start + p]
+                    received_e = neighbour_weights[beside + p] * away[draw_start + p + step]
+                    total[at + p] += adding.fraction * (received_e - given_e)
 
 
 @loop
@@ -131,7 +95,7 @@ def add_up(
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
-        # With crosstalk a block must not extend over several rows: `_beside` has one row's limits.
+        # With crosstalk a block must not extend over several rows: `_counted` has one row's limits.
         last = (first // cols + 1) * cols if adding.exchanges else end
         stop = min(first + BLOCK, last)
         _counted(adding, first, stop, own_weights, neighbour_weights, away, total)

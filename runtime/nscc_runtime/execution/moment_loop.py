@@ -6,6 +6,7 @@ from typing import Annotated
 
 from nscc.arrays import Floats, Floats32
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
+from nscc_runtime.noise.poisson_law import RATE_CAP
 
 UP, DOWN, LEFT, RIGHT = range(4)
 """Neighbours, in the order of `nscc_runtime.execution.overlap`."""
@@ -32,7 +33,7 @@ class Completing:
 
     `light_pairs`, `dark_pairs`: numbers of covariances of light and of dark charge, 0 without
     them. `exchanged`: fraction of its charge that a pixel gives to each neighbour. `overlaps`:
-    whether a slot may count in several buckets. `cap_e2`: larger covariances count as this."""
+    whether a slot may count in several buckets."""
 
     begin: int
     end: int
@@ -45,44 +46,6 @@ class Completing:
     dark_pairs: int
     exchanged: float
     overlaps: int
-    cap_e2: float
-
-
-@compiled
-def _covariances(
-    sizes: Completing,
-    row: int,
-    sums: Floats,
-    dark_e2: Floats,
-    charge_e: Floats,
-    unknown: Floats,
-    covariance_e2: Floats,
-) -> None:
-    """Set the covariances of the exposures of the pixels of `row` due to counts, in square
-    electrons: covariance_e2 is (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the
-    buckets a >= b. Larger ones than `sizes.cap_e2` are set to it.
-
-    `sums` (pairs and more, pixels): covariances that light causes, first. `dark_e2` (pairs,
-    pixels): those of dark charge. `charge_e` (pixels,): the charge of each pixel in the frame, of
-    which `unknown` (4, buckets, pixels) goes to neighbours independently of its own counts."""
-    cols, first, pair = sizes.cols, row * sizes.cols, 0
-    for bucket in range(sizes.buckets):
-        for other in range(bucket + 1):
-            at, here = pair * sizes.pixels, pair * cols - first
-            for p in range(first, first + cols):
-                light_e2 = sums[at + p] if sizes.light_pairs else 0.0
-                covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if sizes.dark_pairs else 0.0)
-            # Buckets share no charge whose count is unknown: it adds to variances only.
-            for side in range(4 if bucket == other and sizes.exchanged > 0.0 else 0):
-                step, begin, end = on_side(row, sizes.rows, cols, side)
-                part = (side * sizes.buckets + bucket) * sizes.pixels
-                for p in range(begin, end):
-                    variance_e2 = unknown[part + p] * charge_e[p + step]
-                    covariance_e2[here + p] += sizes.exchanged * sizes.exchanged * variance_e2
-            for p in range(first, first + cols):
-                value = covariance_e2[here + p]
-                covariance_e2[here + p] = sizes.cap_e2 if value > sizes.cap_e2 else value
-            pair += 1
 
 
 @compiled
@@ -137,7 +100,9 @@ def complete_moments(
     rate_weights: Annotated[Floats, "rates pixels"],
     fixed_e: Annotated[Floats, "buckets pixels"],
     dark_e2: Annotated[Floats, "dark_pairs pixels"],
-    charge_e: Annotated[Floats, "pixels"],
+    sum_e: Annotated[Floats, "rows cols"],
+    factor: Annotated[Floats, "pixels"],
+    dark_e: Annotated[Floats, "pixels"],
     unknown: Annotated[Floats, "4 buckets pixels"],
     electron_weights: Annotated[Floats, "buckets pixels"],
     covariance_e2: Written[Floats],
@@ -149,23 +114,43 @@ def complete_moments(
 
     `sums`: covariances (e^2) that counts of light cause in pairs of buckets, then exposures (e) for
     each bucket and rate of leakage, which `rate_weights` interpolate. `fixed_e`, `dark_e2`: means
-    and covariances that do not depend on the light. `charge_e`: the charge of each pixel in the
-    frame; the parts `unknown` of it that go to neighbours do not follow from its counts.
-    `electron_weights`: electrons in a bucket for one count. Results: `mean_e`, the means `counts`,
-    and `own_weights` (draws, buckets, pixels), which is set only if buckets overlap. Without counts
-    only `mean_e` is set. `covariance_e2` is working memory for the pairs of a row."""
+    and covariances that do not depend on the light. `factor` * `sum_e` and `dark_e`: the charge of
+    each pixel in the frame; the parts `unknown` of it that go to neighbours do not follow from its
+    counts. `electron_weights`: electrons in a bucket for one count.
+
+    Results: `mean_e`, the means `counts`, and `own_weights` (draws, buckets, pixels), which is set
+    only if buckets overlap. Without counts only `mean_e` is set. `covariance_e2` is working memory
+    for a row: (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the buckets a >= b;
+    values above `RATE_CAP` are set to it."""
     pixels, cols = sizes.pixels, sizes.cols
     for row in range(sizes.begin, sizes.end):
         first, stop = row * cols, (row + 1) * cols
         for bucket in range(sizes.buckets):
             at = bucket * pixels
+            lower = (sizes.light_pairs + bucket * sizes.rates) * pixels
+            upper, last = lower + (sizes.rates - 1) * pixels, (sizes.rates - 1) * pixels
             for p in range(first, stop):
-                mean_e[at + p] = fixed_e[at + p]
-            for rate in range(sizes.rates):
-                of_rate = (sizes.light_pairs + bucket * sizes.rates + rate) * pixels
-                for p in range(first, stop):
-                    mean_e[at + p] += rate_weights[rate * pixels + p] * sums[of_rate + p]
+                part = rate_weights[last + p]  # of two rates; the weight of a single one is 1
+                low_e = ((1.0 - part) if last else part) * sums[lower + p]
+                mean_e[at + p] = fixed_e[at + p] + low_e + (part * sums[upper + p] if last else 0.0)
         if not (sizes.light_pairs or sizes.dark_pairs):
             continue
-        _covariances(sizes, row, sums, dark_e2, charge_e, unknown, covariance_e2)
+        for pair in range(sizes.buckets * (sizes.buckets + 1) // 2):
+            at, here = pair * pixels, pair * cols - first
+            for p in range(first, stop):
+                light_e2 = sums[at + p] if sizes.light_pairs else 0.0
+                covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if sizes.dark_pairs else 0.0)
+        # Buckets share no charge whose count is unknown: it adds to variances only.
+        for bucket in range(sizes.buckets if sizes.exchanged > 0.0 else 0):
+            here = bucket * (bucket + 3) // 2 * cols - first
+            for side in range(4):
+                step, begin, end = on_side(row, sizes.rows, cols, side)
+                of_side = (side * sizes.buckets + bucket) * pixels
+                for p in range(begin, end):
+                    light_e = factor[p + step] * sum_e[p + step] if sizes.light_pairs else 0.0
+                    light_e = RATE_CAP if light_e > RATE_CAP else light_e
+                    variance_e2 = unknown[of_side + p] * (dark_e[p + step] + light_e)
+                    covariance_e2[here + p] += sizes.exchanged * sizes.exchanged * variance_e2
+        for i in range(sizes.buckets * (sizes.buckets + 1) // 2 * cols):
+            covariance_e2[i] = RATE_CAP if covariance_e2[i] > RATE_CAP else covariance_e2[i]
         _separate(sizes, first, covariance_e2, electron_weights, counts, own_weights)

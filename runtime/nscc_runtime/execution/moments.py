@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from nscc.arrays import Floats, Floats32, Ints32
+from nscc.arrays import Floats, Floats32
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
     Counted,
@@ -31,7 +31,6 @@ from nscc_runtime.execution.overlap import NEIGHBOURS, weights_beside
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.light import Light
-from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.weights import WeightModel
 
@@ -72,23 +71,6 @@ class Moments:
     exchanged: float
     error_e: Floats
 
-    def variance_e2(self, lane: Ints32) -> Floats:
-        """Return the variance of exposures over frames, in square electrons, (buckets, pixels);
-        that of the readout is not included.
-
-        `lane` (rows, cols): the lane (the pixels of one code) of each pixel."""
-        own_weights: Floats | Floats32 = self.own_weights
-        variance_e2 = (self.error_e**2).sum(axis=0)[:, lane.reshape(-1)]
-        if self.exchanged and len(self.counts):
-            # `given`: the fraction of its charge that a pixel loses, less at the border.
-            fractions = np.full((4, 1, lane.size), self.exchanged)
-            given = _at_neighbours(fractions, np.ones(lane.size), lane.shape).sum(axis=(0, 1))
-            own_weights = own_weights * (1.0 - given)
-            for weights, counts in zip(self.neighbour_weights, self.counts, strict=True):
-                received = (self.exchanged * weights) ** 2
-                variance_e2 += _at_neighbours(received, counts, lane.shape).sum(axis=0)
-        return np.asarray(variance_e2 + (own_weights**2 * self.counts[:, None]).sum(axis=0))
-
 
 def scene_moments(
     program: AnalysedProgram, light: Light, effects: Selection, device_seed: int, threads: int = 1
@@ -110,7 +92,7 @@ def scene_moments(
     -------
     Moments
     """
-    chip, exchanged = _on_chip(program, effects, device_seed), exchanged_fraction(effects, program)
+    chip, exchanged = on_chip(program, effects, device_seed), exchanged_fraction(effects, program)
     lit, light_pairs = effects.find_part(CountedLight) is not None, 0
     weights = program.slot_weights(program.model(effects), chip.leak_rates, lit)
     if lit:
@@ -125,10 +107,7 @@ def scene_moments(
         exchanged,
         threads,
     )
-    charge_e = chip.dark_e
-    if lit and exchanged:
-        charge_e = charge_e + np.minimum(chip.factor * source.sum_e.reshape(-1), RATE_CAP)
-    return _completed(chip, sums, charge_e, light_pairs, exchanged, light.shape, threads)
+    return _completed(chip, sums, source, light_pairs, exchanged, threads)
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,7 +138,7 @@ class _ChipMoments:
     error_e: Floats
 
 
-def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
+def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
     """Return the moments that all scenes on a chip share, cached with the program by the effects
     that are on and the seed of the fixed patterns. Callers must not change the arrays."""
 
@@ -206,18 +185,16 @@ def _on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> 
 def _completed(
     chip: _ChipMoments,
     sums: Floats,
-    charge_e: Floats,
+    light: Light,
     light_pairs: int,
     exchanged: float,
-    shape: tuple[int, int],
     threads: int,
 ) -> Moments:
-    """Return the moments of a scene on an array of `shape` (rows, cols).
+    """Return the moments of a scene with `light`.
 
-    `sums`: the sums of light of `scene_moments`, (sums, pixels). `charge_e`: the charge of each
-    pixel in the frame, (pixels,). `light_pairs`: number of pairs of buckets at the start of `sums`,
-    0 if light is not counted. `exchanged`: fraction of its charge that a pixel gives to each
-    neighbour."""
+    `sums`: the sums of light of `scene_moments`, (sums, pixels). `light_pairs`: number of pairs of
+    buckets at the start of `sums`, 0 if light is not counted. `exchanged`: fraction of its charge
+    that a pixel gives to each neighbour."""
     buckets, pixels = chip.fixed_e.shape
     # Without light or dark charge that is counted, nothing is drawn.
     draws = buckets if light_pairs or len(chip.dark_e2) else 0
@@ -232,8 +209,8 @@ def _completed(
             sizes=Completing(
                 begin=begin,
                 end=end,
-                rows=shape[0],
-                cols=shape[1],
+                rows=light.shape[0],
+                cols=light.shape[1],
                 pixels=pixels,
                 buckets=buckets,
                 rates=len(chip.leak_rates),
@@ -241,22 +218,23 @@ def _completed(
                 dark_pairs=len(chip.dark_e2),
                 exchanged=exchanged,
                 overlaps=chip.own_weights is None,
-                cap_e2=RATE_CAP,
             ),
             sums=sums,
             rate_weights=chip.rate_weights,
             fixed_e=chip.fixed_e,
             dark_e2=chip.dark_e2,
-            charge_e=charge_e,
+            sum_e=light.sum_e,
+            factor=chip.factor,
+            dark_e=chip.dark_e,
             unknown=chip.unknown,
             electron_weights=chip.electron_weights,
-            covariance_e2=np.empty(buckets * (buckets + 1) // 2 * shape[1]),
+            covariance_e2=np.empty(buckets * (buckets + 1) // 2 * light.shape[1]),
             mean_e=mean_e,
             counts=counts,
             own_weights=own_weights,
         )
 
-    in_parts(run, shape[0], threads)
+    in_parts(run, light.shape[0], threads)
     return Moments(mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e)
 
 
@@ -312,15 +290,6 @@ def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) 
     return np.stack([1.0 - upper, upper])
 
 
-def _at_each_leakage(sums: Floats, rate_weights: Floats) -> Floats:
-    """Return sums (buckets, pixels) at each pixel's own rate of leakage.
-
-    `sums` (buckets * rates, pixels): those at each rate, where all rates of a bucket follow each
-    other. `rate_weights` (rates, pixels): weights of the rates, which add up to 1."""
-    by_rate = sums.reshape(-1, len(rate_weights), sums.shape[1])
-    return np.asarray(np.einsum("brp,rp->bp", by_rate, rate_weights))
-
-
 def _fixed_e(
     program: AnalysedProgram,
     effects: Selection,
@@ -339,7 +308,7 @@ def _fixed_e(
     gain = effects.find_part(WordGain)
     if gain is not None:
         by_rate = np.stack([of_rate.error_sum.T[:, lanes] for of_rate in weights], axis=1)
-        errors = _at_each_leakage(by_rate.reshape(-1, lanes.size), rate_weights)
+        errors = np.einsum("brp,rp->bp", by_rate, rate_weights)
         total += errors * device.fixed(gain.error_e)
     if effects.find_part(CountedDark) is not None:
         exchange, current = effects.find_part(Exchange), dark_e_per_s(effects, device)

@@ -5,20 +5,21 @@ The charge of pixels is computed with all requested effects."""
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from nscc.arrays import Floats, Ints
+from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc_runtime.effects.parts import Moving, Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
-from nscc_runtime.effects.views import Device
-from nscc_runtime.execution.moments import dark_e_per_s, exchanged_fraction, light_factor
-from nscc_runtime.execution.overlap import NEIGHBOURS
+from nscc_runtime.execution.moment_loop import on_side
+from nscc_runtime.execution.moments import exchanged_fraction, on_chip
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.execution.sum_loop import SlotWeights, light_at, light_sums
 from nscc_runtime.light import Light
+from nscc_runtime.loop import Written, loop, record
 
 Places = Ints
 
@@ -59,7 +60,7 @@ def near_saturation(
         (NearSaturation, device_seed, effects.on), WeakKeyDictionary
     )
     if source not in by_light:
-        by_light[source] = _search(program, source, effects, program.device(device_seed))
+        by_light[source] = _search(program, source, effects, device_seed)
     return by_light[source]
 
 
@@ -68,45 +69,90 @@ class _Limits:
     """When a pixel may saturate. A kind is a sum of charge: that on PIX first, then those in
     registers.
 
-    `weights` (kinds, N, lanes): weights of the slots in each sum. `dark_s` (kinds, lanes): the
-    seconds whose dark charge it contains. `saturation_e` (kinds, lanes): the smallest sum with
-    which a pixel may saturate, infinite if it cannot. `mean_e` (pixels,): the smallest mean charge
-    that noise may raise to the smallest of these. A lane is the pixels of one code. PIX is the
-    photodiode."""
+    `weights` (kinds, N, lanes): weights of the slots in each sum. `dark_part` (kinds, lanes): the
+    part of the dark charge of a frame that it contains. `saturation_e` (kinds, lanes): the
+    smallest sum with which a pixel may saturate, infinite if it cannot. `mean_e` (lanes,): the
+    smallest mean charge that noise may raise to the smallest of these. A lane is the pixels of one
+    code. PIX is the photodiode."""
 
     weights: SlotWeights
-    dark_s: Floats
+    dark_part: Floats
     saturation_e: Floats
     mean_e: Floats
 
 
+@record
+class Bounding:
+    """Sizes for `find_candidates`. `exchanged`: fraction of its charge that a pixel gives to each
+    neighbour."""
+
+    rows: int
+    cols: int
+    exchanged: float
+
+
+@loop
+def find_candidates(
+    sizes: Bounding,
+    sum_e: Annotated[Floats, "rows cols"],
+    factor: Annotated[Floats, "pixels"],
+    dark_e: Annotated[Floats, "pixels"],
+    lanes: Annotated[Ints32, "pixels"],
+    most_part: Annotated[Floats, "lane_count"],
+    mean_e: Annotated[Floats, "lane_count"],
+    gained_e: Written[Annotated[Floats, "pixels"]],
+    may_saturate: Written[Annotated[Bytes, "pixels"]],
+) -> None:
+    """Set `may_saturate` to whether the charge of a pixel may reach mean_e[lane], and `gained_e` to
+    the light that it gets from its neighbours.
+
+    The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the light
+    that PIX (the photodiode) or a register of the lane can contain, `most_part`."""
+    cols = sizes.cols
+    for row in range(sizes.rows):
+        first, stop = row * cols, (row + 1) * cols
+        for p in range(first, stop):
+            gained_e[p] = 0.0
+        for side in range(4 if sizes.exchanged > 0.0 else 0):
+            step, begin, end = on_side(row, sizes.rows, cols, side)
+            for p in range(begin, end):
+                gained_e[p] += sum_e[p + step] * factor[p + step]
+        for p in range(first, stop):
+            gained_e[p] *= sizes.exchanged
+            own_e = most_part[lanes[p]] * (sum_e[p] * factor[p])
+            bound_e = own_e + dark_e[p] + gained_e[p]
+            may_saturate[p] = bound_e >= mean_e[lanes[p]]
+
+
 def _search(
-    program: AnalysedProgram, light: Light, effects: Selection, device: Device
+    program: AnalysedProgram, light: Light, effects: Selection, device_seed: int
 ) -> NearSaturation:
     """Return the pixels that may saturate in `light`, possibly none. An upper bound for all pixels
-    selects candidates, whose charge is then computed. `device`: the fixed patterns of all
-    pixels."""
+    selects candidates, whose charge is then computed. `device_seed`: of the fixed patterns."""
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
-    factor, current = light_factor(effects, device), dark_e_per_s(effects, device)
-    exchanged = exchanged_fraction(effects, program)
-    total_e = light.sum_e * factor.reshape(light.shape)
-    gained_e: Floats = np.zeros(light.shape)
-    if exchanged:
-        for pixels, neighbours in NEIGHBOURS:
-            gained_e[pixels] += total_e[neighbours]
-        gained_e *= exchanged
-    gained_e = gained_e.reshape(-1)
-    # The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the
-    # light that PIX or a register can contain.
-    lanes = program.lanes
-    bound_e = limits.weights.of_frames(light).most_part.take(lanes) * total_e.reshape(-1)
-    bound_e += current * float(program.slot_s.sum())
-    bound_e += gained_e
-    places = np.flatnonzero(bound_e >= limits.mean_e)
+    chip = on_chip(program, effects, device_seed)
+    exchanged, pixels = exchanged_fraction(effects, program), program.lanes.size
+    gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.uint8)
+    find_candidates(
+        sizes=Bounding(
+            rows=light.shape[0],
+            cols=light.shape[1],
+            exchanged=exchanged,
+        ),
+        sum_e=light.sum_e,
+        factor=chip.factor,
+        dark_e=chip.dark_e,
+        lanes=program.lanes,
+        most_part=limits.weights.of_frames(light).most_part,
+        mean_e=limits.mean_e,
+        gained_e=gained_e,
+        may_saturate=may_saturate,
+    )
+    places = np.flatnonzero(may_saturate)
     if not len(places):
         return NO_PIXELS
-    lanes = lanes[places]
-    kinds, unused = len(limits.weights.slots), np.empty(0, np.float32)
+    lanes = program.lanes[places]
+    factor, kinds, unused = chip.factor, len(limits.weights.slots), np.empty(0, np.float32)
     seen_e = np.hstack(
         [
             light_sums(own, lanes[part], (factor[places[part]], unused), limits.weights, kinds, 0.0)
@@ -119,7 +165,7 @@ def _search(
     # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
     given_fraction = exchanged * neighbour_count
     most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + gained_e[places])
-    most_e += current[places] * limits.dark_s[:, lanes]
+    most_e += chip.dark_e[places] * limits.dark_part[:, lanes]
     most_e += _SIGMAS * np.sqrt(most_e)
     is_near = np.any(most_e >= limits.saturation_e[:, lanes], axis=0)
     return NearSaturation(places[is_near], most_e[0, is_near])
@@ -143,6 +189,5 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
     least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
     # The smallest mean charge m that noise raises to the limit: m + _SIGMAS sqrt(m) = least_e.
     mean_e = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
-    return _Limits(
-        SlotWeights(weights), program.slot_s @ weights, saturation_e, mean_e[program.lanes]
-    )
+    dark_part = program.slot_s @ weights / program.slot_s.sum()
+    return _Limits(SlotWeights(weights), dark_part, saturation_e, mean_e)

@@ -18,6 +18,7 @@ from nscc_runtime.execution.layout import BLOCK
 from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.keys import bits
+from nscc_runtime.noise.poisson_law import RATE_CAP
 
 NEIGHBOURS = 4
 TOGETHER = 128
@@ -98,7 +99,6 @@ class Laying:
     slow_words: int
     exchanged: float
     """Fraction of a pixel's charge that moves to each neighbour."""
-    rate_cap: float
 
 
 @inlined
@@ -106,7 +106,7 @@ def _light_of_slot(
     sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
 ) -> float:
     """Return the mean light of a slot at the site of index `site`, in electrons, between 0 and
-    `sizes.rate_cap`, or NaN. The slot is the weighted sum of the frames of `light` in its entries
+    `RATE_CAP`, or NaN. The slot is the weighted sum of the frames of `light` in its entries
     `start` to `stop` - 1. A site is a pixel whose charge is computed."""
     total, place = 0.0, sites.place[site]
     for k in range(start, stop):
@@ -115,7 +115,7 @@ def _light_of_slot(
     # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
     rate = float(np.float32(total)) * sites.factor[site]
     rate = 0.0 if rate < 0.0 else rate
-    capped: float = sizes.rate_cap if rate > sizes.rate_cap else rate
+    capped: float = RATE_CAP if rate > RATE_CAP else rate
     return capped
 
 

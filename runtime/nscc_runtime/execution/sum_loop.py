@@ -122,32 +122,6 @@ def _gather(
 
 
 @compiled
-def _gather_smeared(
-    sizes: SceneSizes,
-    frames: Floats32,
-    share: Floats32,
-    k: int,
-    count: int,
-    first: int,
-    stop: int,
-    lit: Floats32,
-    gathered: Floats,
-) -> None:
-    """Add the light of frames `k` to k + count - 1 after crosstalk to gathered[:stop - first], for
-    pixels `first` to `stop` - 1 of one row.
-
-    `share`: a factor on the light of each pixel. `lit` is working memory for `TOGETHER` times
-    `BLOCK` pixels."""
-    pixels = sizes.rows * sizes.cols
-    for first_frame in range(0, count, TOGETHER):
-        together = min(TOGETHER, count - first_frame)
-        for index in range(together):
-            frame = (k + first_frame + index) * pixels
-            _smear(sizes, frames, share, frame, first, stop, lit, index * BLOCK)
-        _gather(lit, -first, BLOCK, together, first, stop, gathered)
-
-
-@compiled
 def _add_alike(
     sizes: SceneSizes,
     frames: Floats32,
@@ -168,7 +142,8 @@ def _add_alike(
 
     `table` (sums, count, lanes): the weights. `lit_sums` (sums, count): 1 if a sum contains a
     frame. `lanes`: the lane (the pixels of one code) of each pixel. `share`: a factor on the light
-    of each pixel, for sums with crosstalk. `lit` and `gathered` are working memory."""
+    of each pixel, for sums with crosstalk. `lit` (`TOGETHER` times `BLOCK`) and `gathered` are
+    working memory."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
@@ -179,10 +154,14 @@ def _add_alike(
             continue
         for i in range(stop - first):
             gathered[i] = 0.0
-        if smeared:
-            _gather_smeared(sizes, frames, share, k, alike, first, stop, lit, gathered)
-        else:
+        if not smeared:
             _gather(frames, k * pixels, pixels, alike, first, stop, gathered)
+        for first_frame in range(0, alike if smeared else 0, TOGETHER):
+            together = min(TOGETHER, alike - first_frame)
+            for index in range(together):
+                frame = (k + first_frame + index) * pixels
+                _smear(sizes, frames, share, frame, first, stop, lit, index * BLOCK)
+            _gather(lit, -first, BLOCK, together, first, stop, gathered)
         for j in range(begin, end):
             if lit_sums[j * count + k]:
                 row = (j * count + k) * lane_count

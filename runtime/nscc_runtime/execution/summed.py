@@ -11,7 +11,7 @@ from nscc_runtime.execution.block_draws import BLOCK
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.frame_loop import Adding, add_up
 from nscc_runtime.execution.moments import Moments
-from nscc_runtime.noise import key
+from nscc_runtime.noise import keys
 from nscc_runtime.pool import in_parts
 
 SUMS, COUNTS, ERRORS = 0, 1, 2
@@ -33,7 +33,7 @@ def draw_exposures(moments: Moments, lane: Ints32, seed: int, frame: int, thread
         away = draw_deviations(sources, places, seed, frame, threads)
     # Errors of words are drawn for all words of a pixel together.
     draws, _, lanes = moments.error_e.shape
-    noise_keys = [key(seed, SUMS, ERRORS, frame, draw) for draw in range(draws)]
+    noise_keys = keys(seed, SUMS, ERRORS, frame, draws)
     sizes: NamedValues = {
         "rows": rows,
         "cols": cols,
@@ -51,7 +51,7 @@ def draw_exposures(moments: Moments, lane: Ints32, seed: int, frame: int, thread
         """Draw the exposures of the rows from `begin` up to before `end` into `exposure`."""
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
-            noise_keys=np.array(noise_keys, np.uint64),
+            noise_keys=noise_keys,
             lanes=lane.reshape(-1),
             places=places,
             expected=moments.mean_e,

@@ -5,7 +5,8 @@ threads or order."""
 
 from __future__ import annotations
 
-from nscc_runtime.noise.arrays import RATE_CAP, normals, poisson, uniforms
+from nscc_runtime.noise.arrays import keys, normals, poisson, uniforms
 from nscc_runtime.noise.keys import key
+from nscc_runtime.noise.poisson_law import RATE_CAP
 
-__all__ = ["RATE_CAP", "key", "normals", "poisson", "uniforms"]
+__all__ = ["RATE_CAP", "key", "keys", "normals", "poisson", "uniforms"]

@@ -10,12 +10,10 @@ from typing import Annotated
 import numpy as np
 
 from nscc.arrays import Bytes, Floats, Ints
-from nscc_runtime.loop import Written, compiled, inlined, loop, record
-from nscc_runtime.noise.gaussian import normal, normal_fast
+from nscc_runtime.loop import Words, Written, inlined, loop, record
+from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.keys import bits, unit
-from nscc_runtime.noise.poisson_law import (
-    poisson_exact,
-)
+from nscc_runtime.noise.poisson_law import RATE_CAP, poisson_exact
 
 _Places = Annotated[Ints, "count"]
 _Drawn = Written[Annotated[Floats, "count"]]
@@ -32,20 +30,29 @@ def uniform(key: np.uint64, pixel: int) -> float:
     return unit(bits(key, pixel, _FIRST_LANE))
 
 
-@compiled
-def _drawable(rate: float, cap: float) -> float:
-    """Return `rate` clipped to 0..`cap`; 0 for NaN, whose count the caller marks as invalid."""
-    if rate > 0.0:
-        return rate if rate < cap else cap
-    return 0.0
-
-
 @record
 class Draws:
     """The number of draws, and their random key (`nscc_runtime.noise.keys.key`)."""
 
     count: int
     key: np.uint64
+
+
+@record
+class Groups:
+    """The first half of random keys (`nscc_runtime.noise.keys.base`), the number of the frame, and
+    how many groups have keys."""
+
+    base: np.uint64
+    frame: int
+    groups: int
+
+
+@loop
+def fill_keys(of: Groups, out: Written[Annotated[Words, "groups"]]) -> None:
+    """Set out[g] to the random key of group g."""
+    for group in range(of.groups):
+        out[group] = bits(of.base, of.frame, np.uint64(group))
 
 
 @loop
@@ -55,43 +62,18 @@ def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
         out[i] = uniform(draws.key, pixels[i])
 
 
-@record
-class NormalDraws:
-    """The number of draws, their random key, and whether single precision suffices (1) or not
-    (0)."""
-
-    count: int
-    key: np.uint64
-    single: int
-
-
 @loop
-def fill_normals(draws: NormalDraws, pixels: _Places, out: _Drawn) -> None:
-    """Set out[i] to the standard normal number of the key at the place pixels[i], in single or
-    double precision as `draws.single` says."""
+def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
+    """Set out[i] to the standard normal number of the key at the place pixels[i]."""
     for i in range(draws.count):
         out[i] = uniform(draws.key, pixels[i])
-    if draws.single:
-        for i in range(draws.count):
-            out[i] = float(normal_fast(out[i]))
-        return
     for i in range(draws.count):
         out[i] = normal(out[i])
 
 
-@record
-class Counts:
-    """Options of `fill_poisson`: the number of draws, their random key, and the rate `cap` to which
-    larger rates are clipped."""
-
-    count: int
-    key: np.uint64
-    cap: float
-
-
 @loop
 def fill_poisson(
-    counts: Counts,
+    draws: Draws,
     pixels: _Places,
     rate: Annotated[Floats, "count"],
     out: _Drawn,
@@ -99,9 +81,10 @@ def fill_poisson(
 ) -> None:
     """Set out[i] to a Poisson count of mean rate[i], drawn at the place pixels[i], and valid[i] to
     1 if rate[i] is a number, 0 if it is NaN; the count is then 0. Rates are clipped to
-    0..`counts.cap`."""
-    for i in range(counts.count):
-        out[i] = uniform(counts.key, pixels[i])
-    for i in range(counts.count):
+    0..`RATE_CAP`."""
+    for i in range(draws.count):
+        out[i] = uniform(draws.key, pixels[i])
+    for i in range(draws.count):
         valid[i] = rate[i] == rate[i]
-        out[i] = poisson_exact(out[i], _drawable(rate[i], counts.cap))
+        drawable = rate[i] if rate[i] > 0.0 else 0.0  # also for NaN
+        out[i] = poisson_exact(out[i], drawable if drawable < RATE_CAP else RATE_CAP)

@@ -15,6 +15,9 @@ import numpy as np
 from nscc_runtime.loop import compiled, inlined
 from nscc_runtime.noise.gaussian import normal
 
+RATE_CAP = 1e12
+"""Upper limit of rates, infinity included. No well contains this number of electrons."""
+
 SEARCH_BELOW = 10.0
 """Below this rate counts are searched from 0 upwards."""
 

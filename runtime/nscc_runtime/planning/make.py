@@ -165,7 +165,7 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
     # Noise may drive any pixel near saturation beyond a limit, in few frames: too rare to measure.
     free = frozenset(e.name for e in effects_of_exposure()) - all_effects.names(Saturates)
     free -= request.forced | absent
-    if not request.figures and unit_of(request.tolerance) != "noise":
+    if free and not request.figures and unit_of(request.tolerance) != "noise":
         free -= _too_large(
             work.scene, tolerance_of(request.tolerance, work.scene.sensor, work.scene)
         )

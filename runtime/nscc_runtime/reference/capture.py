@@ -97,22 +97,8 @@ class Reference:
         """Return the exposure of frame number `frame` of a scene. `seed`: of the noise.
         `device_seed`: of the fixed patterns and the contents of registers at the start. Results do
         not depend on `threads` (None: all processors)."""
-        rows = range(scene.light.shape[0])
-        return self.expose_rows(scene, rows, seed, device_seed, frame, threads)
-
-    def expose_rows(
-        self,
-        scene: Scene,
-        rows: range,
-        seed: int = 0,
-        device_seed: int = 0,
-        frame: int = 0,
-        threads: int | None = None,
-    ) -> Exposure:
-        """Return the exposure of the consecutive `rows`, identical to these rows of the result of
-        `expose`, whose other arguments are the same. They must lie in the array."""
         loaded = self.container.planes()
-        return self.execute(scene, loaded, (seed, device_seed), frame, rows, threads).exposure
+        return self.execute(scene, loaded, (seed, device_seed), frame, threads=threads).exposure
 
     def execute(
         self,

@@ -117,21 +117,15 @@ def test_moments_are_those_of_the_reference(
 
 
 @pytest.mark.parametrize("name", ["b edges", "c edges", "two buckets"])
-def test_predicted_moments_are_those_of_2000_frames(name: str) -> None:
+def test_predicted_means_are_those_of_2000_frames(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     light, sensor = moving_light((8, ROWS, COLS), 300.0), sensor_of(container, **STRONG)
     program, every = analysed(container, sensor), selected("all")
     moments = scene_moments(program, light, every, DEVICE)
     frames = np.array([*map(by_sums(container, light, sensor, every), range(2000))])
     mean_e, variance_e2 = frames.mean(axis=0), frames.var(axis=0, ddof=1)
-    expected_e2 = moments.variance_e2(program.lane).reshape(variance_e2.shape)
-    # Standard errors: of a mean of 2000 frames, and 2 / 2000 is the relative variance of a
-    # variance.
-    z = (mean_e - moments.mean_e.reshape(mean_e.shape)) / np.sqrt(expected_e2 / 2000)
+    z = (mean_e - moments.mean_e.reshape(mean_e.shape)) / np.sqrt(variance_e2 / 2000)
     assert np.abs(z).max() < 5
-    ratio = variance_e2 / expected_e2
-    assert ratio.mean() == pytest.approx(1.0, abs=5 * np.sqrt(2 / 2000 / ratio.size))
-    assert np.abs(ratio - 1).max() < 6 * np.sqrt(2 / 2000)
 
 
 def example(path: Path) -> Container:

@@ -288,7 +288,8 @@ class EmulatorBench:
         )
         # One row compiles and loads everything; each frame is then drawn once and timed.
         reference = Reference.of(program.container, program.sensor, selected("all"))
-        reference.expose_rows(reference_scene(program.container, light), range(1))
+        scene = reference_scene(program.container, light)
+        reference.execute(scene, program.container.planes(), (0, 0), 0, range(1))
         timed = [timed_ms(partial(next, drawn)) for _ in range(self.frames)]
         return [frame for frame, _ in timed], [ms for _, ms in timed]
 

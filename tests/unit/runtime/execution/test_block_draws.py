@@ -9,7 +9,7 @@ from scipy.stats import poisson as law
 
 from nscc_runtime.execution.block_draws import BLOCK, FORMULA_FROM, MARGIN, ROOM
 from nscc_runtime.execution.count_loop import Counting, draw_counts
-from nscc_runtime.noise import RATE_CAP, key, uniforms
+from nscc_runtime.noise import key, uniforms
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, quantile
 
 STREAM = key(5, 3)
@@ -25,7 +25,6 @@ def drawn(rates: np.ndarray, begin: int = 0, end: int | None = None) -> np.ndarr
             pixels=len(rates),
             groups=1,
             accumulates=0,
-            rate_cap=RATE_CAP,
         ),
         keys=np.array([STREAM], np.uint64),
         rates=rates[None],

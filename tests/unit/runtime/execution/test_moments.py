@@ -143,13 +143,15 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
     dark_e2 = np.array([0.25 * wanted[a, b] for a, b in below])
     light_e2 = np.array([0.75 * wanted[a, b] for a, b in below])
     charge_e, unknown = 10.0 * rng.random(pixels), rng.random((4, buckets, pixels))
+    dark_e = 0.3 * charge_e
     unknown[:, :, ::3] = 0.0
     padded = np.pad(charge_e.reshape(rows, cols), 1)
     sides = padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]
     received = sum(part * side.reshape(-1) for part, side in zip(unknown, sides, strict=True))
     for b in range(buckets):
         wanted[b, b] += 0.1**2 * np.asarray(received)[b]
-    weights, rate_weights = rng.uniform(0.5, 2.0, (buckets, pixels)), rng.random((2, pixels))
+    weights, upper = rng.uniform(0.5, 2.0, (buckets, pixels)), rng.random(pixels)
+    rate_weights = np.stack([1.0 - upper, upper])
     by_rate, fixed_e = rng.random((buckets, 2, pixels)), rng.random((buckets, pixels))
     mean_e, counts = np.empty((buckets, pixels)), np.empty((buckets, pixels))
     own_weights = np.empty((buckets, buckets, pixels), np.float32)
@@ -166,13 +168,14 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
             dark_pairs=pairs,
             exchanged=0.1,
             overlaps=1,
-            cap_e2=1e12,
         ),
         sums=np.concatenate([light_e2, by_rate.reshape(-1, pixels)]),
         rate_weights=rate_weights,
         fixed_e=fixed_e,
         dark_e2=dark_e2,
-        charge_e=charge_e,
+        sum_e=(charge_e - dark_e).reshape(rows, cols) / 2.0,
+        factor=np.full(pixels, 2.0),
+        dark_e=dark_e,
         unknown=unknown,
         electron_weights=weights,
         covariance_e2=np.empty(pairs * cols),
