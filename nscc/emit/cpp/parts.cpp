@@ -260,12 +260,13 @@ uint32_t frame;                     // so many frames came before
 
 // Sends the bits of a plane to the host as text: the first `most` coordinates, then the number of
 // bits and the box around them. `margins` are the numbers of columns on the left and right and of
-// rows at the top and bottom that depend on values beyond the array and are left out, for the first
-// frame, the second and so on; the last entry is for all later frames. (In the simulator, the
-// displays show the planes.)
-template <class Plane, uint32_t frames>
-void report(const char *name, const Plane &plane, const uint16_t (&margins)[frames][4], int most) {
-    const uint16_t *margin = margins[frame < frames ? frame : frames - 1];
+// rows at the top and bottom that depend on values beyond the array and are left out. `row` chooses
+// them: the number of this frame, where the last row is for all later frames, or the values of the
+// sliders. (In the simulator, the displays show the planes.)
+template <class Plane, uint32_t rows>
+void report(const char *name, const Plane &plane, const uint16_t (&margins)[rows][4], uint32_t row,
+            int most) {
+    const uint16_t *margin = margins[row < rows ? row : rows - 1];
     int count = 0, box[] = {@cols@, @rows@, -1, -1};
     for (int y = margin[2]; y < @rows@ - margin[3]; ++y) {
         uint8_t bits[32];

@@ -8,7 +8,8 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from math import ceil
+from itertools import product
+from math import ceil, prod
 from pathlib import PurePath
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
@@ -47,10 +48,15 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.encoding import decode
-from nscc.words.reach import Reach, film_reaches
+from nscc.words.reach import Reach, beyond_reaches, film_reaches
 from nscc.words.readout import converter_of, preparation_of
 
-MARGINS_FOLLOW = "the margins of its reports depend on a parameter"
+_MOST_MARGINS = 4096
+"""Most margins of a report that are stored."""
+MARGINS_FOLLOW = (
+    f"the margins of its reports depend on more than {_MOST_MARGINS} values of parameters, or on "
+    "those of earlier frames"
+)
 MARGINS_GROW = (
     "the states carry what is beyond the border one step further with every frame, so that reports "
     "soon cover no pixel"
@@ -61,8 +67,7 @@ def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator
     """Yield the C++ function `report` and, for each report, the margins of its plane.
 
     A margin is how far from each side of the array pixels depend on light beyond it. `film` has the
-    reach of every plane (by name) by frame: the last entry holds from that frame on; there is at
-    least one entry."""
+    reach of every plane (by name) in each case (`_margins`), at least one."""
     pictures, target = container.pictures, container.target
     yield "#ifdef __LPC43XX__"
     for number, report in enumerate(pictures.reports):
@@ -70,6 +75,32 @@ def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator
         yield f"const uint16_t margin_{number}[][4] = {{{', '.join(rows)}}};"
     yield from template_lines("report", rows=target.rows, cols=target.cols)
     yield ""
+
+
+def _margins(container: Container) -> tuple[list[dict[str, Reach]] | None, str]:
+    """Return the reach of every plane (by name) in each case, and the C++ expression for the number
+    of a frame's case.
+
+    Cases are frames, of which the last one stands for all later ones, or the values of the
+    parameters that set numbers of steps. The list is empty without reports, and None if margins
+    grow with every frame, if there are too many values, or if earlier values count."""
+    pictures, row, names = container.pictures, "0", []
+    if not pictures.reports or not pictures.steps_are_set:
+        return (film_reaches(container) if pictures.reports else []), "frame"
+    ranges = []
+    for number, param in enumerate(pictures.params):
+        if any(loop.times.param == param.name for loop in pictures.loops):
+            names.append(param.name)
+            ranges.append(range(param.low, param.high + 1))
+            row = f"({row}) * {len(ranges[-1])} + param_{number} - ({param.low})"
+    if prod(map(len, ranges)) > _MOST_MARGINS:
+        return None, row
+    cases = [
+        beyond_reaches(container, {}, dict(zip(names, values, strict=True)))
+        for values in product(*ranges)
+    ]
+    carried = any(case[state] != Reach() for case in cases for state in pictures.stepping)
+    return (None if carried else cases), row
 
 
 _SIDE = 1 << ADDRESS_BITS
@@ -103,11 +134,11 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     fault = devkit_fault(container, devkit)
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
-    film = film_reaches(exposure) if exposure.pictures.reports else []
-    # Margins are constant tables in C++; `film` is None if they grow with every frame.
-    if film is None or (film and exposure.pictures.steps_are_set):
+    film, margin_row = _margins(exposure)
+    # Margins are constant tables in C++.
+    if film is None:
         way_out = "read the plane instead of reporting it"
-        reason = MARGINS_FOLLOW if film else MARGINS_GROW
+        reason = MARGINS_FOLLOW if exposure.pictures.steps_are_set else MARGINS_GROW
         raise Rejected(_no_cpp(program, devkit, reason, way_out))
     if container.pixel_codes is None:
         reason = "without `pixels`, the pixels have no codes to load"
@@ -139,7 +170,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         statements = [node.span for node in tree.statements if isinstance(node, kinds)]
         lines += [*(_statement(program, span) for span in statements), *loading_lines(loading), ""]
     lines += report_lines(exposure, film) if film else []
-    lines += ["}  // namespace", "", *_main(container, loading)]
+    lines += ["}  // namespace", "", *_main(container, loading, margin_row)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
     return DevkitProgram("".join(f"{devkit.named(line)}\n" for line in lines), images)
 
@@ -375,9 +406,11 @@ def _kernels(
         yield ""
 
 
-def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
+def _main(container: Container, loading: CodeLoading, margin_row: str) -> Iterator[str]:
     """Yield the lines of the function `main`: displays, loading of codes, frames, readout and
-    reports of planes. What the program does not have is left out."""
+    reports of planes. What the program does not have is left out.
+
+    `margin_row` is the C++ expression for the row of the margins of a frame."""
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     pictures = container.pictures
     names = {register: name for name, register in pictures.registers.items()}
@@ -422,7 +455,8 @@ def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
         for number, report in enumerate(pictures.reports):
             title = literal(f"{report.kind} {report.plane}")
             register = pictures.registers[report.plane]
-            yield f"        report({title}, {register}, margin_{number}, {report.most});"
+            margins = f"margin_{number}, uint32_t({margin_row})"
+            yield f"        report({title}, {register}, {margins}, {report.most});"
         yield "        frame += frame < 65535;"
         yield "#endif"
     yield "    }"

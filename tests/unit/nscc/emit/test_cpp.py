@@ -435,12 +435,37 @@ def test_sliders_change_levels_and_numbers_of_launches(
             check_frames(replace(recording, frames=[frame]), replace(sent, launches=launches))
 
 
+@needs_compiler
+def test_margins_of_reports_follow_the_sliders(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An image beyond the border is unknown as far as two sliders move it."""
+    text = (
+        "nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\nparam t : 1% .. 20% = 4%\n"
+        "param m : -1 .. 2 = 1\nparam k : 0 .. 2 = 0\nimage v = exposure[m, 0]\n"
+        "image w = v[0, k]\nplane p = w > t\nread p\nreport count p\n"
+    )
+    file, _ = build(tmp_path, text)
+    left_right_top_bottom = [[max(-m, 0), max(m, 0), 0, k] for m in range(-1, 3) for k in range(3)]
+    rows = ", ".join(f"{{{', '.join(map(str, row))}}}" for row in left_right_top_bottom)
+    assert f"margin_0[][4] = {{{rows}}};" in file.read_text()
+    for m, k in ((-1, 0), (2, 2), (0, 1)):
+        monkeypatch.setenv("DEVKIT_STUB_SLIDERS", f"5,{m},{k}")
+        (frame, *_) = record(file, "-std=c++11", CHIP).frames
+        scanned = [int(values[-1]) for name, values in frame if name == "scan_bits"]
+        assert scanned == [*range(256 - k)]
+
+
 def test_programs_that_the_devkit_cannot_run_yet_are_refused(tmp_path: Path) -> None:
     head = "nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\nplane p = exposure > 4%\n"
     for text, why in (
         ("input plane q\nplane r = p and q\nread r\n", "input planes"),
         ("image v = exposure / 2\nread p\nreport sum v\n", "sums of images"),
-        ("param m : 0 .. 4 = 2\nplane r = p[m, 0]\nreport count r\n", "depend on a parameter"),
+        (
+            "param m : 0 .. 4 = 2\nstate s : bit = 0 kept\nkernel k = [[1, 2, 1]] / 4\n"
+            "plane q = k(exposure) > 2%\nplane r = q[m, 0]\nnext s = r\nreport count s\n",
+            "those of earlier frames",
+        ),
     ):
         (tmp_path / "p.nsl").write_text(head + text)
         outcome = invoke(["build", "p.nsl", "--emit", "cpp=-"], tmp_path)
