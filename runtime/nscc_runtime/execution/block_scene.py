@@ -59,7 +59,8 @@ from nscc_runtime.execution.stretch_loop import (
     exchange_counts,
     light_means,
 )
-from nscc_runtime.light import Light
+from nscc_runtime.execution.sum_loop import drawn_at
+from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.trace import retention_us
@@ -266,9 +267,15 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     def add_light() -> None:
         """Add up, in `means`, the light of all sites (pixels whose charge is computed) for each
         stretch of slots."""
-        for rows, top, strip in scene.light.strips(1):
-            own, first, stop = sites, 0, count
-            if strip is not scene.light:
+        light, at_light = scene.light, sites
+        if scene.known_means is not None and isinstance(light.frames, DrawnFrames):
+            # The planner exposes the same pixels many times, so their light is drawn once.
+            key, places = (count, effects.names(Moving)), sites.place[order]
+            light = scene.known_means.of(key, lambda: drawn_at(scene.light, places))
+            at_light = sites._replace(place=np.argsort(order))
+        for rows, top, strip in light.strips(1):
+            own, first, stop = at_light, 0, count
+            if strip is not light:
                 cols = strip.shape[1]
                 own = sites._replace(place=sites.place - top * cols)
                 edges = rows.start * cols, rows.stop * cols

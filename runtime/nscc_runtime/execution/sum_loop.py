@@ -381,6 +381,13 @@ def light_sums(
     return out.reshape(count, -1)
 
 
+def drawn_at(light: Light, places: Ints) -> Light:
+    """Return the light of the pixels at the ascending `places`, at least one, as a light with one
+    row, in memory."""
+    pieces = [np.asarray(own.frames) for _, own in light_at(light, places)]
+    return replace(light, frames=np.concatenate(pieces, axis=2), motion=None)
+
+
 def light_at(light: Light, places: Ints) -> Iterator[tuple[slice, Light]]:
     """Yield the light of the pixels at the ascending `places`, row * cols + col: a slice of
     `places`, and their light with one row. All are one slice, unless frames are drawn.

@@ -44,7 +44,7 @@ def test_motion_moves_from_slot_to_slot() -> None:
     assert change.mean() > 0.02
 
 
-@pytest.mark.parametrize("effects", ["none", "all", "shot,full_well,crosstalk,prnu"])
+@pytest.mark.parametrize("effects", ["none", "all", "auto", "shot,full_well,crosstalk,prnu"])
 def test_a_clip_that_is_drawn_in_strips_exposes_the_same_frame(
     monkeypatch: pytest.MonkeyPatch, effects: str
 ) -> None:
