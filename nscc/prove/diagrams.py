@@ -282,10 +282,11 @@ class Forms:
         return self._propagated[key]
 
     def counted(self, bit: int, steps: Fraction) -> Form:
-        """Return `steps` of IN (the value that all pixels receive) where a bit, given as a diagram,
-        is 1, else 0, as a weighted sum.
+        """Return the form (weighted sum) of a value that is `steps` of IN where `bit` is 1, else 0.
 
-        A bit and its inverse share an unknown. The sum is empty for the constant 0."""
+        `bit` is a decision diagram (`Diagrams`). IN is the value that all pixels receive. A step of
+        IN times the bit is an unknown of the form. A bit and its inverse share this unknown. The
+        form is empty for the constant 0."""
         diagrams = self.diagrams
         if bit == diagrams.zero:
             return {}
@@ -316,8 +317,9 @@ class Forms:
         """Return the form `then` where the bit, given as a diagram, is 1 and `otherwise` where it
         is 0.
 
-        If they differ by a number of steps of IN (the level sent to all pixels), the result is
-        linear in an unknown of the bit. Otherwise the factors of all unknowns branch on the bit."""
+        If they differ by a number of steps of IN (the level sent to all pixels), the result
+        contains one unknown for the bit (`counted`). Otherwise the factors of all unknowns branch
+        on the bit."""
         diagrams = self.diagrams
         if bit == diagrams.one:
             return then

@@ -18,7 +18,7 @@ def test_ssim_of_equal_flat_pictures_is_1() -> None:
 
 @pytest.mark.parametrize("pedestal", [0.0, 1e4, 1e6])
 def test_ssim_is_exact_for_float32_values_far_from_zero(pedestal: float) -> None:
-    """Against windows summed exactly, with each window's own mean taken away first."""
+    """The expected value comes from exact sums (`fsum`), after each window's mean is subtracted."""
     rng = np.random.default_rng(2)
     x, y = ((pedestal + rng.standard_normal((12, 12)) * 0.25).astype(np.float32) for _ in range(2))
     weight = [math.exp(-0.5 * (k / 1.5) ** 2) for k in range(-5, 6)]

@@ -78,10 +78,11 @@ def test_gradients_of_soft_shutters_equal_finite_differences(spec: ShutterSpec) 
 
 @pytest.mark.parametrize("relaxation", SLOPED)
 @pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
-def test_few_codes_are_dead_at_the_start(spec: ShutterSpec, relaxation: str) -> None:
+def test_most_codes_have_a_gradient_at_the_start(spec: ShutterSpec, relaxation: str) -> None:
+    """A parameter is dead if its gradient is exactly 0: it cannot learn from the batch."""
     encoder = make_encoder(spec, "random", 1, relaxation)
     generator = torch.Generator().manual_seed(0)
-    # a third of the pixels would saturate, were they always open
+    # A third of the pixels would saturate if they were always open.
     light = 45000 * torch.rand(2, spec.slots, 16, 16, generator=generator) / spec.slots * 2
     model = SensorModel(30000.0, 30000.0 / 255, shot_noise=True)
     frame = differentiable_capture(light, encoder, model, generator=generator).frame
@@ -89,8 +90,8 @@ def test_few_codes_are_dead_at_the_start(spec: ShutterSpec, relaxation: str) -> 
     assert encoder.dead_share() < 0.5
 
 
-def test_without_the_stand_in_saturation_kills() -> None:
-    """The measure notices: every pixel saturated, and no slope beyond the full well."""
+def test_saturated_pixels_have_a_gradient_only_with_a_slope_above_the_full_well() -> None:
+    """All pixels are saturated. With slope 0 all parameters are dead, with slope 0.1 none is."""
     encoder = make_encoder(ShutterSpec("b", 16, (4, 4)), "quad")
     light = torch.full((1, 16, 4, 4), 1e6)
     shares = []

@@ -248,7 +248,7 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, Ints]:
 
 def _period(places: Ints, is_whole: bool) -> int:
     """Return the smallest period of `places` (rows, cols), numbers of shutters, along their first
-    axis: after so many rows, all rows repeat. Without a period it is the number of rows.
+    axis: the number of rows after which all rows repeat. Without a period it is the number of rows.
 
     A tile is repeated as a whole, so its period must divide the number of rows. If the mask covers
     the array (`is_whole`), the last period may be incomplete."""

@@ -248,9 +248,9 @@ class CodeLoading:
         """Return the library calls that write every code register again, before it loses its bits;
         none if there is no code.
 
-        The masked register is written back while its mask is 1; the mask's own code is kept in FLAG
-        (the bit that lets a pixel act) meanwhile. If the mask holds no code, it is simply
-        overwritten."""
+        The masked register changes only in pixels whose mask, another register, is 1. So the mask
+        is set to 1 in all pixels before the masked register is refreshed. If the mask holds bits of
+        the code, FLAG (the bit that lets a pixel act) keeps them meanwhile."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []

@@ -117,10 +117,10 @@ def _contain(
 
 def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
     """Set the noise of one read in `chosen`, in place, from `noise`, the temporal noise of dark
-    frames in electrons, which contains that of `chain.reads` reads. The parts of that noise become
-    0.
+    frames in electrons, which contains that of `chain.reads` reads. Other noises that dark frames
+    contain become 0, because frames show only the sum.
 
-    Change nothing if the noise is unknown or no read counts."""
+    Change nothing if the noise is unknown or `chain.reads` is about 0."""
     if noise.value is None or chain.reads < _NO_PART:
         return
     read_factor = sqrt(chain.reads)
@@ -144,12 +144,14 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
 def _pattern(
     chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
 ) -> None:
-    """Set the code without charge and the fixed pattern of the pixels in `chosen`, in place, from
-    `quantities` by name. Change nothing if one of both is unknown.
+    """Set the parameters of the code without charge and of the fixed pattern of the pixels in
+    `chosen`, in place. Change nothing if `offset` or `dsnu_lsb` of `quantities` (by name) is
+    unknown.
 
-    Whole codes become the ADC's offset, which is added after rounding; the remainder becomes an
-    error of the words, of which `chain.word_sum` count. If they cancel, all becomes the offset. The
-    pattern becomes that of the readout."""
+    The code `offset`, rounded to a whole code, becomes the ADC's offset, which is added after
+    rounding. The remainder, divided by `chain.word_sum`, becomes the error of each word. If
+    `chain.word_sum` is about 0, the words cancel their errors: then all of `offset` becomes the
+    ADC's offset. The pattern `dsnu_lsb` becomes the pattern of the readout."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
@@ -185,8 +187,8 @@ def _pattern(
 
 
 def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
-    """Set the full well in `chosen`, in place, from `full`, in electrons. A lower limit counts if
-    it is above the full well of `target`. Change nothing if it is unknown.
+    """Set the full well in `chosen`, in place, from `full`, in electrons. If `full` is only a lower
+    limit, it is used if it is above the full well of `target`. Change nothing if it is unknown.
 
     The range of registers is enlarged if necessary, because words move the charge through
     registers."""

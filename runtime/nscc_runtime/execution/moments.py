@@ -112,7 +112,7 @@ def scene_moments(
 
 @dataclass(frozen=True, eq=False)
 class _ChipMoments:
-    """What the moments of all scenes share on a chip under some effects.
+    """The part of the moments that all scenes share on a chip under some effects.
 
     `leak_rates`: the leakage rates of sums. `rate_weights` (rates, pixels): weights that
     interpolate sums at each pixel's rate. `factor` (pixels,), `factor_32`: factor on the light.
@@ -190,11 +190,13 @@ def _completed(
     exchanged: float,
     threads: int,
 ) -> Moments:
-    """Return the moments of a scene with `light`.
+    """Return the moments (means and covariances) of a scene's frames with `light`: those of `chip`,
+    which all scenes share, completed by those that depend on the light.
 
-    `sums`: the sums of light of `scene_moments`, (sums, pixels). `light_pairs`: number of pairs of
-    buckets at the start of `sums`, 0 if light is not counted. `exchanged`: fraction of its charge
-    that a pixel gives to each neighbour."""
+    `sums` (sums, pixels): weighted sums of the light, from `light_sums`. The first `light_pairs` of
+    them belong to pairs of buckets; 0 if light is not counted. The others belong to buckets and
+    leakage rates. `exchanged`: fraction of its charge that a pixel gives to each neighbour. Results
+    do not depend on the number of `threads`."""
     buckets, pixels = chip.fixed_e.shape
     # Without light or dark charge that is counted, nothing is drawn.
     draws = buckets if light_pairs or len(chip.dark_e2) else 0

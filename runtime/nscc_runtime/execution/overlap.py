@@ -27,14 +27,16 @@ neighbour, and these neighbours."""
 
 
 def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights:
-    """Return the weights of neighbours' counts in the exposures of pixels.
+    """Return the electrons that one count of each neighbour would add to a pixel's exposures if all
+    of the neighbour's charge moved to the pixel.
 
     Parameters
     ----------
     seconds : float64, shape (N, lanes, buckets)
-        Length of each slot times its weight in the exposures of a lane.
+        Length of each slot in seconds times its weight in the exposures of a lane (the pixels of
+        one code).
     estimated : float64, shape (N, lanes, draws)
-        Charge per second in each slot, for one count of a draw of a lane.
+        Estimated charge per second in each slot, in electrons, if a draw of a lane counts 1.
     lanes : int32, shape (rows, cols)
         The lane of each pixel.
 

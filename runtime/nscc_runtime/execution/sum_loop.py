@@ -183,14 +183,15 @@ def scene_sums(
     gathered: Written[Floats],
     out: Written[Annotated[Floats, "sums rows cols"]],
 ) -> None:
-    """Set out[j, p] to the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
+    """Set out[j, p] to the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p], for the
+    pixels p of rows `sizes.begin` to `sizes.end` - 1.
 
     For the sums j from number `sizes.smeared` on, scale * frames is the light after crosstalk; it
     is computed in float32 with `share`, which is `scale` in float32. All other products and sums
-    are float64. The frames are read once for all sums. `lit_sums`: whether any lane (the pixels of
-    one code) has a nonzero weight. `alike`: number of consecutive frames from frame k on with equal
-    weights; these are added up before they are weighted. `lit` and `gathered` are working memory
-    for `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
+    are float64. The frames are read once for all sums. `lit_sums`: 1 if any lane (the pixels of one
+    code) has a nonzero weight for a frame in a sum. `alike`: number of consecutive frames from
+    frame k on with equal weights; these are added up before they are weighted. `lit` and `gathered`
+    are working memory for `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):
@@ -198,7 +199,7 @@ def scene_sums(
             for j in range(sizes.sums):
                 for p in range(first, stop):
                     out[j * pixels + p] = 0.0
-            # Successive sums with equal lanes are added together, `alike[k]` of them at a time.
+            # Successive frames with equal weights are added together: `alike[k]` from frame k on.
             k = 0
             while k < count:
                 _add_alike(

@@ -1,4 +1,4 @@
-"""Times of a film's frames: films whose frames last unequally are resampled to even steps."""
+"""Times of a clip's frames: clips whose frames last unequally are resampled to even steps."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ _EVEN_SHARE = 0.5
 
 
 def timed(pages: Pages) -> Pages:
-    """Return a film with the starts of its frames in `edges`, in units of the shortest duration, if
-    its frames last unequally.
+    """Return the clip `pages`; if its frames last unequally, with their starts in `edges`, in units
+    of the shortest duration.
 
     Frames of 0 ms are left out, because no viewer shows them. Notes say what is unusual. A file
     without a clock, of one picture, or of frames that all last 0 ms is returned as it is."""
@@ -82,8 +82,8 @@ def _edges(durations_s: Floats) -> tuple[Fraction, ...]:
 
 
 def from_frame(edges: Edges, first: int) -> Edges:
-    """Return the `edges` of a film (starts of its frames and its end, or None) that begins with
-    frame number `first`, from 0. They are unchanged if the film ends earlier, which the caller
+    """Return the `edges` of a clip (starts of its frames and its end, or None) that begins with
+    frame number `first`, from 0. They are unchanged if the clip ends earlier, which the caller
     reports."""
     if edges is None or first >= len(edges):
         return edges

@@ -26,7 +26,7 @@ Note = tuple[str, str]
 """A sentence about a file, without its name, and a remedy."""
 
 Edges = tuple[Fraction, ...] | None
-"""Starts of a film's frames, and its end, in steps of equal length; None if every frame lasts one
+"""Starts of a clip's frames, and its end, in steps of equal length; None if every frame lasts one
 step. Frame k lasts from entry k to entry k + 1."""
 
 

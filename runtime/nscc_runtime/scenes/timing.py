@@ -46,7 +46,7 @@ def frames_needed(slot_us: Sequence[float], fps: Fraction, edges: Edges = None) 
     (microseconds) need at `fps` frames per second; 1 or more.
 
     `edges`: the starts of frames that last unequally, and the end, in steps of 1 / `fps`; None if
-    every frame lasts one. If they end too early, the result is one more than the film has
+    every frame lasts one. If they end too early, the result is one more than the clip has
     frames."""
     end = slot_edges_us(slot_us)[-1] * fps / 1_000_000 - _SLACK_FRAMES
     return max(1, ceil(end) if edges is None else bisect_left(edges, end))

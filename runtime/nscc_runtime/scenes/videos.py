@@ -56,10 +56,10 @@ class _Timing:
 def video_pages(path: Path) -> Pages:
     """Open the frames of the video `path`, uint8 or uint16 (R, C, 3), with their times.
 
-    Of several films the one that the file marks as the default is opened, and no cover. A truncated
-    file yields the frames before its end. Raises ValueError without frames, or for frames of more
-    than MOST_PIXELS, which FFmpeg does not decode; ImportError without PyAV; FFmpeg's errors for
-    other files."""
+    Of several video streams in the file, the stream marked as the default is opened. A cover (an
+    attached picture) is never opened. A truncated file yields the frames before its end. Raises
+    ValueError without frames, or for frames of more than MOST_PIXELS, which FFmpeg does not decode;
+    ImportError without PyAV; FFmpeg's errors for other files."""
     import av
 
     # The times of all frames are read first, without decoding pictures.
@@ -92,9 +92,12 @@ def video_pages(path: Path) -> Pages:
 
 @contextmanager
 def _opened(path: Path) -> Iterator[tuple[Any, Any]]:
-    """Open the video `path` for a with block, and yield its container (a compiled program) and the
-    stream of the film: the one marked as the default, else the first that is no cover. Files that
-    it names are never opened. Raises ValueError without a film, and FFmpeg's errors."""
+    """Open the video `path` for a with block, and yield PyAV's container and the video stream to
+    read: the stream marked as the default, else the first that is not a cover (an attached
+    picture).
+
+    Files that the video names are never opened. Raises ValueError without such a stream, and
+    FFmpeg's errors."""
     import av
 
     # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist
@@ -203,9 +206,10 @@ def _frames(path: Path, pixel: Fraction) -> Iterator[Array]:
 
 
 def picture_of(frame: Any) -> Array:
-    """Return red, green and blue (R, C, 3) of `frame`, a decoded frame of PyAV, by the matrix and
-    the range that it names. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8
-    bits."""
+    """Return red, green and blue (R, C, 3) of `frame`, a decoded frame of PyAV.
+
+    The frame names the matrix that converts luma and chroma to colours, and the range of its
+    samples. Values are 0..255 (uint8), or 0..65535 (uint16) for more than 8 bits."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))

@@ -79,7 +79,7 @@ def test_a_solution_within_the_limit_is_preferred_to_a_cheaper_one(tmp_path, row
 
 
 def check_rows(folder, error, text_of, limits):
-    """The K that an error names passes, and one row more does not."""
+    """Checks that a codebook of the K rows in the error compiles, and one of K + 1 does not."""
     count = error["data"]["rows"]
     assert re.search(rf"K = {count} +the first {count} of the ", error["rendered"])
     assert "compiled and fits" in error["rendered"]
@@ -189,7 +189,7 @@ def test_check_reports_certain_limits_as_errors_and_others_as_notes(tmp_path):
 
 
 @pytest.mark.parametrize("command", ["run", "shutters", "view"])
-def test_every_command_that_compiles_accepts_the_limit(tmp_path, command):
+def test_every_command_that_compiles_refuses_programs_above_the_limit_of_words(tmp_path, command):
     (tmp_path / "p.nsl").write_text(STOPS + "pixels stop = 1 + (x + 4 * y) % 16\n")
     scene = ["--scene", "builtin:dark"] if command == "run" else []
     out = "out.png" if command == "view" else "out.npz"
@@ -211,7 +211,7 @@ def test_max_words_per_slot_refuses_wrong_values(tmp_path):
 
 @pytest.mark.slow
 def test_the_shortest_slot_counts_launches_and_is_printed(tmp_path):
-    """Against the container's own kernels and launches, from boundary 1 on."""
+    """The expected slot comes from the container's kernels and launches, from boundary 1 on."""
     (tmp_path / "p.nsl").write_text(book_program(BOOK.tolist()))
     outcome = invoke(["build", "p.nsl", "--emit", "icw,report"], tmp_path)
     container = read_container(tmp_path / "p.icw")

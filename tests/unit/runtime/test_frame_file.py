@@ -107,7 +107,7 @@ def test_values_that_are_not_numbers_read_zero_and_are_invalid() -> None:
     np.testing.assert_array_equal(frame.valid, [[[False, False, False, True]]])
 
 
-def test_converters_of_fewer_bits_clip_and_of_more_are_refused() -> None:
+def test_a_converter_of_six_bits_clips_and_one_of_ten_bits_is_refused() -> None:
     six = replace(TARGET, adc_bits=6)
     frame = read_out(exposure(np.full((1, 1, 1), 1e9)), six)
     # The last of 64 codes.

@@ -66,7 +66,7 @@ def test_the_physics_equals_the_emulator(kind: str) -> None:
 
 @pytest.mark.parametrize("kind", [*TEXTS, "encoder"])
 def test_inverse_and_proximal_step_are_the_matrix_ones(kind: str) -> None:
-    """Against dense matrices of single pixels, in float64."""
+    """The expected values come from dense matrices of single pixels, in float64."""
     operator = physics(kind).double()
     x = light(kind, 1).double()
     y = operator.A(x)

@@ -126,7 +126,8 @@ def test_codes_of_the_model_have_the_moments_of_the_emulators(
 
 
 def test_a_shutter_has_its_response_at_every_place(table: EmulatedSensor) -> None:
-    """Beside a measurement of the same shutters at other places, which is not needed."""
+    """The expected responses come from a measurement of the same shutters at other places. The
+    tables themselves need no new measurement."""
     turned = PROGRAM.replace("[[0, 2], [0, 3]]", "[[3, 0], [2, 0]]")
     turned = turned.replace("[[8, 5], [4, 8]]", "[[8, 8], [5, 4]]")
     other = compile_source(Source("p.nsl", turned), Path(), Options(level=1)).container

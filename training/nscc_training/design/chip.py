@@ -19,6 +19,7 @@ from nscc_runtime.response import converter_e2, gain_spread
 from nscc_training.curves import MU, mu_law
 
 Curve = Literal["mu", "linear", "log"]
+"""Name of the scale on which errors of light are measured; `on_curve` computes the scales."""
 CURVES: tuple[Curve, ...] = get_args(Curve)
 PERCENTILE = 99.9
 """Percentile of a scene's light that counts as its peak, as in protocol hdr-v1."""
@@ -84,8 +85,8 @@ class DesignChip:
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def _words_e2(self, reads: int, additions: int, moves: int) -> float:
-        """Return the variance, in square electrons, that a pixel's words add: so many `reads` of
-        PIX (the photodiode), `additions` and `moves` of values."""
+        """Return the variance, in square electrons, that a pixel's words add. `reads`, `additions`
+        and `moves` are the numbers of reads of PIX (the photodiode), of additions and of moves."""
         words = self.effects.find_part(WordGain)
         move_noise = 1.0 if words is None else words.move_noise(self.sensor)
         times = {"reads": reads, "words": additions + moves * move_noise**2, "resets": 0.0}

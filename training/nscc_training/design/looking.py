@@ -73,9 +73,9 @@ class LookModel:
         self._closed: dict[int, Floats32] = {}
 
     def exposure_errors(self, curve: Curve) -> Floats:
-        """Return the mean square errors on a curve of exposures that end at each boundary, (groups,
-        slots + 1): row g for pixels of the histogram's group g of equal light, column k for the
-        boundary after k slots.
+        """Return the mean square errors, on the scale `curve`, of exposures that end at each
+        boundary, (groups, slots + 1): row g for pixels of the histogram's group g of equal light,
+        column k for the boundary after k slots.
 
         Column 0 is infinite, because nothing has been exposed. Results are kept for later calls."""
         if curve not in self._exposure_errors:
@@ -128,8 +128,9 @@ class LookModel:
         yield self.slots, open_
 
     def best(self, looks: int, curve: Curve) -> LookSchedule:
-        """Return the schedule of `looks` looks with the smallest expected error on a curve that a
-        local search finds. `looks` is at least 1 and smaller than the number of slots.
+        """Return the schedule of `looks` looks with the smallest expected error, on the scale
+        `curve`, that a local search finds. `looks` is at least 1 and smaller than the number of
+        slots.
 
         The search begins with several geometric schedules. It moves one look after the other and
         gives it the best level, with the other looks fixed, until no move reduces the error. The
@@ -159,8 +160,8 @@ class LookModel:
         return schedule
 
     def _descended(self, schedule: LookSchedule, curve: Curve) -> tuple[float, LookSchedule]:
-        """Improve a schedule in rounds until its error on a curve falls by less than 0.01 %, for
-        `_ROUNDS` rounds at most. Return the expected error and the schedule."""
+        """Improve a schedule in rounds until its error, on the scale `curve`, falls by less than
+        0.01 %, for `_ROUNDS` rounds at most. Return the expected error and the schedule."""
         worth = np.inf
         for _ in range(_ROUNDS):
             schedule, now = self._round(schedule, curve)
@@ -196,7 +197,7 @@ class LookModel:
     def _round(self, schedule: LookSchedule, curve: Curve) -> tuple[LookSchedule, float]:
         """Replace the boundary and the level of each look in turn, the last first, by those with
         the smallest error while the other looks stay. Return the new schedule and its expected
-        error on a curve."""
+        error, on the scale `curve`."""
         boundaries, rows = list(schedule.at), self._rows(schedule)
         worth = np.inf
         for k in reversed(range(len(boundaries))):
@@ -222,8 +223,8 @@ class LookModel:
         return LookSchedule(tuple(boundaries), steps), worth
 
     def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Floats:
-        """Return the expected error (groups, offsets) on a curve of a pixel that is still open
-        after look number `k`; -1 means before the first look.
+        """Return the expected error (groups, offsets), on the scale `curve`, of a pixel that is
+        still open after look number `k`; -1 means before the first look.
 
         `at` has the boundaries of the looks and `rows` the indices of their levels: row rows[j] of
         `closed(at[j])` is the fraction of the pixels that look j closes."""

@@ -35,7 +35,7 @@ _MOST_TILES = 2048
 @dataclass(frozen=True)
 class Tile:
     """A 2 x 2 tile of stops, row by row from the top left. Its `risk` is the mean square error, on
-    a curve, that an ideal decoder cannot remove."""
+    the scale of a `Curve`, that an ideal decoder cannot remove."""
 
     stops: tuple[int, int, int, int]
     risk: float
@@ -185,12 +185,13 @@ class TileDesign(Design):
 def design_looks(
     scenes: Scenes, exposures: int, frame: Frame | None = None, curve: Curve = "mu"
 ) -> LookingDesign:
-    """Design the program of looks with the smallest expected error on a curve, without a decoder.
+    """Design the program of looks with the smallest expected error, without a decoder.
 
-    Each pixel has one of `exposures` exposure times; the last ends with the frame. `scenes` are
-    (rows, cols), in electrons of an always open pixel over the frame, and have equal weight.
-    `frame` None takes the defaults of `Frame`. Raises Rejected: NS0824 for a scene without light,
-    and the compiler's errors."""
+    `curve` is the scale on which errors are measured (`nscc_training.design.chip`). Each pixel has
+    one of `exposures` exposure times; the last ends with the frame. `scenes` are (rows, cols), in
+    electrons of an always open pixel over the frame, and have equal weight. `frame` None takes the
+    defaults of `Frame`. Raises Rejected: NS0824 for a scene without light, and the compiler's
+    errors."""
     frame = frame or Frame()
     chip = frame.chip()
     slot_us = [frame.slot_us] * frame.slots
@@ -215,9 +216,11 @@ def design_looks(
 
 
 def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
-    """Design the 2 x 2 tile of exposure times with the smallest risk (see `best_tile`) on a curve.
-    `scenes` are stills (rows, cols) in electrons over the frame; `frame` None takes the defaults of
-    `Frame`. Raises Rejected: NS0824 for a scene without light, and the compiler's errors."""
+    """Design the 2 x 2 tile of exposure times with the smallest risk (see `best_tile`).
+
+    `curve` is the scale on which errors are measured (`nscc_training.design.chip`). `scenes` are
+    stills (rows, cols) in electrons over the frame; `frame` None takes the defaults of `Frame`.
+    Raises Rejected: NS0824 for a scene without light, and the compiler's errors."""
     frame = frame or Frame()
     chip = frame.chip()
     tile, tile_count = best_tile(chip, scenes, frame.slots, curve)

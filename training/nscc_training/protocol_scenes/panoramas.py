@@ -37,11 +37,13 @@ class Crop(ProtocolScene):
         return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
 
     def scores(self, result_e: Picture) -> Item:
-        """Return PSNR, SSIM, mu-law and PU21 PSNR as JSON values, and the PSNR and the share of
-        saturated and of dark pixels.
+        """Return the scores of the reconstruction `result_e` as JSON values: PSNR, SSIM, mu-law
+        PSNR and PU21 PSNR; and for saturated and for dark pixels their PSNR and their fraction.
 
-        `result_e` (rows, cols) is in electrons over the frame. A pixel counts as saturated if it
-        would be when always open. The PSNR of a region is None if the crop has no such pixels."""
+        `result_e` (rows, cols) is in electrons over the frame. A pixel counts as saturated if its
+        true light over the frame fills the well, and as dark if it is below the fraction
+        `dark_fraction` of a full well. The PSNR of either is None if the crop has no such pixels.
+        """
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])

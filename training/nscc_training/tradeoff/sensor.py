@@ -158,11 +158,11 @@ def _point(kind: str, method: str, slots: int, measure: Callable[[], Figures]) -
 
 
 def readout_points(settings: SensorStudySettings) -> list[StudyPoint]:
-    """Return two points for each count in `settings.readouts`: clips in so many readouts of one
-    exposure ("coded"), and in a "burst" of so many frames.
+    """Return two points for each number of readouts in `settings.readouts`, both of clips.
 
-    Coded readouts are decoded by the decoder for any code; every frame of a burst is shown for as
-    long as it was open."""
+    Point "coded" reads out one coded exposure that many times, and the decoder for any code
+    reconstructs the clip. Point "burst" takes that many ordinary frames one after another, and
+    shows each frame for the time for which it was open."""
     # The shipped programs have this many slots, whatever the settings.
     values = {**bench_values(settings, "clips"), "frames": SLOTS}
     return [

@@ -92,7 +92,7 @@ def test_largest_with_equals_counting(most, ceiling):
 
 @pytest.mark.parametrize("size", [3, slow(4), slow(5), slow(6)])
 def test_families_count_their_shutters(size):
-    """Against the decode table of the program itself, at sizes where each family has one."""
+    """The expected counts come from the decode table of the compiled program."""
     for family in families():
         at = size + family.least - 1
         source = Source("family.nsl", family.text(at, "1ms"))

@@ -298,8 +298,8 @@ def test_level_bound_is_the_known_number_of_words(name, shutters, slots, bound):
 @pytest.mark.parametrize("slots", range(2, 9))
 @pytest.mark.parametrize("registers", range(2, 7))
 def test_the_bound_of_bumps_counts_the_registers_that_can_be_loaded_at_first(slots, registers):
-    """By trial: sets of slots outside of which so few bumps lie that the other registers tell them
-    apart."""
+    """The expected number comes from all sets of slots. A set can be loaded if the other registers
+    can distinguish the bumps that contain none of its slots."""
     bumps = [(a, b) for a in range(slots) for b in range(a, slots)]
     if len(bumps) > 1 << registers:
         return

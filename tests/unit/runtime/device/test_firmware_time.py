@@ -108,7 +108,8 @@ def test_long_waits_let_the_main_loop_go_round(run: Run) -> None:
     ids=["room for a look", "just enough of it", "none", "almost none", "words alone"],
 )
 def test_the_line_is_looked_at_every_ten_milliseconds(run: Run, slot_us: float, each: int) -> None:
-    """However short waits are; where one is long enough, no launch is late for it."""
+    """This holds for waits of any length. If a wait is long enough, looking at the line delays no
+    launch."""
     count = min(200_000, int(1.9e6 / max(slot_us, each)))
     rows = [(0, 0, 1), *[(1, 1, part) for part in (60_000,) * (count // 60_000)]]
     slots = sum(times for advance, _, times in rows if advance) or count

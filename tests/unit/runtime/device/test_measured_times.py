@@ -27,7 +27,7 @@ CHIP = replace(
 
 
 def dark(target: Target) -> ChipAtOnce:
-    """A chip that sees nothing, in any number of slots."""
+    """A chip without light, in any number of slots."""
     return ChipAtOnce(
         lambda slots: Light.of_clip(np.zeros((len(slots), *SHAPE), np.float32)), target
     )
@@ -43,11 +43,12 @@ class Wire:
         self.line = Simulation(self.host, loader)
 
     def run(self, work: Callable[[], Any]) -> Any:
-        """What comes of a task."""
+        """Runs a task, and returns its result."""
         return self.line.run(self.host.lasting(work))
 
 
 def check(times: MeasuredTimes) -> None:
+    """Checks that measured times are those of CHIP, in microseconds."""
     assert times.launch_us == pytest.approx(2.5, abs=0.002)
     assert times.analog_word_us == pytest.approx(0.37, abs=0.0002)
     assert times.digital_word_us == pytest.approx(0.11, abs=0.0002)
@@ -55,13 +56,13 @@ def check(times: MeasuredTimes) -> None:
     assert times.of(CHIP).launch_us == times.launch_us
 
 
-def test_the_twin_has_the_times_of_its_target() -> None:
+def test_the_times_measured_on_the_twin_are_those_of_its_target() -> None:
     wire: Any = Wire(Loader(CHIP, dark(CHIP), "a twin"))
     check(measured(wire, CHIP))
 
 
 @pytest.mark.skipif(firmware.compiler() is None, reason="no C++ compiler")
-def test_the_firmware_has_the_measured_times_of_the_stand_in() -> None:
+def test_the_times_measured_on_the_firmware_are_those_of_its_target() -> None:
     with Lockstep(firmware.built(CHIP, ("-O1",)), dark(CHIP)) as loader:
         wire: Any = Wire(loader)
         check(measured(wire, CHIP))

@@ -93,7 +93,7 @@ def without_a_breath(launches: int) -> Upload:
 def test_a_frame_without_a_breath_is_cancelled_at_once(
     started: Callable[[Example], RunningFirmware],
 ) -> None:
-    """By the board's own clock; the frame would take a second and more."""
+    """The board's own clock measures the time. The whole frame would take more than a second."""
     host = new_host(1)
     line = RealTime(host, started(examples(SLOT_US)[0]))
     program = without_a_breath(65_535)

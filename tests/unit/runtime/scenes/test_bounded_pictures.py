@@ -22,12 +22,12 @@ SMALL, LARGE = np.full((20, 30, 3), 100, np.uint8), np.full((30, 40, 3), 100, np
 
 @pytest.fixture
 def bound(monkeypatch: pytest.MonkeyPatch) -> None:
-    """One pixel less than LARGE has."""
+    """Sets the largest permitted number of pixels to one less than LARGE has."""
     monkeypatch.setattr(limits, "MOST_PIXELS", 1199)
 
 
 def refused(path: Path) -> str:
-    """What is said of a picture that is refused for its size."""
+    """Checks that a picture is refused for its size (NS0734), and returns the message."""
     with pytest.raises(Rejected) as raised:
         next(open_pages(path).read())
     (diagnostic,) = raised.value.diagnostics
@@ -36,7 +36,9 @@ def refused(path: Path) -> str:
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
-def test_every_page_of_a_tiff_counts(tmp_path: Path, bound: None, dtype: Any) -> None:
+def test_a_tiff_with_one_page_above_the_size_limit_is_refused(
+    tmp_path: Path, bound: None, dtype: Any
+) -> None:
     with tifffile.TiffWriter(tmp_path / "a.tiff") as file:
         file.write(SMALL.astype(dtype))
         file.write(LARGE.astype(dtype))
@@ -52,13 +54,15 @@ def write_exr(path: Path, count: int = 1, **header: Any) -> None:
     OpenEXR.File(parts).write(str(path))
 
 
-def test_the_display_window_of_an_exr_counts(tmp_path: Path, bound: None) -> None:
+def test_an_exr_with_a_display_window_above_the_size_limit_is_refused(
+    tmp_path: Path, bound: None
+) -> None:
     window = (np.array([0, 0], np.int32), np.array([39, 29], np.int32))
     write_exr(tmp_path / "a.exr", displayWindow=window)
     assert "30 x 40 pixels" in refused(tmp_path / "a.exr")
 
 
-def test_parts_of_an_exr_count_together(tmp_path: Path, bound: None) -> None:
+def test_the_size_limit_holds_for_all_parts_of_an_exr_together(tmp_path: Path, bound: None) -> None:
     write_exr(tmp_path / "two.exr", 2)
     assert open_pages(tmp_path / "two.exr").count == 2
     write_exr(tmp_path / "three.exr", 3)
@@ -130,7 +134,7 @@ def test_videos_above_the_limit_are_refused(
     )
 
 
-def test_clips_that_are_compared_have_the_bound_of_arrays(
+def test_clips_to_compare_are_refused_above_the_limit_in_bytes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with tifffile.TiffWriter(tmp_path / "a.tiff") as file:

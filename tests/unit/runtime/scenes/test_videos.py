@@ -69,7 +69,7 @@ def frames_of(path: Path) -> list[np.ndarray]:
 def test_videos_of_every_matrix_range_and_depth_are_decoded(
     tmp_path: Path, matrix: str, limited: bool, bits: int
 ) -> None:
-    """Coded by the formulas of the recommendations, and found again."""
+    """The colours are coded with the formulas of the recommendations; decoding returns them."""
     rgb = np.random.default_rng(0).random((ROWS, COLS, 3))
     red, blue = WEIGHTS[matrix]
     luma = red * rgb[..., 0] + (1 - red - blue) * rgb[..., 1] + blue * rgb[..., 2]
@@ -109,7 +109,7 @@ def test_subsampled_chroma_gives_one_colour_in_a_flat_frame(tmp_path: Path) -> N
 
 @pytest.mark.parametrize(("curve", "name"), [(18, "hlg"), (16, "pq"), (8, "linear"), (1, "srgb")])
 def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
-    """10 bits from black to white, a code a step: light grows with every one."""
+    """The ramp has 10 bits, from black to white: the light grows from each column to the next."""
     codes = np.linspace(64, 940, COLS).round().astype("<u2")
     luma = np.tile(codes, (ROWS, 1))
     middle = np.full((ROWS, COLS), 512, "<u2")
@@ -178,8 +178,9 @@ def test_frames_of_unequal_length_are_repeated(tmp_path: Path) -> None:
     assert not timed(open_pages(tmp_path / "e.mkv")).notes
 
 
-def test_the_shortest_duration_is_the_step(tmp_path: Path) -> None:
-    """Frames of 20 ms among frames of 40 ms: each is shown, none is lost to a median."""
+def test_unequal_frames_are_repeated_in_steps_of_the_shortest(tmp_path: Path) -> None:
+    """Frames of 20 ms are shown once, those of 40 ms twice. In steps of the median duration, frames
+    would be lost."""
     values = (20, 60, 100, 140, 180)
     path = tmp_path / "v.mkv"
     write(path, [grey(v) for v in values], times=[0, 40, 60, 80, 120])
@@ -268,8 +269,8 @@ def test_grey_without_a_stated_range_is_full(tmp_path: Path, form: str, stated: 
     np.testing.assert_allclose(found[0, :, 0] / white, fractions, atol=1.1 / white)
 
 
-def films(path: Path, values: tuple[int, ...], sizes: tuple[int, ...], default: int) -> None:
-    """A file of several films, of which number `default` is marked as usual."""
+def streams_in(path: Path, values: tuple[int, ...], sizes: tuple[int, ...], default: int) -> None:
+    """Writes a file of several video streams; number `default` is marked as the default."""
     with av.open(str(path), "w") as container:
         streams = []
         for size in sizes:
@@ -288,14 +289,14 @@ def films(path: Path, values: tuple[int, ...], sizes: tuple[int, ...], default: 
 
 
 @pytest.mark.parametrize("default", [0, 1])
-def test_of_two_films_the_marked_one_is_read(tmp_path: Path, default: int) -> None:
-    films(tmp_path / "v.mkv", (50, 150), (COLS, 2 * COLS), default)
+def test_of_two_video_streams_the_default_one_is_read(tmp_path: Path, default: int) -> None:
+    streams_in(tmp_path / "v.mkv", (50, 150), (COLS, 2 * COLS), default)
     found = frames_of(tmp_path / "v.mkv")
     assert [frame.shape[1] for frame in found] == [(1 + default) * COLS] * 3
     assert abs(int(found[0][0, 0, 0]) - (50, 150)[default]) <= 2
 
 
-def test_a_cover_is_not_the_film(tmp_path: Path) -> None:
+def test_a_cover_is_not_read_as_the_video(tmp_path: Path) -> None:
     """The first stream is a picture that is attached to the file."""
     path = tmp_path / "v.mp4"
     with av.open(str(path), "w") as container:

@@ -66,7 +66,8 @@ def random_measured(buckets: int, disjoint: bool = False) -> Measured:
 
 @pytest.mark.parametrize(("buckets", "disjoint"), [(1, False), (2, False), (3, False), (3, True)])
 def test_a_correction_is_the_most_likely_error(buckets: int, disjoint: bool) -> None:
-    """Beside the posterior mean of one pixel's slots, by dense algebra in float64."""
+    """The expected value is the posterior mean of one pixel's slots, from dense matrices in
+    float64."""
     measured = random_measured(buckets, disjoint)
     assert measured.disjoint == (disjoint or buckets == 1)
     sigma = torch.tensor([0.5, 2.0])
@@ -155,6 +156,7 @@ def test_each_stage_mirrors_what_the_denoiser_sees_and_its_answer_back() -> None
 
 
 def test_corrected_clips_reproduce_exact_frames() -> None:
+    """`led` corrects a clip that is 0.3 too bright, so that it gives the frame through the mask."""
     clip, mask = scene(4, 6, 24)
     frame = (clip * mask).sum(axis=0)
     measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
@@ -163,7 +165,7 @@ def test_corrected_clips_reproduce_exact_frames() -> None:
     np.testing.assert_allclose(
         measured.of(found)[open_somewhere], measured.value[open_somewhere], atol=1e-5
     )
-    # What is nearest: places and slots that are never open stay as they were.
+    # The correction is the smallest possible: values in closed slots stay as they were.
     closed = mask == 0
     np.testing.assert_allclose(found[0].numpy()[closed], clip[closed] + 0.3, atol=1e-6)
 
@@ -189,7 +191,7 @@ def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
 @pytest.mark.parametrize("count", [2, 4, 8])
 @pytest.mark.parametrize("seed", range(2))
 def test_clips_do_not_end_below_their_start(seed: int, count: int) -> None:
-    """However many stages, behind random bits and behind the 2 x 2 pattern."""
+    """This holds for any number of stages, with random bits (seed 0) and with a 2 x 2 tile."""
     clip, mask = scene(10 + seed, 8, 64)
     if seed:
         first = np.tile(np.array([[0, 2], [4, 6]]), (32, 32))
@@ -258,8 +260,9 @@ def test_masks_are_of_every_kind_and_open_everywhere() -> None:
     assert 5 < sum(tiled) < 55
 
 
-def test_films_of_lessons_are_what_their_codes_and_noise_say() -> None:
-    """Light through the masks, as far off as the variance says; what is saturated may be more."""
+def test_measured_lessons_equal_light_through_the_masks_within_the_noise() -> None:
+    """The standard deviation of the difference is the one that `variance` states. Saturated values
+    are not compared."""
     generator = np.random.default_rng(4)
     noise = torch.Generator().manual_seed(4)
     off = []
@@ -353,8 +356,8 @@ def test_lessons_resume_where_they_stopped(lessons: str, tmp_path: Path) -> None
 
 @pytest.mark.parametrize("shape", [(3, 20), (20, 3), (8, 2, 2, 2), (8, 2, 3, 3, 3)])
 def test_steps_of_muon_are_orthogonal(shape: tuple[int, ...]) -> None:
-    """By singular values: those of a step are alike, and its directions the gradient's. Weights of
-    3D networks have channels last in memory."""
+    """The singular values of a step are nearly equal, and its singular vectors are those of the
+    gradient. Weights of 3D networks have channels last in memory."""
     weight = torch.zeros(shape)
     if weight.ndim == 5:
         weight = weight.to(memory_format=torch.channels_last_3d)
@@ -373,7 +376,7 @@ def test_steps_of_muon_are_orthogonal(shape: tuple[int, ...]) -> None:
 
 
 def test_neighbours_get_channels_and_gradients() -> None:
-    """Beside slices of whole clips, in values and in gradients."""
+    """Values and gradients equal those of slices of whole clips."""
 
     def sliced(x: torch.Tensor, frames: int) -> torch.Tensor:
         parts, count = x.unflatten(0, (-1, frames)), x.shape[1] // 4
@@ -495,6 +498,8 @@ def test_frames_of_another_program_are_refused(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("laid", [1, 2])
 def test_a_dark_frame_replaces_the_predicted_bias(laid: int) -> None:
+    """The frame has the pixels of `laid` x `laid` arrays, the dark frame those of one. Without the
+    dark frame, the wrong `decode_bias_e` of 33 e is subtracted."""
     generator = np.random.default_rng(laid)
     light_e, dark = generator.uniform(50, 90, (1, 4 * laid, 6 * laid)), generator.random((1, 4, 6))
     gain, lsb_e = 0.5, 2.0
@@ -572,7 +577,7 @@ def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
 
 
 def test_decoding_in_tiles_equals_decoding_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Sides that no tile divides, mirrored in all ways, in single precision."""
+    """The sides of the clip are not multiples of the tile; four stages mirror it in all ways."""
     from nscc_training.any_code import decode, stages
 
     monkeypatch.setattr(decode, "bf16_where_multiplied", nullcontext)

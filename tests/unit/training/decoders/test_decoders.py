@@ -125,7 +125,7 @@ def test_a_unet_is_its_convolutions() -> None:
 
 
 def test_blocks_overlap_and_are_averaged() -> None:
-    """Against a loop over blocks that adds each where it belongs."""
+    """The expected clip comes from a loop that adds each block at its place."""
     net = BlockNet((8,), DecoderTask("clip", 3, (2, 2)), "small")
     frame = torch.rand(1, 6, 8)
     total, holders = torch.zeros(3, 6, 8), torch.zeros(6, 8)

@@ -120,7 +120,8 @@ def test_designed_words_reach_the_expected_error() -> None:
 
 
 def test_best_tile_is_the_best_of_all() -> None:
-    """Beside a loop over tiles, pixels and their neighbours; noise by a fine sum over it."""
+    """The expected tile comes from a loop over tiles, pixels and their neighbours, with a fine sum
+    over the noise."""
     chip = DesignChip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
     light, slots = scene(8, 10, 2), 8
     peak = np.percentile(light, 99.9)

@@ -179,7 +179,7 @@ def decoded_by(run: Path, frame: np.ndarray, stops: np.ndarray) -> np.ndarray:
 
 @pytest.mark.parametrize("subject", ["quad", "best-uniform", "run"])
 def test_other_saturated_fractions_are_reported(subject: str, tmp_path: Path) -> None:
-    """Against the crop, exposed and scored by hand at 10 and 50 %."""
+    """The expected scores come from the crop, exposed and scored by hand at 10 and 50 %."""
     (tmp_path / "d").mkdir()
     light = one_crop(tmp_path / "d/p.hdr")
     if subject == "run":
@@ -357,7 +357,8 @@ def test_files_of_an_earlier_run_in_the_folder_are_not_the_runs(
 
 
 def test_bilinear_sees_one_slot_of_each_pixel(tmp_path: Path) -> None:
-    """As many samples as thin-out has; the rest are tents over samples of the same frame."""
+    """Each pixel is seen in one of 16 slots. All other values are weighted by tents from samples of
+    the same frame."""
     (tmp_path / "d").mkdir()
     noise = np.random.default_rng(2).integers(1, 256, (256, 256, 16), np.uint8)
     savemat(tmp_path / "d/c.mat", {"orig": noise})
@@ -506,8 +507,8 @@ def test_data_without_a_usable_scene_are_refused(tmp_path: Path) -> None:
 
 
 def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path: Path) -> None:
-    """Against every power of two with a noise of its own: mu-law wants the shadows, linear light
-    the highlights."""
+    """The expected stop is the best power of two, each simulated with noise. Mu-law PSNR prefers
+    long exposures, linear PSNR short ones."""
     (tmp_path / "d").mkdir()
     crop = one_crop(tmp_path / "d/p.hdr")
     truth = crop / np.quantile(crop, 0.7)

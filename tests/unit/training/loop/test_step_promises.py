@@ -198,7 +198,7 @@ def test_other_validation_scenes_are_refused(tmp_path: Path) -> None:
 
 
 def test_the_stored_weights_are_the_moving_average(tmp_path: Path) -> None:
-    """Beside one that is taken of the weights of every step."""
+    """The expected weights are a moving average over the weights of every step."""
     values = values_of("a still", average=0.6, steps=4, validate_every=4)
     settings = settings_of(values)
     begun = loop.start(settings, None, Ranks(), tmp_path)

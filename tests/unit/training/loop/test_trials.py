@@ -180,7 +180,7 @@ def bright(relaxation: str) -> tuple[TrainingSetup, Batch]:
 
 
 def test_the_slope_includes_what_saturation_takes_away() -> None:
-    """Against losses of the noisy sensor itself at every stop, one by one."""
+    """The expected slope comes from losses of the noisy sensor, simulated at every stop."""
     parts, batch = bright("tried")
     losses = []
     for stop in range(1, SLOTS + 1):

@@ -180,7 +180,8 @@ def test_codebooks_follow_the_slope_of_the_mean_over_all_codes(
 
 
 def test_a_decision_moved_by_the_mean_of_the_draws_that_make_it() -> None:
-    """Against the draws themselves, sorted by what they decide; far from 0 nothing overflows."""
+    """The expected mean comes from the same draws, grouped by their decisions. Margins far from 0
+    do not overflow."""
     margins = torch.tensor([0.0, 0.3, -0.7, 60.0]).reshape(-1, 1, 1).expand(4, 400, 400)
     spread = torch.full_like(margins, 0.5)
     first, second, moved = decided(margins, spread, torch.Generator().manual_seed(1), 1.0)

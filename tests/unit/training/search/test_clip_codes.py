@@ -112,7 +112,8 @@ def test_the_search_prints_the_score_of_its_program(
 def test_codes_are_chosen_by_motion_and_then_by_words(
     target: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A still scene needs no code; where codes reach the same, the one of fewer words is taken."""
+    """For a still scene the program without a code wins. Among codes of equal PSNR, the one with
+    the fewest words wins."""
     codes = named(
         "always open, one readout",
         "quad, 1/4 of the frame, one readout",

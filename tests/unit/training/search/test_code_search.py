@@ -87,7 +87,8 @@ def test_starts_that_a_class_has_not(spec: ShutterSpec, name: str, reason: str) 
 
 
 def test_the_closed_form_equals_least_squares_by_hand() -> None:
-    """Beside least squares of one pixel by hand: still light, and light that changes each slot."""
+    """The expected value is a least-squares estimate of one pixel, by hand, for still light and for
+    light that changes in each slot."""
     shutters = np.zeros((8, 4, 4))
     shutters[:3] = 1
     noise, counts, contrast = 2e-3, 1e-3, 0.5
@@ -150,7 +151,7 @@ def columns(shutters: torch.Tensor) -> list[tuple[int, ...]]:
 
 @pytest.mark.parametrize("kind", ["c", "d", "e", "codebook"])
 def test_a_tile_of_copies_has_its_block_later_every_time(kind: str) -> None:
-    """Beside shutters rolled around the frame; of a bump at its end only a part may be left."""
+    """Each shutter is the full one, rolled around the frame; a bump at the end may be cut off."""
     spec = SPECS[kind]
     encoder = make_encoder(spec, "staggered" if kind in "cd" else "cyclic")
     codes = encoder.codes()
@@ -177,7 +178,7 @@ def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
 
 @pytest.fixture
 def no_gradient(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Searches whose closed form expects nothing of any move."""
+    """Replaces the expected gain of every move by 0."""
     monkeypatch.setattr(searching, "expected_gain", lambda *_: torch.zeros(()))
 
 
@@ -268,7 +269,7 @@ def parts_of(**shutter: object) -> searching.TrainingSetup:
 
 @pytest.mark.usefixtures("no_gradient")
 def test_a_search_reduces_losses_in_spite_of_noise(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With losses that count late places, against noise that must not lead astray."""
+    """The loss is the mean start of the bumps plus noise; the search must find start 0 for all."""
     parts = parts_of(moves=12, judged=12)
     asked = []
 
@@ -285,8 +286,8 @@ def test_a_search_reduces_losses_in_spite_of_noise(monkeypatch: pytest.MonkeyPat
 
 
 @pytest.mark.usefixtures("no_gradient")
-def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> None:
-    """However good what takes more may be."""
+def test_a_search_stays_within_its_limit_of_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Codes of more words have smaller losses, but the search does not take them."""
     parts = parts_of(moves=12, judged=12, most_words=3.0)
     before = parts.encoder.codes()["start"]
     own = parts.encoder.codes()
@@ -308,7 +309,8 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
 
 @pytest.mark.usefixtures("no_gradient")
 def test_random_bits_come_down_to_their_words_and_then_get_better() -> None:
-    """With the compiler's own count, and losses that want every place to be open for long."""
+    """The compiler counts the words. The loss falls with the number of open slots, so that without
+    the limit every place would open."""
     parts = parts_of(**{"class": "e"}, moves=24, judged=4, most_words=3.0)
     first = searching._words(parts, parts.encoder.codes())
     assert first is not None
@@ -417,7 +419,8 @@ def test_only_a_search_accepts_a_limit_of_words_and_its_result_obeys_it(tmp_path
 def test_settling_begins_with_the_best_validated_codes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """A search that goes astray after its first validation; then the decoder learns, alone."""
+    """The search makes codes worse after its first validation. Then the first codes return, and
+    only the decoder learns."""
 
     def astray(parts: searching.TrainingSetup, *_: object) -> float:
         stop = parts.encoder.codes()["stop"]

@@ -67,12 +67,12 @@ def point(error: float, time_ms: float) -> Point:
     return Point("effects", "m", f"{error}", error, "percent", (time_ms,))
 
 
-def test_advice_is_the_fastest_within_the_target() -> None:
+def test_the_fastest_point_within_the_target_error_is_advised() -> None:
     points = [point(0.1, 30), point(0.9, 8), point(1.0, 6), point(1.1, 2)]
     assert advised(points, 1.0) == (points[2], True)
 
 
-def test_without_a_target_the_fastest_of_the_best_is_advised() -> None:
+def test_if_no_point_is_within_the_target_error_the_fastest_of_the_best_is_advised() -> None:
     points = [point(5.0, 30), point(5.2, 8), point(5.3, 2)]
     assert advised(points, 1.0) == (points[1], False)
     assert advised([], 1.0) == (None, False)
@@ -89,7 +89,7 @@ def test_errors_are_of_the_worst_bucket() -> None:
 @pytest.mark.parametrize(
     ("text", "tenth"), [("1%", "0.1%"), ("5e", "0.5e"), (".5lsb", "0.05lsb"), ("1e2e", "10e")]
 )
-def test_parts_of_a_target_keep_its_unit(text: str, tenth: str) -> None:
+def test_a_part_of_a_target_error_keeps_its_unit(text: str, tenth: str) -> None:
     assert scaled_text(text, 0.1) == tenth
 
 
@@ -227,7 +227,8 @@ def test_errors_of_plans_are_those_of_their_audits(folder: Path) -> None:
 
 
 def test_errors_of_the_chip_are_those_of_its_frames(folder: Path) -> None:
-    """A frame with every effect, what words are known to do taken off, beside the exact sums."""
+    """The expected error compares a frame with every effect, corrected by its response, with the
+    exact sums of light."""
     scene = "builtin:flat:20000"
     asked = JointRequest(folder / "p.nsl", Scene(scene), "2%", stages=("lowering",), options=QUICK)
     found = {p.method: p for p in measure(asked)[1].points}
