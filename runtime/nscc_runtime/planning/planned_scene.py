@@ -364,13 +364,7 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
     sample, saturating = trial.sample, everything().names(Saturates)
     if not sample.unseen_share or effects.on | saturating >= trial.full.on:
         return 0.0
-    near = replace(
-        sample,
-        places=sample.places[sample.near],
-        weight=sample.weight[sample.near],
-        near=sample.near[sample.near],
-        known_means=None,
-    )
+    near = sample.near_only
     kept, complete = (
         _sampled(trial.scene, near, selection.without(*saturating))(0, None).exposure_e
         for selection in (effects, trial.full)

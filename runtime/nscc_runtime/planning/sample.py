@@ -7,6 +7,7 @@ these (`drawing_chances`). Pixels near saturation are a stratum of their own, or
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -54,7 +55,7 @@ class Sample:
         Which pixels are near saturation.
     scene_pixels : int
         Number of pixels of the scene.
-    known_means : Recent or None
+    known_means : Recent
         Cache of means of the light of the sampled pixels, for
         `nscc_runtime.execution.block_scene.lay_out`.
     """
@@ -63,7 +64,13 @@ class Sample:
     weight: Floats
     near: Bools
     scene_pixels: int
-    known_means: Recent | None = field(default_factory=lambda: Recent(_MOST_MEANS))
+    known_means: Recent = field(default_factory=lambda: Recent(_MOST_MEANS))
+
+    @cached_property
+    def near_only(self) -> Sample:
+        """The sampled pixels that are near saturation, with means of their own."""
+        near = self.near
+        return Sample(self.places[near], self.weight[near], near[near], self.scene_pixels)
 
     @property
     def unseen_share(self) -> float:
