@@ -98,7 +98,9 @@ class Encoder(nn.Module, ABC):
         unknown relaxation."""
         super().__init__()
         if relaxation not in RELAXATIONS:
-            raise ValueError(f"{relaxation!r} is not one of {RELAXATIONS}")
+            raise ValueError(
+                f"the relaxation {relaxation!r} is not one of {', '.join(RELAXATIONS)}"
+            )
         self.spec = spec
         self.relaxation = relaxation
         self.temperature = 1.0

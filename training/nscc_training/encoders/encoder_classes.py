@@ -49,7 +49,7 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
         )
     if name == "cyclic" and spec.kind in "cd":
         raise ValueError(
-            f"bumps of class {spec.kind} end with the frame, but those of cyclic "
+            f"bumps of class {spec.kind} end with the frame, but those of the start cyclic "
             "continue at its start: use class e or a codebook of 16 rows"
         )
     # In sixteenths of the frame, rounded up: 4 unless the start names another number.
