@@ -248,39 +248,6 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         "exchanged": exchanged,
     }
     shared: NamedValues = {"stretches": program.stretches, "sites": sites, "means": means}
-    order = np.arange(count) if scene.light.even else np.argsort(sites.place)
-
-    def add_part(strip: Light, own: Sites, first: int, begin: int, end: int) -> None:
-        """Add up, in `means`, the light of the sites order[first + begin : first + end] for each
-        stretch of slots. `own`: the sites with their places in `strip`."""
-        light_means(
-            sizes=Laying(
-                begin=first + begin, end=first + end, **{**sizes, "pixels": prod(strip.shape)}
-            ),
-            light=strip.matrix,
-            order=order,
-            reached=np.empty(TOGETHER, np.int64),
-            added=np.empty(2 * TOGETHER),
-            **{**shared, "sites": own},
-        )
-
-    def add_light() -> None:
-        """Add up, in `means`, the light of all sites (pixels whose charge is computed) for each
-        stretch of slots."""
-        light, at_light = scene.light, sites
-        if scene.known_means is not None and isinstance(light.frames, DrawnFrames):
-            # The planner exposes the same pixels many times, so their light is drawn once.
-            key, places = (count, effects.names(Moving)), sites.place[order]
-            light = scene.known_means.of(key, lambda: drawn_at(scene.light, places))
-            at_light = sites._replace(place=np.argsort(order))
-        for rows, top, strip in light.strips(1):
-            own, first, stop = at_light, 0, count
-            if strip is not light:
-                cols = strip.shape[1]
-                own = sites._replace(place=sites.place - top * cols)
-                edges = rows.start * cols, rows.stop * cols
-                first, stop = np.searchsorted(sites.place, edges, sorter=order).tolist()
-            in_parts(partial(add_part, strip, own, first), stop - first, threads, _FEWEST)
 
     def compute(means_loop: Any, begin: int, end: int) -> None:
         """Run a loop that completes `means` from `begin` up to before `end`."""
@@ -288,11 +255,11 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
 
     def with_light() -> list[Floats]:
         """Add up the light in `means`, and return copies of those that contain it."""
-        add_light()
+        _add_light(scene, sites, means, sizes, threads)
         return [means.lit.copy(), means.charge.copy(), means.pace.copy()]
 
     if scene.known_means is None:
-        add_light()
+        _add_light(scene, sites, means, sizes, threads)
     else:
         key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
         for own, known in zip(
@@ -310,6 +277,44 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     fixed = FixedPatterns(**patterns(effects, device, sites.place[:pixels]))
     invalid = number[np.isnan(means.charge).any(axis=0)]
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
+
+
+def _add_light(
+    scene: BlockScene, sites: Sites, means: StretchMeans, sizes: NamedValues, threads: int
+) -> None:
+    """Add up, in `means`, the light of all `sites` for each stretch of slots. `sizes`: the fields
+    of `Laying` but for `begin` and `end`."""
+    light, at_light, count = scene.light, sites, len(sites.place)
+    order = np.arange(count) if light.even else np.argsort(sites.place)
+    if scene.known_means is not None and isinstance(light.frames, DrawnFrames):
+        # The planner exposes the same pixels many times, so their light is drawn once.
+        key, places = (count, scene.effects.names(Moving)), sites.place[order]
+        light = scene.known_means.of(key, lambda: drawn_at(scene.light, places))
+        at_light = sites._replace(place=np.argsort(order))
+
+    def add_part(strip: Light, own: Sites, first: int, begin: int, end: int) -> None:
+        """Add up the light of the sites order[first + begin : first + end]. `own`: the sites with
+        their places in `strip`."""
+        bounds = {"begin": first + begin, "end": first + end, "pixels": prod(strip.shape)}
+        light_means(
+            sizes=Laying(**{**sizes, **bounds}),
+            stretches=scene.program.stretches,
+            sites=own,
+            light=strip.matrix,
+            order=order,
+            means=means,
+            reached=np.empty(TOGETHER, np.int64),
+            added=np.empty(2 * TOGETHER),
+        )
+
+    for rows, top, strip in light.strips(1):
+        own, first, stop = at_light, 0, count
+        if strip is not light:
+            cols = strip.shape[1]
+            own = sites._replace(place=sites.place - top * cols)
+            edges = rows.start * cols, rows.stop * cols
+            first, stop = np.searchsorted(sites.place, edges, sorter=order).tolist()
+        in_parts(partial(add_part, strip, own, first), stop - first, threads, _FEWEST)
 
 
 def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
