@@ -47,8 +47,9 @@ def check_program(program: Program) -> None:
 
 
 def check_plans(planned: Planned) -> None:
-    """Check that each plan of `planned` collects in every bucket the light of exactly the open
-    slots; raise Inconsistent if not."""
+    """Check that each exposure plan of `planned` collects in every bucket the light of exactly the
+    open slots. Raise Inconsistent if a plan collects the light of other slots. An exposure plan
+    says which analog words run at which boundary."""
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
@@ -56,11 +57,11 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """Return for each slot the shutters whose light `plan` collects in bucket number `bucket`. They
-    are truth vectors: integers with one bit for each shutter.
+    """Return for each slot the shutters whose light the exposure plan `plan` collects in bucket
+    number `bucket`. A set of shutters is a truth vector: an integer with one bit for each shutter.
 
-    `first` are the shutters that are open in slot 0. Raises Inconsistent if the light of a shutter
-    is never read."""
+    `first` are the shutters that are open in slot 0, also as a truth vector. Raises Inconsistent if
+    the light of a shutter is never read."""
     shutters_at = {
         (s.boundary, s.role): plan.everywhere if s.predicate is None else s.predicate
         for s in plan.steps

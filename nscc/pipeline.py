@@ -130,8 +130,8 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
 
 
 def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
-    """Return gates and encodings for the plans of `planned`, with their costs, the best first; and
-    diagnostics.
+    """Return gates and encodings for the exposure plans of `planned`, with their costs, the best
+    first; and diagnostics. An exposure plan says which analog words run at which boundary.
 
     `job` has the options and the stored search results. Plans that cannot be better than one that
     fits are not tried, unless all costs are requested. The errors are NS0502 if no gates are found,
@@ -162,9 +162,9 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     """Return the kernels (lists of words) and the boundaries at which they start, the best lowering
     (way to compute the exposure) first; and errors.
 
-    `gated` has the gates of all plans, and `job` the options. The errors are for a program that
-    exceeds the store (NS0501), the slots' time (NS0601), the retention time of registers (NS0602)
-    or the user's limit (NS0603)."""
+    `gated` has the gates of all exposure plans, and `job` the options. The errors are for a program
+    that exceeds the store (NS0501), the slots' time (NS0601), the retention time of registers
+    (NS0602) or the user's limit (NS0603)."""
     most_words = job.options.max_words_per_slot
     layouts = (
         lay_out(gated.program, decoding, gated.time, most_words) for decoding in gated.decodings

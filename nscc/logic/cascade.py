@@ -110,8 +110,9 @@ def cascade(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
 
 
 class _Finder:
-    """A search for plans of one problem: points, tasks and how often each task occurs, found once;
-    then plans, until the budget is used up."""
+    """A search for a plan (which predicates to store, and cascades for the others) for one problem.
+    Points, tasks and how often each task occurs are computed once; then plans are searched until
+    the budget is used up."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
         """Reduce the problem's demands (sets of shutters that FLAG must select at boundaries) to
@@ -131,7 +132,8 @@ class _Finder:
 
     def plans(self) -> Iterator[_Plan]:
         """Yield plans, each with fewer words than the previous one; end when no search finds a
-        better one.
+        better one. A plan says which predicates (sets of shutters) are stored, and how cascades of
+        gates compute the others.
 
         Raises GaveUp at once if there are more than MOST_POINTS points, or if the planes that
         distinguish them leave no register for results; later when no steps are left. A plane is the
@@ -250,8 +252,9 @@ class _Finder:
         return tasks
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
-        """Return a plan of at most `most` words per frame for a choice of stored predicates, found
-        with a beam of `width` values; None if the search found none.
+        """Search with a beam of `width` values for cascades that complete a choice of stored
+        predicates. Return the plan if it takes at most `most` words per frame; None if the search
+        found none.
 
         `scratch` is the number of registers for intermediate results. Raises GaveUp if no steps are
         left. A predicate is a set of shutters."""
@@ -296,7 +299,8 @@ class _Finder:
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
         """Improve the choice of stored predicates (sets of shutters) by exchanging or inverting one
-        at random; yield each plan with fewer words than all before.
+        at random; yield each plan with fewer words than all before. A plan adds to the stored
+        predicates the cascades (chains of gates) that compute the others.
 
         `best` is the plan to begin with, `width` the width of the beam. Ends when only `until`
         steps of the budget are left."""
@@ -325,8 +329,8 @@ class _Finder:
                     yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
-        """Search for shorter cascades of the plan `best` with the same planes and a beam of `width`
-        values, the longest cascade first; yield each better plan.
+        """Search for shorter cascades of the plan `best`, with the same planes and a beam of
+        `width` values; replace the longest cascade first. Yield each plan with fewer words.
 
         Raises GaveUp if no steps are left. A cascade is a chain of gates, each of which reads the
         one before. A plane is the content of a code register."""

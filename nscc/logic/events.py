@@ -172,8 +172,9 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 
 def _forms(field: _Field, room: int) -> list[_Form]:
-    """Return ways to store a field's number in at most `room` planes, as a group and a place in it,
-    most digits of the group first; an empty list if none fits. A plane is the content of a code
+    """Return the layouts that store the number of a field in at most `room` planes; an empty list
+    if none fits. A layout divides the numbers into groups and stores the group and the place in the
+    group. The layout with the most digits for the group is first. A plane is the content of a code
     register."""
     forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):

@@ -78,8 +78,8 @@ def _restricted(rule: Rule, codes: Indices) -> Rule:
 
 
 def decomposed(is_open: Open, fields: Fields) -> Rule:
-    """Return a rule as a composition of parts with different fields, as deep as possible; a single
-    part if no operator joins parts.
+    """Return a rule as a composition of parts with different fields; a single part if no operator
+    joins parts. Each part is divided again until no operator joins its fields.
 
     `is_open`, bool (shutters, demands), is what the rule opens; `fields` gives for each field its
     value in every shutter (shutters,). The smallest groups of fields are tried first, and the first
@@ -111,12 +111,13 @@ def _number(fields: Fields) -> Indices:
 def _splits(
     is_open: Open, first: Indices, second: Indices
 ) -> Iterator[tuple[Operator, Open, Open]]:
-    """Yield (operator, a, b) such that the operator joins a, which depends on `first` only, and b,
-    which depends on `second` only, to `is_open`; nothing if there are none.
+    """Yield (operator, a, b) such that `is_open` is a and b, a or b, or a xor b. Here a depends on
+    `first` only, and b on `second` only. Yield nothing if there are no such parts.
 
     `first` and `second`, (shutters,), number the combinations of values of two groups of fields.
-    `first` has at least as many; it is a part that only opens or closes if that is possible. An
-    exclusive or is found only if all pairs of numbers occur."""
+    The caller passes as `first` the group with at least as many combinations. If possible, the part
+    a only opens or only closes over the demands. An exclusive or is found only if all pairs of
+    numbers occur. A demand is a set of shutters that FLAG must select at a boundary."""
     for operator, bits in (("and", is_open), ("or", ~is_open)):
         a, b = _any_of(bits, first), _any_of(bits, second)
         if np.array_equal(a & b, bits):

@@ -16,7 +16,8 @@ from nscc.truth import members
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
-    """Check that the plan opens and closes shutters exactly where the state machine does.
+    """Check that the analog plan of a program with senses opens and closes shutters exactly where
+    the program's state machine does.
 
     Raises Inconsistent, which is a fault of nscc, if the moments are not in order, a change of
     shutters has no moment, or a moment has other changes or comparisons."""

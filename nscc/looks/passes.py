@@ -232,8 +232,8 @@ def _kernels(
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """Return the analog words of a plan as a plan of exposures, which programs without senses have,
-    for reports.
+    """Return the analog words of the analog plan `plan` as an exposure plan, for reports. Reports
+    use the exposure plans of programs without senses.
 
     Its steps are the words at the start of the frame, then those of each moment."""
     steps = [PlanStep(boundary=0, role="setup", bucket=-1, predicate=None, words=_setup(plan))]
@@ -250,8 +250,8 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """Return the analog steps of a moment of the plan, for reports: comparisons, then for each
-    bucket its closing and opening, then a reset.
+    """Return the analog steps of a moment (a boundary with operations) of the analog plan, for
+    reports: comparisons, then for each bucket its closing and opening, then a reset.
 
     A step has the words that it would need alone; the program may share words between steps."""
     steps: list[PlanStep] = []
@@ -333,7 +333,8 @@ def plan_of(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
 
 
 def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found]:
-    """Return the words of a plan for several encodings, best first, and no errors.
+    """Return the words of the analog plan of a program with senses for several encodings, best
+    first, and no errors.
 
     If no encoding works, return [] and the error NS0502, with the first reasons. `job` has the
     level of `-O`, which limits the number of encodings, and the limit of words at a boundary."""

@@ -1,4 +1,5 @@
-"""Words on virtual registers for every moment of a plan, with one encoding."""
+"""Words on virtual registers for every moment (boundary with operations) of an analog plan, with
+one encoding."""
 
 from __future__ import annotations
 
@@ -55,7 +56,8 @@ class LookingSolution(Record, eq=False):
 
 
 class Solver:
-    """Finds the words of a plan with one encoding of codes and states.
+    """Finds the words of the analog plan of a program with senses, with one encoding of codes and
+    states.
 
     `code` are the virtual registers of the code, and `registers` those of each state."""
 
@@ -94,7 +96,7 @@ class Solver:
         return f"s{len(self.states) - 1}"
 
     def solve(self) -> LookingSolution:
-        """Return the words of the plan on virtual registers.
+        """Return the words of the analog plan on virtual registers.
 
         Raises GaveUp if no gates are found for a boundary, or if the chip has too few registers for
         scratch."""
@@ -168,7 +170,7 @@ class _Moment:
         """Compute the register contents before the boundary of `moment`, and the new values that
         its gates must write.
 
-        `solver` has the plan and the registers of codes and states."""
+        `solver` has the analog plan and the registers of codes and states."""
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
         self.contents = RegisterContents(
@@ -251,8 +253,8 @@ class _Moment:
         return renamed(self.emitted)
 
     def _take_signal(self, comparison: Comparison) -> None:
-        """Append words that write minus the signal of a comparison to the registers `scratched` of
-        the plan, whose sum it is.
+        """Append words that write the negative signal of a comparison to the registers `scratched`
+        of the analog plan; the sum of these registers is the negative signal.
 
         The signal of a bucket that is open includes the light that the bucket has not taken yet.
         Raises GaveUp if no gates tell in which pixels the bucket is open."""

@@ -1,4 +1,5 @@
-"""The problem that gates must solve for a plan, and its solution."""
+"""The problem that gates must solve for an exposure plan, and its solution. An exposure plan says
+which analog words run at which boundary."""
 
 from __future__ import annotations
 
@@ -24,7 +25,8 @@ Before = Literal["nothing", "all", "keep", "load"]
 
 
 class Decoding(Record):
-    """A plan with the gates that compute its predicates (sets of shutters).
+    """An exposure plan (which analog words run at which boundary) with the gates that compute its
+    predicates (sets of shutters).
 
     `problem` has a demand for each step of the plan that has a predicate, `solution` the gates;
     `actions` say how each step obtains FLAG, one for each step. A demand is a set of shutters that
@@ -39,12 +41,14 @@ class Decoding(Record):
 def problem_of(
     program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
 ) -> tuple[Problem, tuple[Before, ...]]:
-    """Return the demands that gates must meet for a plan, and how every step obtains FLAG.
+    """Return the demands that gates must meet for an exposure plan, and how each step of the plan
+    obtains FLAG.
 
     A demand says that FLAG must equal a predicate (a set of shutters) at a boundary; there is one
     for each step with a predicate, in order. `plan` and `time` belong to `program`. `opens` are the
     open shutters by bucket and slot, as truth vectors (integers with one bit for each shutter). The
-    actions are one for each step, with or without a predicate."""
+    actions are one for each step, with or without a predicate. An exposure plan says which analog
+    words run at which boundary."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
@@ -99,8 +103,9 @@ def _code_of_shutter(table: DecodeTable) -> Indices:
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """Return for each step of a plan whether FLAG is loaded, set in all pixels, kept from the step
-    before, or does not matter (`Before`).
+    """Return for each step of an exposure plan whether FLAG is loaded, set in all pixels, kept from
+    the step before, or does not matter (`Before`). A step has analog words that run at one
+    boundary.
 
     FLAG (the bit that lets a pixel act) is lost at refreshes, and with time (`time.keep_us`). A
     step for all pixels needs FLAG only if it has words that obey it: bus words and, on some

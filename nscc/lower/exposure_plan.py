@@ -177,8 +177,8 @@ Opens = tuple[tuple[int, ...], ...]
 class Planned(Record):
     """A program with its exposure plans, fewest analog writes first.
 
-    `misfits` says why other lowerings (ways to compute the exposure) that were tried have no plan;
-    a lowering that was not asked for is in neither."""
+    `misfits` says why other lowerings (ways to compute the exposure) that were tried have no plan.
+    A lowering that the user did not choose is in neither of the two."""
 
     program: Program
     time: Timeline
@@ -218,8 +218,9 @@ def levels(program: Program) -> Opens:
 
 
 def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
-    """Return the plan of `lowering`, or why there is none: too few analog registers, or for `latch`
-    a shutter that does not open in slot 0 and close once. `opens` is `levels(program)`."""
+    """Return the exposure plan (which analog words run at which boundary) of the way `lowering` to
+    compute exposures, or a Misfit. The reason of a Misfit is too few analog registers, or for
+    `latch` a shutter that does not open in slot 0 and close once. `opens` is `levels(program)`."""
     free = len(program.target.analog_available)
     # `edges` can do without the reset level: shutters that open in slot 0 then subtract PIX, too.
     reference = lowering != "edges" or len(program.buckets) < free
@@ -279,14 +280,14 @@ RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
-    """The steps of a plan in execution order (`steps`), under construction; make a new one for each
-    plan. `everywhere` is the truth vector (an integer with one bit for each shutter) of all
-    shutters."""
+    """The steps of an exposure plan in execution order (`steps`), under construction; each plan
+    needs a new builder. `everywhere` is the truth vector (an integer with one bit for each shutter)
+    of all shutters."""
 
     def __init__(
         self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
     ) -> None:
-        """Begin a plan without steps.
+        """Begin an exposure plan without steps.
 
         `opens` lists for each bucket and slot the shutters that are open, as a truth vector (an
         integer with one bit for each shutter). `analog` holds the exposure registers, the register
@@ -302,8 +303,9 @@ class _Builder:
         self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
-        """Return the plan: clear the registers, reset PIX (the photodiode), then the steps of the
-        lowering (a way to compute the exposure). Call it once; it adds to the steps."""
+        """Return the exposure plan. Its steps clear the registers, reset PIX (the photodiode), then
+        run the words of the lowering (a way to compute the exposure). The method adds to the steps,
+        so it is called only once."""
         scratch = self.scratch
         # A bus word writes minus the sum of its sources, so one without sources writes 0.
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))

@@ -105,7 +105,8 @@ def capacity_fault(program: Program) -> Diagnostic | None:
 def plan_fault(
     program: Program, misfits: Mapping[Lowering, Misfit], lowering: LoweringOption
 ) -> Diagnostic:
-    """Return the error that no plan exists for the requested `lowering`, which is proved.
+    """Return the error that no exposure plan exists for the requested `lowering` (a way to compute
+    the exposure); this is proved.
 
     `misfits` has the reason for each lowering that was tried, at least one. NS0413 is returned if
     all lack analog registers, else NS0414."""
@@ -149,8 +150,8 @@ def plan_fault(
 
 
 def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: int) -> Diagnostic:
-    """Return the error (NS0502) that the search at this `level` found no gates for any plan, which
-    is not proved.
+    """Return the error (NS0502) that the search at this optimisation `level` found no gates for any
+    exposure plan. Gates may exist nevertheless.
 
     `misfits` has the reason of each lowering (a way to compute the exposure) that was tried, at
     least one."""
@@ -258,8 +259,8 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
 
 
 def _fewer_codes(program: Program) -> str:
-    """Return the help to compile only the used codes of `program`, or to use fewer codes if it does
-    so already.
+    """Return the help to compile only the used codes of `program`. If only these are compiled
+    already, the help is to use fewer codes.
 
     If the program declares no codes of pixels, these must be added first."""
     if program.mode == "fixed":

@@ -1,4 +1,5 @@
-"""The search for the cheapest gates of one plan: generators, then improvement of the best results.
+"""The search for the cheapest gates of one exposure plan: generators (methods that find gates),
+then improvement of the best results.
 
 Levels differ in steps, not in seconds, so the same input gives the same words everywhere."""
 
@@ -33,11 +34,11 @@ _PRICE = attrgetter("price")
 @dataclass
 class GateSearch:
     """The search for gates that answer the demands (sets of shutters that FLAG must select at
-    boundaries) of a plan.
+    boundaries) of an exposure plan.
 
-    `problem` and `actions` are those of the plan. `most_words` is the largest allowed number of
-    words at a boundary (None: any). `faults` collects unexpected exceptions of generators (methods
-    that find gates); with None they propagate."""
+    `problem` has the demands, and `actions` say how each step of the plan obtains FLAG.
+    `most_words` is the largest allowed number of words at a boundary (None: any). `faults` collects
+    unexpected exceptions of generators (methods that find gates); with None they propagate."""
 
     program: Program
     plan: ExposurePlan

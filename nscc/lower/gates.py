@@ -1,4 +1,4 @@
-"""The gates of a program's plans: the best of each, and the order of the plans."""
+"""Search for the gates of a program's exposure plans: the best gates of each, and their order."""
 
 from __future__ import annotations
 
@@ -23,8 +23,8 @@ _MANY_WRITES = 1.5
 
 
 class Gated(Record):
-    """The plans with gates, best first, and why others have none; `decodings` is empty if no plan
-    has gates.
+    """The exposure plans with gates, best first (`decodings`, empty if no plan has gates), and why
+    other plans have none (`misfits`).
 
     `fits` says whether the words of the best plan fit. `faults` are exceptions of generators
     (methods that find gates), which were left out."""
@@ -45,7 +45,8 @@ def find_gates(
     results: Results | None = None,
     most_words: int | None = None,
 ) -> Gated:
-    """Return the gates of all plans; without `price_all`, stop when no better plan can follow.
+    """Return the gates of all exposure plans of `planned`; without `price_all`, stop when no better
+    plan can follow.
 
     `level` is the optimisation level, 0 to 3. A plan with fewer analog writes is better, except if
     it takes far more words than a composed rule, or than one with little more writes. Known
@@ -95,11 +96,12 @@ def find_gates(
 
 
 def _may_win(planned: Planned, plan: ExposurePlan) -> bool:
-    """Return whether few words are worth the analog writes of `plan`, one of the plans in
-    `planned`.
+    """Return whether a solution with few words may make up for the analog writes of `plan`, one of
+    the exposure plans of `planned`.
 
-    They are if its writes are at most _MANY_WRITES times the fewest, or if it asks for the levels
-    of a rule composed from parts, which need few gates."""
+    That is true if its writes are at most _MANY_WRITES times the fewest. It is also true if its
+    demands are those of a rule composed of parts, which needs few gates. A demand is a set of
+    shutters that FLAG must select at a boundary."""
     if plan.analog_writes[1] <= _MANY_WRITES * planned.plans[0].analog_writes[1]:
         return True
     from nscc.logic.rule_parts import composition  # few programs need it
@@ -116,7 +118,8 @@ def lower(
     most_words: int | None = None,
     faults: list[GeneratorFault] | None = None,
 ) -> Lowered | Misfit:
-    """Return the cheapest solution of a plan, whether it fits or not; a Misfit if none was found.
+    """Return the cheapest gates of an exposure plan with their words, whether they fit or not; a
+    Misfit if no gates were found.
 
     `most_words` is as in `Lowered`. Levels 2 and 3 improve the best solutions. The solution of a
     level is never more expensive than that of the level below, or than another solution of this

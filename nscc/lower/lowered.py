@@ -22,7 +22,8 @@ _ROUNDING = 1 + 1e-9
 
 
 class Lowered(Record):
-    """A plan, its gates and its words, with costs on the program's target.
+    """An exposure plan (which analog words run at which boundary), its gates and its words, with
+    costs on the program's target.
 
     `most_words` is the user's limit on words at a boundary, None if there is no limit."""
 

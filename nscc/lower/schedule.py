@@ -209,7 +209,8 @@ def kernel_us(kernel: Sequence[Op], target: Target) -> float:
 def schedule(
     decoding: Decoding, time: Timeline, target: Target, spared: Collection[str] = ()
 ) -> FrameSchedule:
-    """Lay out the gates of a solution and the analog words of its plan over the boundaries.
+    """Lay out the gates of a solution and the analog words of its exposure plan over the
+    boundaries.
 
     The digital registers `spared` are the last choice for code. Kernels are as large as the store
     allows; if it has too few words even for the smallest kernels (lists of words), that schedule is

@@ -134,8 +134,8 @@ class Completion:
         fixed shutters.
 
         `in_use` are the codes of pixels (codes, fields) and `at_pixel` their rows, (rows, cols).
-        `looking` has the checked senses and states. Raises Rejected for faults of rules (the code
-        of the fault) or a machine that is too large (NS0450)."""
+        `looking` has the checked senses and states. Raises Rejected for rules without a value (with
+        the error code of the fault, such as NS0302) or a machine that is too large (NS0450)."""
         from nscc.program.machine import MachineBuilder
         from nscc.program.open_time import with_open_times
 
@@ -251,7 +251,7 @@ class Completion:
         """Return the decode table of these codes (codes, fields), which are sorted and distinct;
         `mode` says whether they are all legal ones ("open").
 
-        Raises Rejected for faults of the rules or too many codes."""
+        Raises Rejected for rules without a value for some code, or too many codes."""
         try:
             return decode(self.rules, codes)
         except (NoValue, TooMuch) as problem:
@@ -263,7 +263,7 @@ class Completion:
 
         `in_use` and `at_pixel` are the codes of pixels (codes, fields) and their rows. Without
         pixel values or fields, the second result is `at_pixel` as it is. Raises Rejected (NS0317)
-        if no code is allowed, and for faults of `require` or too many codes."""
+        if no code is allowed, for a `require` without a value, and for too many codes."""
         try:
             legal = legal_codes(self.rules)
         except (NoValue, TooMuch) as problem:

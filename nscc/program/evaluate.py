@@ -53,17 +53,19 @@ Faults = Fault | Bools | None
 
 
 class Value(NamedTuple):
-    """The values of an expression; where `faults` are true, `data` is undefined."""
+    """The values of an expression, and its `faults`: the places without a value, where `data` is
+    undefined."""
 
     data: Data
     faults: Faults = None
 
 
 def either(a: Faults, b: Faults) -> Faults:
-    """Return the faults of an operation on two operands with the faults `a` and `b`.
+    """Return the faults (places without a value) of an operation on two operands with the faults
+    `a` and `b`.
 
-    None is no fault; two arrays of marks are joined. A fault of all places wins, that of the first
-    operand before that of the second."""
+    None means that there is no fault. The or of two arrays of marks is returned. A `Fault` stands
+    for all places and replaces an array; of two, the first operand's is returned."""
     if a is None or isinstance(b, Fault):  # `b`, unless `a` is a fault of all places, too
         return b if a is None or not isinstance(a, Fault) else a
     if b is None or isinstance(a, Fault):
@@ -72,10 +74,10 @@ def either(a: Faults, b: Faults) -> Faults:
 
 
 def faults_where(condition: Data, faults: Faults) -> Faults:
-    """Return the faults that remain if an expression is evaluated only where `condition` is
-    true.
+    """Return the part of `faults` that remains if an expression is evaluated only where `condition`
+    is true. A fault is a place without a value.
 
-    If it is an array, so are the faults: true at the places that remain."""
+    If `condition` is an array, the result is a bool array that is true at the remaining places."""
     if faults is None:
         return None
     if isinstance(condition, np.ndarray):
@@ -88,11 +90,12 @@ def faults_where(condition: Data, faults: Faults) -> Faults:
 def guard(
     at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
-    """Return `data`, and the faults `before` with those at the places `at_fault`.
+    """Return `data`, and the faults (places without a value) `before` together with those at the
+    places `at_fault`.
 
-    There, data are replaced by `harmless`, which causes no further fault or overflow. `at_fault` is
-    a bool, or a bool array of marks. `fault` makes the error; it is called only for a single bool,
-    because an array only marks places."""
+    At these places `harmless` replaces the data, so that later operations cause no further fault or
+    overflow. `at_fault` is a bool, or a bool array of marks. `fault` makes the error; it is called
+    only for a single bool, because an array only marks places."""
     if isinstance(at_fault, np.ndarray):
         if not at_fault.any():
             return data, before
@@ -109,7 +112,8 @@ def _wide(data: Any) -> Any:
 
 
 def _limited(node: Binary, a: Value, b: Value, faults: Faults, data: Data, beyond: Data) -> Value:
-    """Return `data`, the result of the operation `node` on `a` and `b`, as a value with its faults.
+    """Return `data`, the result of the operation `node` on `a` and `b`, as a value with its faults
+    (places without a value).
 
     `beyond` is true where the result exceeds the limit on integers: these places get a fault
     (NS0305) and the data 0. `faults` are those of the operands."""
@@ -144,8 +148,8 @@ def _product(node: Binary, a: Value, b: Value) -> Value:
 
 
 def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
-    """Return the divisors `b` of the division `node` of `a`, with 1 in place of 0, and the
-    operands' faults with those of divisors 0 (NS0302)."""
+    """Return the divisors `b` of the division `node` of `a`, with 1 in place of 0. Return also the
+    faults (places without a value): those of the operands, and the divisors 0 (NS0302)."""
     message = "division by zero" if node.op == "/" else "remainder of a division by zero"
     fault = Fault("NS0302", message, node.right.span, "this is 0", (_NOT_0,))
     return guard(
@@ -236,8 +240,8 @@ def values_of(
     """Return the values of an expression as an array of `shape`, and where values are missing.
 
     `bindings` and `books` are those of `evaluate`. A value is missing if it has a fault and is
-    `needed`, bool of `shape` or True for all. The second result is None if none is missing. Values
-    with a fault are arbitrary."""
+    `needed` (bool of `shape`, or True for all places). The second result is None if no value is
+    missing. Values with a fault are arbitrary."""
     value = evaluate(expr, bindings, books)
     data = np.broadcast_to(np.asarray(value.data), shape)
     if value.faults is None:
@@ -325,7 +329,8 @@ def _value(
 def _chosen(condition: Value, then: Value, otherwise: Value) -> Value:
     """Return `then` where the boolean `condition` holds and `otherwise` elsewhere.
 
-    The faults are those of the condition and, at each place, of the chosen branch."""
+    The faults (places without a value) are those of the condition and, at each place, of the chosen
+    branch."""
     branches = either(
         faults_where(condition.data, then.faults),
         faults_where(condition.data ^ True, otherwise.faults),
@@ -346,7 +351,7 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
 
 
 def _position(node: tree.Index, index: Value, size: int, size_text: str) -> tuple[Data, Faults]:
-    """Return an index, with faults (NS0303) where it is outside 0..`size` - 1, and 0 there.
+    """Return an index with a fault (NS0303) and the index 0 where it is outside 0..`size` - 1.
 
     `node` is the expression with brackets. `size_text` is the size in words, such as "8 bits"."""
 

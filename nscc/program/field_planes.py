@@ -106,7 +106,7 @@ class PlaneMaker:
         """Return the value of an expression over x and y in every pixel, shape (rows, cols).
 
         `kind` is its type and `role` its name in messages. Return None without a target, or after
-        reporting an error: a wrong type, a fault at some pixel, or more than `WORK_LIMIT`
+        reporting an error: a wrong type, a pixel without a value, or more than `WORK_LIMIT`
         operations."""
         scope = pixels_scope(self.declared, self.constants)
         checked = check(value, kind, scope, self.problems, role)

@@ -143,7 +143,7 @@ class MachineBuilder:
         photodiode), bool (nodes, N), of a stage.
 
         The stage has slots `begin` to `end` - 1 and follows `looks` looks; other slots are closed.
-        Raises TooMuch for too large a machine, and NoValue for faults of rules."""
+        Raises TooMuch for too large a machine, and NoValue if a rule has no value."""
         slots = self.rules.slots
         self._limit(len(nodes))
         # Every stage stores opens and resets for all slots of the frame.

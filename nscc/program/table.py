@@ -65,7 +65,7 @@ class NoValue(Exception):
 
     def __init__(self, findings: Sequence[MissingValue]) -> None:
         """Store one `MissingValue` for each expression without a value, at least one. The
-        exception's text are the messages of their faults."""
+        exception's text consists of the messages that say why the values are missing."""
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 

@@ -392,8 +392,8 @@ class TextOrNumbers(Kind, Record):
     def read(self, value: Any) -> Any:
         """Return a text as it is, and numbers as text with commas and up to 17 digits.
 
-        Raises ValueError for another number of them, and if one of them is not a finite number.
-        Numbers may be a tuple, a list or a single number."""
+        Numbers may be a tuple, a list or a single number. Raises ValueError for a number that is
+        not finite, and unless there are `count` numbers (None: at least one)."""
         if isinstance(value, str):
             return value
         values = value if isinstance(value, tuple | list) else [value]

@@ -65,13 +65,13 @@ _BLOCK_BYTES = 1 << 24
 class Frame:
     """The arrays of a frame file, each (buckets, rows, cols); repeats have a leading axis K.
 
-    `frame`: codes of the converter. `exposure_e`: electrons before the converter. `valid`: False
-    where these are meaningless. `saturated_by`: causes of saturation as bits, 0 if not saturated. 1
-    well: PIX (the photodiode) was full when it was read. 2 register: an analog register stored less
-    than was written to it. 4 converter: the code is the last code. 8 reset level: PIX was full when
-    the subtracted level was read, so the exposure may be anything down to 0. 16 black sun: that
-    level was a reset level. `told`: further arrays of a program that looks (`states_NAME`,
-    `open_slots`, its light) or that has images, by key."""
+    `frame`: converter codes. `exposure_e`: electrons before the converter. `valid`: False where
+    these are meaningless. `saturated_by`: causes of saturation as bits, 0 if not saturated. 1 well:
+    PIX (the photodiode) was full when it was read. 2 register: an analog register stored less than
+    was written to it. 4 converter: the code is the last code. 8 reset level: PIX was full when the
+    subtracted level was read, so the exposure may be anything down to 0. 16 black sun: that level
+    was a reset level. `told`: further arrays of a program that looks (`states_NAME`, `open_slots`,
+    its light) or that has images, by key."""
 
     frame: Bytes
     exposure_e: Floats
@@ -97,7 +97,8 @@ def read_out(
     sensor: Sensor | None = None,
     noise_lsb: Floats | float = 0.0,
 ) -> Frame:
-    """Convert an exposure to codes, with noise of `noise_lsb` codes before rounding.
+    """Convert an exposure to converter codes, with the noise `noise_lsb`, in codes, before
+    rounding.
 
     frame = clip(round_half_even(exposure_e / electrons_per_lsb + noise_lsb) + offset, 0, top code),
     with the values of `sensor` (None: the target's defaults). NaN becomes 0 and is not valid;
@@ -117,8 +118,8 @@ def read_out(
 
 
 def last_codes(frame: Bytes, target: Target) -> Bytes:
-    """Return an array like `frame`: the bit of `saturated_by` that marks the converter where a code
-    is the last code of `target`, else 0."""
+    """Return an array like `frame` (converter codes) with saturation marks. A mark is the
+    converter's bit of `saturated_by` where a code is the largest of `target`, else 0."""
     bit = marks()["codes"].bit
     return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
@@ -131,8 +132,8 @@ def converted(
     seeds: tuple[int, int],
     frame: int,
 ) -> Frame:
-    """Convert the exposure of frame number `frame` to codes, with the noise of the converter as far
-    as `effects` have it. `seeds`: noise seed, device seed. NaN becomes code 0 and is not valid.
+    """Convert the exposure of frame number `frame` to converter codes, with the converter's noise
+    if `effects` include it. `seeds`: noise seed, device seed. NaN becomes code 0 and is not valid.
     Raises Rejected (NS0742) for a target whose ADC has more than 8 bits."""
     buckets, *shape = exposure.exposure_e.shape
     noise = ReadoutNoise.of(sensor, effects, seeds[1], (shape[0], shape[1]))

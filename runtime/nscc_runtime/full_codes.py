@@ -1,4 +1,4 @@
-"""Find the codes of the converter that mean saturation, for real chips, of which only codes are
+"""Find the converter codes that mean saturation. Of frames from real chips only these codes are
 known.
 
 A full well passes through a program's words, their gain and the registers' knee, and its code is
@@ -44,11 +44,11 @@ _MOST_LANES = 256
 
 
 def marked_by_codes(frame: Bytes, container: Container, sensor: Sensor) -> Bytes:
-    """Return the bits of `saturated_by` that the codes of a chip's frame indicate, except the last
-    code.
+    """Return the bits of `saturated_by` that the converter codes of a chip's frame indicate, except
+    the mark of the largest code.
 
-    `frame`: codes (.., buckets, rows, cols). Raises Rejected (NS0442) for words that open no
-    shutters."""
+    `frame`: converter codes (.., buckets, rows, cols). Raises Rejected (NS0442) for words that open
+    no shutters."""
     marked = np.zeros(frame.shape, np.uint8)
     for bit, codes in full_codes(container, sensor).items():
         marked |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
@@ -57,7 +57,7 @@ def marked_by_codes(frame: Bytes, container: Container, sensor: Sensor) -> Bytes
 
 @lru_cache(maxsize=2)
 def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Floats]:
-    """Return the smallest codes (buckets, rows, cols) that may mean saturation, by bit of
+    """Return the smallest converter codes (buckets, rows, cols) that may mean saturation, by bit of
     `saturated_by`.
 
     A code is infinite if no code indicates saturation. The last two results are cached. Raises
@@ -76,7 +76,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Floats]:
 
 
 def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Floats]:
-    """Return the smallest codes (buckets, lanes) that may mean saturation, by bit of
+    """Return the smallest converter codes (buckets, lanes) that may mean saturation, by bit of
     `saturated_by`; infinite where no code does. `lanes`: numbers of lanes (groups of pixels with
     one code each) of `program`."""
     exposure, marked = _steady(program, lanes)
@@ -159,8 +159,8 @@ class _SteadyPixels(WordPixels):
 
 
 def marked_frame(container: Container, frame: Frame, sent: Sent) -> Frame:
-    """Return the frame of a chip with saturation marks that follow from its codes. It stays as it
-    is if the chip sent electrons, or if the words of the program open no shutters."""
+    """Return the frame of a chip with saturation marks that follow from its converter codes. It
+    stays as it is if the chip sent electrons, or if the words of the program open no shutters."""
     saturated_by = frame.saturated_by
     if not sent.exact:
         with suppress(Rejected):  # NS0442: words that open no shutters

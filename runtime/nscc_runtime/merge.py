@@ -27,9 +27,9 @@ _LARGEST_TILE = 16
 class BucketReadout:
     """One bucket as it was read out; arrays are (rows, cols).
 
-    `name`: that of the bucket. `frame` uint8: codes. `saturated` bool: True where light was lost.
-    `light_e`: electrons that were collected while each pixel was open, estimated from its code.
-    `most_e`: the same for the last code. `open_s`: open time in seconds, 0 where never open.
+    `name`: that of the bucket. `frame` uint8: converter codes. `saturated` bool: True where light
+    was lost. `light_e`: electrons that were collected while each pixel was open, estimated from its
+    code. `most_e`: the same for the last code. `open_s`: open time in seconds, 0 where never open.
     `window`: numbers of rows and columns of a neighbourhood that contains pixels of every code, at
     most those of the array."""
 

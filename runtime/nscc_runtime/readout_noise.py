@@ -1,4 +1,4 @@
-"""Errors of all codes of a readout, in codes before rounding: noise, fixed pattern and level."""
+"""Errors of a readout, in converter codes before rounding: noise, fixed pattern and level."""
 
 from __future__ import annotations
 
@@ -42,9 +42,8 @@ class ReadoutNoise:
         return _readout_noise(sensor, effects, device_seed, shape)
 
     def codes(self, seed: int, frame: int, buckets: int) -> Floats:
-        """Return the errors of all codes of frame number `frame`, in codes before rounding, shape
-        (buckets, rows, cols). `seed`: of the noise. Buckets are independent but for the
-        pattern."""
+        """Return the errors of frame number `frame`, in converter codes before rounding, shape
+        (buckets, rows, cols). `seed`: of the noise. Buckets are independent but for the pattern."""
         from nscc_runtime.readout_loop import NoiseSizes, add_noise
 
         errors = np.empty((buckets, *self.pattern_lsb.shape))

@@ -109,8 +109,8 @@ def gain_spread(sensor: Sensor, effects: Selection) -> float:
 
 
 def converter_e2(sensor: Sensor, effects: Selection) -> float:
-    """Return the variance that the converter adds by rounding and by the errors of codes in
-    `effects`, fixed ones included, in square electrons."""
+    """Return the variance that the converter adds, in square electrons: by rounding, and by the
+    errors of converter codes in `effects`, including fixed errors."""
     noise_lsb = effects.converter_lsb(sensor)
     # 1/12: the variance of rounding to whole codes.
     return float(sensor.electrons_per_lsb**2 * (noise_lsb**2 + 1.0 / 12.0))

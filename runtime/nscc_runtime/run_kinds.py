@@ -93,8 +93,8 @@ class RunKind:
         return LazyFunctions("nscc_runtime.pictures.images").frame_sheet(readouts, title)
 
     def sent_frame(self, container: Container, frame: Any, sent: Sent) -> Any:
-        """Return `frame` with what a chip `sent` beside it: here, saturation marks that follow from
-        its codes."""
+        """Return `frame` with additions from the data that a chip `sent`: here, saturation marks
+        that follow from the frame's converter codes."""
         return LazyFunctions("nscc_runtime.full_codes").marked_frame(container, frame, sent)
 
 

@@ -53,10 +53,10 @@ class EmulatedSensor:
 
     `light_e` (K,) increases from 0, in electrons over the frame. `share` (r, c) is the fraction of
     the frame in which each pixel was open. `code` and `spread` (K, r, c) are the mean and standard
-    deviation of codes above the ADC's offset, before the errors of the readout. `full` (K, r, c) is
-    the fraction of pixels marked as saturated. `readout` float16 (chips, rows, cols) are errors of
-    the readout of whole arrays, in codes: noise, fixed pattern and common error. `crosstalk` is the
-    fraction of charge that each of the four neighbours receives."""
+    deviation of converter codes above the offset, before the errors of the readout. `full` (K, r,
+    c) is the fraction of pixels marked as saturated. `readout` float16 (chips, rows, cols) are
+    errors of the readout of whole arrays, in converter codes: noise, fixed pattern and common
+    error. `crosstalk` is the fraction of charge that each of the four neighbours receives."""
 
     light_e: Tensor
     share: Tensor
@@ -82,14 +82,14 @@ class EmulatedSensor:
     def read_out(
         self, exposure_e: Tensor, model: SensorModel, generator: torch.Generator | None
     ) -> tuple[Tensor, Tensor]:
-        """Return the codes above the ADC's offset of an exposure, float32 (batch, rows, cols), and
-        the mask of saturated pixels, bool of the same shape.
+        """Return the converter codes above the offset of an exposure, float32 (batch, rows, cols),
+        and the mask of saturated pixels, bool of the same shape.
 
         `exposure_e` (float64, of this shape) are the electrons of the open slots. The table is
         entered at the constant light that gave a pixel this exposure, also if other slots are open
-        now. `model` defines the range of codes. Without a generator there is neither noise nor
-        variation between pixels, and a pixel is saturated if that is likelier than not. Gradients
-        of the codes pass."""
+        now. `model` defines the range of converter codes. Without a generator there is neither
+        noise nor variation between pixels, and a pixel is saturated if that is likelier than not.
+        Gradients pass through the rounding."""
         open_share = laid(self.share, *exposure_e.shape[-2:]).to(exposure_e)
         steady = exposure_e / open_share.clamp(min=1e-9)
         known = self.light_e.to(exposure_e)
@@ -113,9 +113,9 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _readout_errors(self, codes: Tensor, generator: torch.Generator) -> Tensor:
-        """Return the readout's errors, in codes, of the shape of `codes` (.., rows, cols): of each
-        frame those of a random chip, at a random place of its array. Frames larger than the array
-        repeat it."""
+        """Return the errors of the readout, in converter codes, in the shape of `codes` (.., rows,
+        cols). Each frame gets the errors of a random chip, from a random place of its array. Frames
+        larger than the array repeat it."""
         places: list[Tensor] = []
         for axis, size in zip((-2, -1), codes.shape[-2:], strict=True):
             whole = self.readout.shape[axis]
@@ -237,9 +237,9 @@ def emulated_sensor(
 
 @lru_cache(4)
 def _readout_frames(sensor: Sensor, effects: Selection, size: tuple[int, int]) -> Tensor:
-    """Return errors of the readout, in codes, float16 (chips, rows, cols), of one frame of `size`
-    (rows, cols) for each of `_READ_CHIPS` chips. They do not depend on the program, so all tables
-    of a search share them."""
+    """Return errors of the readout, in converter codes, float16 (chips, rows, cols), of one frame
+    of `size` (rows, cols) for each of `_READ_CHIPS` chips. They do not depend on the program, so
+    all tables of a search share them."""
     frames = np.empty((_READ_CHIPS, *size), np.float16)
     for chip, frame in enumerate(frames):
         frame[:] = ReadoutNoise.of(sensor, effects, chip, size).codes(chip, frame=0, buckets=1)[0]
@@ -254,8 +254,8 @@ def _measured(
     effects: Selection,
     chips: int,
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the mean and the standard deviation of codes above the ADC's offset, and the fraction
-    of saturated pixels, each (K, r, c), at K light levels.
+    """Return the mean and the standard deviation of converter codes above the offset, and the
+    fraction of saturated pixels, each (K, r, c), at K light levels.
 
     `container` is the program, exposed under `effects`. `light_e` (K,) are the levels in electrons
     over the frame. They are exposed side by side, each on columns of whole tiles, in as many scenes

@@ -137,8 +137,8 @@ class Run:
         Parameters
         ----------
         frame : Capture, str, PathLike or array of int
-            A capture, a frame file, or codes of the converter, (rows, cols) or of two buckets (2,
-            rows, cols). Codes are not checked against program and sensor.
+            A capture, a frame file, or converter codes, (rows, cols) or of two buckets (2, rows,
+            cols). Codes are not checked against program and sensor.
         force : bool
             Warn instead of refusing a frame of another program or sensor.
         dark : Capture, str or PathLike, optional
@@ -165,9 +165,9 @@ class Run:
     ) -> Floats32:
         """Return the decoder's output for a frame: light in electrons, or scores of classes.
 
-        `frame` is a capture, a frame file or an array of codes; with `force` another program or
-        sensor is only a warning; `dark` is a dark capture or file, or None. Raises Rejected
-        (NS0819, NS0789). Warnings are shown by Python's `warnings`."""
+        `frame` is a capture, a frame file or an array of converter codes; with `force` another
+        program or sensor is only a warning; `dark` is a dark capture or file, or None. Raises
+        Rejected (NS0819, NS0789). Warnings are shown by Python's `warnings`."""
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
@@ -201,7 +201,7 @@ class Run:
         Parameters
         ----------
         frame : Capture, str, PathLike or array of int
-            A capture, a frame file, or codes of the converter, (rows, cols).
+            A capture, a frame file, or converter codes, (rows, cols).
         **options
             `force` and `dark`, as `reconstruct` takes them.
 
@@ -271,7 +271,7 @@ class Run:
 
     def _dark(self, dark: DarkLike) -> Dark:
         """Return the dark frame `dark`, the path of a file or a capture, with the mean over its
-        repeats. Raise Rejected (NS0819) for a file that is none."""
+        repeats. Raise Rejected (NS0819) for a file that is not a valid dark frame."""
         if not isinstance(dark, Capture):
             return read_dark(path_of("reconstruct: dark", dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])

@@ -249,7 +249,7 @@ def of_pixels(offset: Floats, tile: tuple[int, int]) -> Floats:
 
 
 def undarkened(codes: Bytes, offset: Floats) -> Floats32:
-    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols), float32.
+    """Return converter codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols), float32.
 
     The offset is repeated if the codes cover several arrays side by side."""
     return np.asarray(codes - over_array(offset, *codes.shape[-2:]), np.float32)
@@ -274,6 +274,7 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: Array, adc_offset: float) -> Floats:
-    """Return the mean code above the ADC's offset, `adc_offset`, of repeated exposures `codes`
-    (repeats, buckets, rows, cols): (rows, cols), or (2, rows, cols) for two buckets."""
+    """Return the mean converter code above the converter's offset, `adc_offset`, of repeated
+    exposures `codes` (repeats, buckets, rows, cols): (rows, cols), or (2, rows, cols) for two
+    buckets."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

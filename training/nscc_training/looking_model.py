@@ -22,7 +22,8 @@ def looked(
     sensor: SensorModel,
     generator: torch.Generator | None,
 ) -> tuple[Tensor, Tensor]:
-    """Return the codes of the frame and the open fraction of each pixel, both (batch, rows, cols).
+    """Return the converter codes of the frame and the open fraction of each pixel, both (batch,
+    rows, cols).
 
     `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) contains
     first the boundaries of the looks (whole numbers of slots, increasing), then their levels in

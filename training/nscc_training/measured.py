@@ -51,9 +51,9 @@ class Measured(Generic[Array]):
     ) -> Measured[NDArray[Any]]:
         """Return the measurement of a frame in electrons, as a batch of one.
 
-        `frames` (B, rows, cols) are codes above the ADC's offset, `masks` (B, N, rows, cols) the
-        open fractions of the N slots. `sensor` gives the noise, and the code that counts as
-        saturated."""
+        `frames` (B, rows, cols) are converter codes above the offset, `masks` (B, N, rows, cols)
+        the open fractions of the N slots. `sensor` gives the noise, and the converter code that
+        counts as saturated."""
         codes = np.asarray(frames, np.float32)[None]
         value = codes * np.float32(sensor.electrons_per_lsb)
         # Rounding to whole codes adds the variance 1 / 12.

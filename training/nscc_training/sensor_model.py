@@ -46,13 +46,13 @@ class SensorModel:
     full_well_e : float
         Electrons at which a pixel saturates.
     electrons_per_lsb : float
-        Electrons for one code of the converter.
+        Electrons for one converter code.
     adc_offset_lsb : float
-        The code of no light.
+        The converter code of no light.
     adc_bits : int
         Bits of the converter.
     adc_noise_lsb : float
-        Standard deviation of the readout noise in codes.
+        Standard deviation of the readout noise in converter codes.
     shot_noise : bool
         Add Gaussian noise with the variance of photons.
     noise_factor : float
@@ -158,7 +158,7 @@ class SensorModel:
 
     @property
     def top_code(self) -> int:
-        """The largest code of the ADC."""
+        """The largest converter code."""
         return (1 << self.adc_bits) - 1
 
     @property
@@ -176,27 +176,28 @@ class SensorModel:
         return round(self.full_e / self.electrons_per_lsb)
 
     def relative(self, codes: Tensor) -> Tensor:
-        """Convert codes to the unit of decoders.
+        """Convert converter codes to the unit of decoders.
 
         Parameters
         ----------
         codes : Tensor
-            Codes above the offset, of any shape.
+            Converter codes above the offset, of any shape.
 
         Returns
         -------
         Tensor
-            Codes over those of `full_e`; at least 1 for saturated pixels.
+            The codes divided by the code of `full_e`; at least 1 for saturated pixels.
         """
         relative_codes = codes / (self.full_e / self.electrons_per_lsb)
         return torch.where(codes >= self.full_code, relative_codes.clamp(min=1), relative_codes)
 
 
 class Captured(NamedTuple):
-    """The result of a capture: electrons before saturation and noise, and the codes of the frame.
+    """The result of a capture: electrons before saturation and noise, and the converter codes of
+    the frame.
 
     Both are (batch, rows, cols), for two buckets (batch, 2, rows, cols). `exposure_e` is float64,
-    `frame` is float32 with whole numbers from 0 to the largest code."""
+    `frame` is float32 with whole numbers from 0 to the largest converter code."""
 
     exposure_e: Tensor
     frame: Tensor
@@ -278,7 +279,7 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: Array, tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """Return the frame of one scene as float32 codes above the ADC's offset, ([buckets,] rows,
+    """Return the frame of one scene as float32 converter codes above the offset, ([buckets,] rows,
     cols).
 
     `light` is in electrons: (rows, cols) of a still over the frame, or (N, rows, cols) of each
@@ -357,10 +358,11 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
 def read_out(
     exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
 ) -> Tensor:
-    """Return the codes of a frame, float32, from the electrons `exposure` (float64, of any shape).
+    """Return the converter codes of a frame, float32, from the electrons `exposure` (float64, of
+    any shape).
 
-    The steps are noise, saturation, rounding half to even, and clipping to the range of codes. They
-    are those of `sensor`. Without a generator there is no noise. Gradients pass."""
+    The steps are noise, saturation, rounding half to even, and clipping to the range of codes, each
+    with the values of `sensor`. Without a generator there is no noise. Gradients pass."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)

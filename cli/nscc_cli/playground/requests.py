@@ -98,8 +98,9 @@ class Playground:
         return {"messages": _messages(refusal.diagnostics)}
 
     def _start(self) -> JsonObject:
-        """Return what the page needs at first, as JSON values: `version`, `examples`, `words` of
-        the language by its version, and the opened `file` (None without one)."""
+        """Return what the page needs at first, as JSON values: `version`, `examples`, `words` and
+        the opened `file` (None without one). `words` has for each version of the language the
+        keywords that begin statements and the reserved words."""
         paths = examples()
         programs = [
             vars(shown)

@@ -1,4 +1,5 @@
-"""Fit of darks: the code without charge and the dark current, pixel by pixel."""
+"""Fit of darks (frames without light): the converter code without charge and the dark current of
+each pixel."""
 
 from __future__ import annotations
 
@@ -13,7 +14,7 @@ from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
 
 @dataclass(frozen=True, eq=False)
 class DarkFit:
-    """The result of fitting the darks, in codes.
+    """The result of fitting the darks (frames without light), in converter codes.
 
     `offset`: mean code without charge. `offset_se`: its standard error from temporal noise.
     `offset_spread_se`: its standard error including the spread over the pixels. `offsets` (2, rows,
@@ -34,9 +35,9 @@ class DarkFit:
     currents: Map | None = None
 
     def at(self, exposure_s: float | None) -> Map:
-        """Return the mean codes (2, rows, cols) of even and odd frames without light after
-        `exposure_s` seconds. If that or the current is unknown, the charge of the fitted darks
-        stays included."""
+        """Return the mean converter codes (2, rows, cols) of even and odd frames without light
+        after `exposure_s` seconds. If that or the current is unknown, the charge of the fitted
+        darks stays included."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
@@ -45,8 +46,8 @@ class DarkFit:
 def dark_of(
     levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
 ) -> DarkFit | None:
-    """Fit the code of each pixel over exposure time through the unclipped darks; return None if all
-    are clipped.
+    """Fit the converter code of each pixel over exposure time through the unclipped darks (frames
+    without light); return None if all are clipped.
 
     `levels` are the darks, `level_moments` their means and variances in the same order, and
     `good_mask` (rows, cols) marks the pixels that are not defects. Without two known exposure

@@ -128,8 +128,8 @@ def calibrate_files(
 def calibrated(
     flats: Sequence[Stack], darks: Sequence[Stack], top_code: int, crosstalk: float | None = None
 ) -> Calibration:
-    """Calibrate from flats (evenly lit frames) and darks (frames without light) with codes
-    0..`top_code`. A stack has the frames of one light and exposure time.
+    """Calibrate from flats (evenly lit frames) and darks (frames without light) with converter
+    codes 0..`top_code`. A stack has the frames of one light and exposure time.
 
     `crosstalk`: a known value, or None to measure it; EMVA 1288 assumes 0. Raises Rejected (status
     2): NS0757 for frames that do not fit together, NS0758 for too few frames or levels, NS0759 for
@@ -212,8 +212,8 @@ def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]
 def _noise(
     curve: Transfer, darks: Sequence[LevelMoments], dark: DarkFit | None
 ) -> dict[str, Quantity]:
-    """Return the noise without light in codes and in electrons, as quantities by name, with
-    rounding to codes subtracted.
+    """Return the noise without light in converter codes and in electrons, as quantities by name.
+    The variance of rounding is subtracted.
 
     If rounding hides it, the result is an upper limit. It is unknown if `dark` is None, because all
     darks are cut off at an end of the scale. `curve` is the fitted photon transfer curve, `darks`
@@ -333,12 +333,12 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
 
 
 def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dict[str, Quantity]:
-    """Return the saturation in codes and in electrons (full well), as quantities by name. They are
-    lower limits if no flat is saturated, or if the ADC saturates before the pixels, and unknown
-    without a dark.
+    """Return the saturation in converter codes and in electrons (full well), as quantities by name.
+    They are lower limits if no flat is saturated, or if the ADC saturates before the pixels, and
+    unknown without a dark.
 
     `curve` is the fitted photon transfer curve, `flats` are the moments of the flats, and
-    `top_code` is the largest code of the ADC."""
+    `top_code` is the largest converter code."""
     if curve.offset is None:
         return _unknown("no dark measures the code without charge", "saturation_lsb", "full_well")
     zero = curve.offset

@@ -45,10 +45,10 @@ _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed
 class Stack:
     """Frames of one light and one exposure time.
 
-    `name`: what messages call them. `codes` uint16 (K, rows, cols): codes of the ADC. `valid` bool
+    `name`: what messages call them. `codes` uint16 (K, rows, cols): converter codes. `valid` bool
     (rows, cols): pixels that are valid in all frames. `exposure_s`: seconds, None if unknown.
-    `origin`: the same text for frame files of one program, scene and sensor; None for other
-    frames."""
+    `origin`: the same text for frame files of one program, scene and sensor; None for other frames.
+    """
 
     name: str
     codes: Codes

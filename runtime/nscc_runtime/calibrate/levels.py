@@ -26,7 +26,8 @@ CLIPPED = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Level:
-    """The moments of `frames` frames (2 or more) of one light and exposure time, in codes.
+    """The moments of `frames` frames (2 or more) of one light and exposure time, in converter
+    codes.
 
     `exposure_s`: seconds, None if unknown. `valid` (rows, cols): pixels valid in all frames.
     `halves` (2, rows, cols): the means of the even and of the odd frames. `variance` (rows, cols):
@@ -55,7 +56,8 @@ class Level:
 
 @dataclass(frozen=True)
 class LevelMoments:
-    """Moments of a level over its `pixels` good pixels, in codes.
+    """Moments of a level (frames of one light and exposure time) over its `pixels` good pixels, in
+    converter codes.
 
     `exposure_s`: seconds, None if unknown. `mean_se`: standard error of `mean` from noise and
     rounding. `variance`: mean variance over time. `mean_rounding`, `rounding`: standard deviations
@@ -168,9 +170,9 @@ def moments(level: Level, good_mask: Mask) -> LevelMoments:
 
 
 def _rounding(variance: float, spread: float) -> tuple[float, float]:
-    """Return the standard deviations in codes that rounding adds to the mean and to the variance of
-    a level. `variance` is its measured variance over time, `spread` the variance of the pixels'
-    means, both in squared codes.
+    """Return the standard deviations, in converter codes, that rounding adds to the mean and to the
+    variance of a level. `variance` is its measured variance over time, `spread` the variance of the
+    pixels' means, both in squared codes.
 
     For normal noise of variance v, rounded at fraction f of a code, the error of the mean is a
     sin(2 pi f) / pi and that of the variance 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2

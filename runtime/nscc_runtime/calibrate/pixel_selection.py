@@ -85,8 +85,8 @@ def refuse_uneven(
 ) -> None:
     """Raise NS0759 for a flat whose light varies over the array by more than 20 % of its mean.
 
-    `good_mask` (rows, cols) marks the pixels that count. `zero`: code without charge. The mean
-    pattern of `darks` is subtracted first."""
+    `good_mask` (rows, cols) marks the pixels that count. `zero`: converter code without charge. The
+    mean pattern of `darks` is subtracted first."""
     dark_map = sum((level.mean_map for level in darks), np.zeros(good_mask.shape))
     pattern = (dark_map - dark_map[good_mask].mean()) / max(len(darks), 1)
     for level in flats:

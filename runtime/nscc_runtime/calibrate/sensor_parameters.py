@@ -144,7 +144,7 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
 def _pattern(
     chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
 ) -> None:
-    """Set the parameters of the code without charge and of the fixed pattern of the pixels in
+    """Set the parameters of the converter code without charge and of the pixels' fixed pattern in
     `chosen`, in place. Change nothing if `offset` or `dsnu_lsb` of `quantities` (by name) is
     unknown.
 

@@ -27,8 +27,8 @@ _STILL = 0.1
 
 @dataclass(frozen=True)
 class Saturation:
-    """The mean code of the brightest flat, which is saturated, and its standard error. `of_pixel`:
-    whether pixels saturate before the ADC."""
+    """The mean converter code of the brightest flat, which is saturated, and its standard error.
+    `of_pixel`: whether pixels saturate before the ADC."""
 
     mean: float
     mean_se: float
@@ -39,12 +39,12 @@ class Saturation:
 class Transfer:
     """The fitted photon transfer curve.
 
-    `offset`: code without charge, None without darks; `offset_se` is its standard error. `gain`: K
-    in codes per electron. `noise`: variance of codes without charge including rounding, meaningless
-    without an offset. `crosstalk`: the fraction of its charge that a pixel gives to each neighbour.
-    `covariance` (3, 3): of (gain, noise, crosstalk). `fit`: the line of variance over mean. `used`:
-    the levels of the fit. `left_out`: the other levels with the reasons. `saturation`: None if no
-    flat is saturated."""
+    `offset`: converter code without charge, None without darks; `offset_se` is its standard error.
+    `gain`: K in codes per electron. `noise`: variance of codes without charge including rounding,
+    meaningless if `offset` is None. `crosstalk`: the fraction of its charge that a pixel gives to
+    each neighbour. `covariance` (3, 3): of (gain, noise, crosstalk). `fit`: the line of variance
+    over mean. `used`: the levels of the fit. `left_out`: the other levels with the reasons.
+    `saturation`: None if no flat is saturated."""
 
     offset: float | None
     offset_se: float
@@ -73,9 +73,9 @@ def transfer(
     """Fit the photon transfer curve to the moments of `flats` and `darks`, each of one light and
     exposure time (a level), whose largest possible code is `top_code`.
 
-    `offset`: code without charge with its standard error; if None, darks are not used. `crosstalk`:
-    a known value, or None to measure it. Raises Rejected: NS0758 for fewer than two usable levels
-    of light, NS0759 if the variance does not increase with the mean."""
+    `offset`: converter code without charge with its standard error; if None, darks are not used.
+    `crosstalk`: a known value, or None to measure it. Raises Rejected: NS0758 for fewer than two
+    usable levels of light, NS0759 if the variance does not increase with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)

@@ -84,8 +84,9 @@ class EmulatedChip:
         return ExecutedFrame(b"".join(chunks), dict(loaded), kept)
 
     def _converting(self, registers: Sequence[str]) -> Sensor:
-        """Return the sensor with the code scale of a program that reads the analog registers named
-        `registers`. Exposures are not spread over the whole scale if these registers forbid it."""
+        """Return the sensor with the converter's scale (electrons per code, and offset) for a
+        program that reads the analog registers named `registers`. Exposures are not spread over the
+        whole scale if these registers forbid it."""
         from nscc_runtime.sensor import default_sensor
 
         program_sensor = default_sensor(converter_of_registers(self.target, registers))

@@ -63,8 +63,8 @@ class Shot:
 class DeviceChip:
     """The chip behind an open link.
 
-    `sensor` converts codes to electrons if the loader sends only codes; None for the values of the
-    target. All methods raise Rejected (status 3) if the device fails."""
+    `sensor` converts converter codes to electrons if the loader sends only codes; None for the
+    values of the target. All methods raise Rejected (status 3) if the device fails."""
 
     def __init__(
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen

@@ -55,7 +55,7 @@ class Capability(IntFlag):
     """Optional features of a loader."""
 
     EXACT = 1
-    """Sends exposures in float64 beside the codes of the converter."""
+    """Sends exposures in float64 in addition to the converter codes."""
     GAIN = 2
     """Multiplies a register by a gain other than 1 before conversion."""
     LOOKS = 4

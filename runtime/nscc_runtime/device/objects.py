@@ -261,8 +261,8 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
 
 
 def _plane_objects(container: Container) -> Iterator[Object]:
-    """Yield the planes that a device loads before the first frame of the program, as objects in the
-    order of sending."""
+    """Yield the bit planes that a device loads before the program's first frame, each as an object
+    of the upload, in the order of sending."""
     planes, target = container.planes(), container.target
     # Writes to the masked register use the mask, so its plane is sent before the mask's plane.
     for register in sorted(planes, key=lambda name: name != target.masked_register):

@@ -19,7 +19,7 @@ def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
 
 
 def _zero(target: Target, _values: Mapping[str, float]) -> float:
-    """Return the code of no charge."""
+    """Return the converter code of a pixel without charge."""
     return target.zero_lsb
 
 

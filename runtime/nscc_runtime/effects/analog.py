@@ -27,7 +27,8 @@ from nscc_runtime.noise import key, normals
 
 
 def _full_range_code(_target: Target, values: Mapping[str, float]) -> float:
-    """Return the electrons of one code of words, whose 255 codes span two full wells."""
+    """Return the electrons of one step (lsb) in which errors of analog words are stated; 255 steps
+    span two full wells."""
     return 2.0 * values["full_well_e"] / 255.0
 
 
@@ -89,7 +90,8 @@ WORD_LSB = parameter(
 
 
 def _in_electrons(codes: Parameter) -> OfSensor:
-    """Return a function that converts a parameter in codes of words into electrons."""
+    """Return a function that converts a parameter in steps (lsb) of analog words, `analog_lsb_e`
+    electrons each, into electrons."""
     return lambda sensor: codes(sensor) * WORD_LSB(sensor)
 
 

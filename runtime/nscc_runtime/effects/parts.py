@@ -141,22 +141,25 @@ class Fading(Part, stage="digital"):
 
 
 class CodeErrors(Part):
-    """Declares errors of codes before they are rounded, with standard deviation `sigma_lsb`."""
+    """Declares errors of converter codes before rounding, with standard deviation `sigma_lsb`, in
+    codes."""
 
     sigma_lsb: OfSensor
 
 
 @dataclass(frozen=True)
 class Converter(CodeErrors, stage="converter"):
-    """Declares converter noise of `sigma_lsb` codes, one draw for all effects with this part."""
+    """Declares converter noise with standard deviation `sigma_lsb`, in converter codes. All effects
+    with this part share one draw (a random number of every pixel)."""
 
     sigma_lsb: OfSensor
 
 
 @dataclass(frozen=True)
 class FixedCodes(CodeErrors, stage="pattern"):
-    """Declares an error of each code that is fixed for a chip: a function of sensor, device seed
-    and shape of the array, with standard deviation `sigma_lsb` codes."""
+    """Declares an error of each converter code that is fixed for a chip. The function `codes`
+    computes it from sensor, device seed and shape of the array; its standard deviation is
+    `sigma_lsb`, in codes."""
 
     sigma_lsb: OfSensor
     codes: Callable[[Sensor, int, tuple[int, int]], Floats]
@@ -164,7 +167,8 @@ class FixedCodes(CodeErrors, stage="pattern"):
 
 @dataclass(frozen=True)
 class CommonCode(CodeErrors, stage="common"):
-    """Declares an error of `sigma_lsb` codes that all codes of a bucket have in common."""
+    """Declares an error that all converter codes of a bucket share, with standard deviation
+    `sigma_lsb`, in codes."""
 
     sigma_lsb: OfSensor
 
@@ -179,7 +183,8 @@ class InColumns(Part, stage="columns"):
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """Declares the converter's scale: `electrons` per code, and the code of 0 electrons."""
+    """Declares the converter's scale: `electrons` per converter code, and the code of 0 electrons
+    (`offset`)."""
 
     electrons: OfSensor
     offset: OfSensor

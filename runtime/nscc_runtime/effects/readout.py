@@ -101,7 +101,7 @@ def _pattern_lsb(sensor: Sensor, device_seed: int, shape: tuple[int, int]) -> Fl
 
 
 def _pattern_sd_lsb(sensor: Sensor) -> float:
-    """Return the standard deviation of the pattern of the readout, in codes."""
+    """Return the standard deviation over pixels of the readout's fixed pattern, in codes."""
     return hypot(PATTERN(sensor), SMOOTH(sensor))
 
 

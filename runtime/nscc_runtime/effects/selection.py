@@ -97,8 +97,8 @@ class Selection:
         return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
     def converter_lsb(self, sensor: Sensor, *, fixed: bool = True) -> float:
-        """Return the standard deviation of a code before rounding, over frames, and over pixels
-        unless `fixed` is False."""
+        """Return the standard deviation of a converter code before rounding, in codes. It covers
+        the noise of frames and, with `fixed`, the fixed pattern over pixels."""
         errors = [part for _, part in self.having(CodeErrors)]
         errors = [part for part in errors if fixed or not isinstance(part, FixedCodes)]
         return hypot(*(part.sigma_lsb(sensor) for part in errors))

@@ -19,8 +19,8 @@ class Sensor:
     Parameters
     ----------
     values : mapping of str to float
-        Value by parameter name. Names end with their unit: electrons (`_e`), seconds (`_s`), codes
-        of the converter (`_lsb`); fractions have no unit.
+        Value by parameter name. Names end with their unit: electrons (`_e`), seconds (`_s`),
+        converter codes (`_lsb`); fractions have no unit.
     """
 
     values: Mapping[str, float]
@@ -77,9 +77,8 @@ class Sensor:
 
 def before_readout_effects(values: Mapping[str, float]) -> dict[str, float]:
     """Return the parameters that sensors of earlier versions lack, with the values that describe
-    their frames: all words had the same errors, in codes of the converter, and the readout had
-    white noise alone. `values`: the parameters of such a sensor by name, with `electrons_per_lsb`
-    among them."""
+    their frames: all words had the same errors, in converter codes, and the readout had white noise
+    only. `values`: the parameters of such a sensor by name, with `electrons_per_lsb` among them."""
     return {
         "analog_lsb_e": values["electrons_per_lsb"],
         "analog_move_loss": 1.0,

@@ -1,4 +1,4 @@
-"""Errors of the words that spread exposures over all codes of the converter."""
+"""Errors of the words that spread exposures over all converter codes."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from nscc_runtime.effects.parts import Converter
 
 
 def _of_words(target: Target, values: Mapping[str, float]) -> float:
-    """Return the noise of spreading in codes, which follows from that of words; 0 on chips that
-    do not spread."""
+    """Return the noise of spreading in converter codes, which follows from the noise of words; 0 on
+    chips that do not spread."""
     spreads = target.spread_level is not None
     word_e = values["analog_noise_lsb"] * values["analog_lsb_e"]
     return word_e / values["electrons_per_lsb"] * SPREADING_ERRORS**0.5 if spreads else 0.0

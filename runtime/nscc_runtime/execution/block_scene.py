@@ -405,7 +405,7 @@ def _charge_of_frame(
     scene: BlockScene, charge: ChargeScene, seed: int, frame: int, threads: int
 ) -> Floats:
     """Return the charge of one frame, electrons (stretches, pixels): the means plus the deviations
-    of random counts, exchanged between neighbours.
+    of Poisson counts, exchanged between neighbours.
 
     `seed`: of the noise. `frame`: number of the frame. Without counts this is the array of means
     itself, which callers must not change. A stretch is the slots between two reads or resets of
@@ -418,8 +418,8 @@ def _charge_of_frame(
     missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)
 
     def run(begin: int, end: int) -> None:
-        """Exchange the counts of the pixels from `begin` up to before `end` with their neighbours,
-        and write their charge into `charge_e`."""
+        """Exchange the random electron counts of the pixels `begin` to `end` - 1 with their
+        neighbours, and write the charge of these pixels, in electrons, into `charge_e`."""
         exchange_counts(
             exchanging=Exchanging(
                 begin=begin,

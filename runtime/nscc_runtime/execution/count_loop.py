@@ -1,4 +1,4 @@
-"""Poisson counts of pixels: deviations from their means."""
+"""Poisson counts of the electrons of pixels, as deviations from their means."""
 
 from __future__ import annotations
 
@@ -75,7 +75,8 @@ def draw_deviations(
     frame: int,
     threads: int,
 ) -> Floats:
-    """Return the deviations of counts from their means, (rows, pixels), added up over sources.
+    """Return the deviations of Poisson counts of electrons from their means, (rows, pixels), added
+    up over sources (light and dark charge).
 
     `sources`, at least one: of each the random stream, the number of the source, and the means
     (rows, pixels). A row is a stretch or group of slots, and row r is drawn with the key of group
@@ -88,8 +89,8 @@ def draw_deviations(
     keyed = [(keys(seed, stream, source, frame, rows), means) for stream, source, means in sources]
 
     def run(begin: int, end: int) -> None:
-        """Draw the counts of the pixels from `begin` up to before `end` from all sources, and write
-        the deviations into `away`."""
+        """Draw the counts of the pixels `begin` to `end` - 1 from all sources, and write their
+        deviations from the means into `away`."""
         values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
         for number, (of_rows, means) in enumerate(keyed):
             draw_counts(

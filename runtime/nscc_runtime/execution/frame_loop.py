@@ -85,13 +85,14 @@ def add_up(
     exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
     """Compute the exposures, in electrons, of some rows of a frame from their means `expected`,
-    from the deviations `away` of counts from their means, and from normal errors.
+    from the deviations `away` of Poisson counts of electrons from their means, and from normal
+    errors.
 
-    `noise_keys`: the random key of each source of errors, drawn at `places`. `sigma`: its standard
-    deviation in each bucket and lane (the pixels of one code); `lanes` has the lane of each pixel.
-    `own_weights`: electrons for one count of the pixel itself. `neighbour_weights` (draws, 4,
-    buckets, pixels): for one count of a neighbour, used if neighbours exchange counts. `total` and
-    `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
+    `noise_keys`: the random key of each source of errors, drawn at `places`. `sigma`: the standard
+    deviation of each source in each bucket and lane (the pixels of one code); `lanes` has the lane
+    of each pixel. `own_weights`: electrons for one count of the pixel itself. `neighbour_weights`
+    (draws, 4, buckets, pixels): for one count of a neighbour, used if neighbours exchange counts.
+    `total` and `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:

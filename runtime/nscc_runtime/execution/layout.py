@@ -79,9 +79,9 @@ class WordKeys:
 @record
 class LoopWord:
     """An analog word, as the loops read it. `resets` (PIX), `compares`, `reads_pix`, `adds`
-    (several sources): 1 if it does so, else 0. `sources`, `destinations`: how many registers it
-    reads and writes. `divisor`: its result is -(sum of its sources) / divisor. PIX is the
-    photodiode."""
+    (several sources): 1 if the word does this, else 0. `sources`, `destinations`: how many
+    registers it reads and writes. `divisor`: its result is -(sum of its sources) / divisor. PIX is
+    the photodiode."""
 
     resets: int
     compares: int

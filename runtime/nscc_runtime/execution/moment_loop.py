@@ -57,8 +57,8 @@ def _separate(
     counts: Floats,
     own_weights: Floats32,
 ) -> None:
-    """Set the means `counts` (buckets, pixels) of the independent counts of the row of pixels that
-    begins with `first`, and their weights `own_weights` if buckets overlap.
+    """Set the means `counts` (buckets, pixels) of the independent Poisson counts of the row of
+    pixels that begins with `first`, and their weights `own_weights` if buckets overlap.
 
     `covariance_e2`: covariances of the row, (pairs of buckets, cols). It becomes L D L^T, where L
     has a unit diagonal, and both replace it. Buckets that depend on earlier ones have no count of
@@ -110,7 +110,8 @@ def complete_moments(
     counts: Written[Annotated[Floats, "draws pixels"]],
     own_weights: Written[Floats32],
 ) -> None:
-    """Compute the moments of pixels from sums of their light: means, and independent counts.
+    """Compute the moments of pixels from sums of their light: mean exposures, and the means of
+    independent Poisson counts.
 
     `sums`: covariances (e^2) that counts of light cause in pairs of buckets, then exposures (e) for
     each bucket and rate of leakage, which `rate_weights` interpolate. `fixed_e`, `dark_e2`: means

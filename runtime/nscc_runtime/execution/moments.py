@@ -43,16 +43,17 @@ ten thousand is outside."""
 class Moments:
     """The distribution of a scene's frames without saturation.
 
-    A frame is `mean_e`, plus the deviations of `counts` from their means times `own_weights`, plus
-    neighbours' deviations, plus normal errors. There is one Poisson count and one normal number for
-    each pixel and bucket.
+    A frame is a sum of four terms: `mean_e`; the deviations of Poisson counts from their means
+    `counts`, times `own_weights`; the deviations of neighbours; and normal errors. There is one
+    Poisson count and one normal number for each pixel and bucket.
 
     Attributes
     ----------
     mean_e : float64, shape (buckets, pixels)
         Mean exposures in electrons, with fixed errors of words.
     counts : float64, shape (draws, pixels)
-        Means of the counts that are drawn; one draw a bucket, or none without counted charge.
+        Means of the Poisson counts; one draw for each bucket, none if the effects count no
+        electrons.
     own_weights : float32, shape (draws, buckets, pixels)
         Electrons in each bucket for one count of the pixel.
     neighbour_weights : float32, shape (draws, 4, buckets, pixels)
@@ -324,9 +325,9 @@ def _fixed_e(
 
 
 def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Floats:
-    """Return the covariances that counts of dark charge cause, in square electrons, (pairs of
-    buckets, pixels). Pairs are (0, 0), (0, 1), (1, 1), (0, 2) and so on; there are none, shape (0,
-    pixels), without the effect."""
+    """Return the covariances that Poisson counts of dark charge cause, in square electrons, (pairs
+    of buckets, pixels). Pairs are (0, 0), (0, 1), (1, 1), (0, 2) and so on; there are none, shape
+    (0, pixels), without the effect."""
     if effects.find_part(CountedDark) is None:
         return np.zeros((0, program.lane.size))
     weights = program.weights(program.model(effects)).slots
@@ -364,15 +365,15 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Floats:
 
 
 def _neighbour_weights(program: AnalysedProgram, model: WeightModel) -> tuple[Floats32, Floats]:
-    """Return the weights (draws, 4, buckets, pixels) of neighbours' counts, and the parts (4,
-    buckets, pixels) of neighbours' charge in a frame whose counts do not follow from them. Both are
-    cached with the program and the `model` of weights.
+    """Return the weights (draws, 4, buckets, pixels) of neighbours' Poisson counts, and the parts
+    (4, buckets, pixels) of neighbours' charge in a frame whose counts do not follow from them. Both
+    are cached with the program and the `model` of weights.
 
     The counts of a neighbour in the slots that a pixel sees are estimated from its own draws, as if
     its light were steady."""
 
     def make() -> tuple[Floats32, Floats]:
-        """Compute how much a pixel's counts tell about the charge that it gives to its neighbours.
+        """Estimate the charge that a pixel gives to its neighbours from the pixel's Poisson counts.
 
         Return the weights of each draw, and for four directions and each bucket the variance, for a
         charge of 1 e in the frame, that the draws do not determine."""

@@ -1,7 +1,8 @@
-"""Crosstalk of counts: the part of a neighbour's counts that arrives in a pixel's open slots.
+"""Crosstalk of Poisson counts of electrons: the part of a neighbour's counts that arrives in a
+pixel's open slots.
 
-A neighbour's charge is drawn for the neighbour's own exposures. What another pixel collects of it
-in its own open slots is estimated from these draws, slot by slot."""
+Counts are drawn for the exposures of the neighbour itself. From these draws, slot by slot, the
+charge that a pixel receives in its open slots is estimated."""
 
 from __future__ import annotations
 
@@ -27,8 +28,8 @@ neighbour, and these neighbours."""
 
 
 def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights:
-    """Return the electrons that one count of each neighbour would add to a pixel's exposures if all
-    of the neighbour's charge moved to the pixel.
+    """Return the electrons that one Poisson count of each neighbour would add to a pixel's
+    exposures if all of the neighbour's charge moved to the pixel.
 
     Parameters
     ----------
@@ -36,7 +37,8 @@ def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights
         Length of each slot in seconds times its weight in the exposures of a lane (the pixels of
         one code).
     estimated : float64, shape (N, lanes, draws)
-        Estimated charge per second in each slot, in electrons, if a draw of a lane counts 1.
+        Estimated charge in each slot, in electrons per second, for a count of 1 in a draw (one
+        Poisson count of every pixel) of a lane.
     lanes : int32, shape (rows, cols)
         The lane of each pixel.
 

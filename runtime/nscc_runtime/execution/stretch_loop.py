@@ -208,10 +208,11 @@ def light_means(
 def _add_missing(
     sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
 ) -> None:
-    """Add to `means.missing_e2` of pixel i, for each of its stretches, the variance of the counts
-    of its neighbour, the site `other`, in that stretch that the counts of the neighbour's own
-    stretches do not determine. A stretch is the slots between two reads or resets of PIX, the
-    photodiode. A site is a pixel whose charge is computed."""
+    """Add a variance to `means.missing_e2` of pixel i, for each of its stretches. It is the
+    variance of the neighbour's electron counts in that stretch that the counts of the neighbour's
+    own stretches do not determine. The neighbour is the site `other`. A stretch is the slots
+    between two reads or resets of PIX, the photodiode. A site is a pixel whose charge is computed.
+    """
     boundary, times, at_s = stretches.boundary, stretches.start_s, 0.0
     first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
     e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
@@ -338,9 +339,9 @@ def exchange_counts(
     drawn: Written[Floats],
     charge: Written[Floats],
 ) -> None:
-    """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame: the
-    means `mean_e` plus the deviations `away` (stretches, sites) of counts from their means, after
-    crosstalk.
+    """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame. It
+    is the means `mean_e` plus the deviations `away` (stretches, sites) of Poisson counts from their
+    means, after crosstalk.
 
     `missing_e2` (stretches, pixels): the variance of what pixels receive that the neighbours'
     counts do not determine; it is drawn here. `drawn` is working memory for `BLOCK` pixels. A

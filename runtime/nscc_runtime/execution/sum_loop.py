@@ -391,9 +391,11 @@ def drawn_at(light: Light, places: Ints) -> Light:
 
 def light_at(light: Light, places: Ints) -> Iterator[tuple[slice, Light]]:
     """Yield the light of the pixels at the ascending `places`, row * cols + col: a slice of
-    `places`, and their light with one row. All are one slice, unless frames are drawn.
+    `places`, and the light of its pixels with one row. The light is read in strips of rows, one
+    slice for each strip with pixels; frames in memory are a single strip.
 
-    The lights have no motion of their own: a light that moves is chosen before."""
+    The yielded lights have no `motion`. A caller that needs the light with motion passes
+    `light.motion` instead of `light`."""
     for rows, first, strip in light.strips():
         begin, end = np.searchsorted(places, np.array([rows.start, rows.stop]) * light.shape[1])
         if begin < end:

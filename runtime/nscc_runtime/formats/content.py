@@ -36,8 +36,7 @@ class Content:
     moving, colour : bool
         Whether `light` is a clip, and whether it has colours.
     codes : array, optional
-        Codes of the converter, uint8, with the shape of `light`. They are shown unless `tone` is
-        set.
+        Converter codes, uint8, with the shape of `light`. They are shown unless `tone` is set.
     write_npz : callable, optional
         Writes the .npz file if it contains more than `arrays`.
     benchmark : callable, optional
@@ -152,8 +151,8 @@ def frame_content(
 
 
 def _read_out(frame: Frame, container: Container) -> tuple[Bytes, Floats | None]:
-    """Return codes and electrons, (.., reads, rows, cols) each, of all that the program `container`
-    reads in `frame`; no electrons if only reports are read.
+    """Return converter codes and electrons, (.., reads, rows, cols) each, of everything that the
+    program `container` reads out in `frame`; no electrons if only reports are read.
 
     The first axis, of repeated frames or colours, may be missing. A 1 of a plane is the code 255
     and one electron."""

@@ -1,4 +1,4 @@
-"""Tolerances in electrons, in codes of the ADC, or as a fraction of the scene's signal or noise."""
+"""Tolerances in electrons, in converter codes, or as a fraction of the scene's signal or noise."""
 
 from __future__ import annotations
 
@@ -125,7 +125,8 @@ def unit_of(tolerance: ToleranceInput) -> str | None:
 
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene; `sensor` gives the
-    electrons of a code. A percentage of a scene without signal is not found here."""
+    electrons of a converter code. The check does not see the scene, so it accepts a percentage also
+    for a scene without signal."""
 
     class Bright:
         """A scene with signal and noise above 0, so that only the tolerance itself can be

@@ -286,8 +286,8 @@ class WordPixels(Pixels):
         self.charge = self.marks.fallen(self, self.charge + charge)
 
     def hold(self, seconds: float) -> None:
-        """Let analog registers leak for a time in seconds, if effects do so; PIX keeps its charge.
-        PIX is the photodiode."""
+        """Let analog registers leak for a time in seconds, if the effects include leakage; PIX
+        keeps its charge. PIX is the photodiode."""
         for decay in self.at("hold"):
             remaining = decay(self, seconds)
             self.register = {name: value * remaining for name, value in self.register.items()}

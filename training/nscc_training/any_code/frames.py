@@ -171,8 +171,8 @@ def _dark_of(
     meta: Mapping[str, Any],
     warn: Callable[[Diagnostic], None],
 ) -> Floats:
-    """Return the dark value (B, rows, cols) of each pixel, in codes above the ADC's offset, from
-    the dark frame in the file `path`.
+    """Return the dark value (B, rows, cols) of each pixel, in converter codes above the offset,
+    from the dark frame in the file `path`.
 
     `arrays` (with the decode table) and `meta` are those of the frame to be corrected. A large
     picture may be exposed in parts, by several arrays of pixels: then the dark frame may have the

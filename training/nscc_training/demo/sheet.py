@@ -353,8 +353,8 @@ def _time(seconds: float) -> str:
 
 
 def _row(frames: Bytes, titles: Sequence[str], note: str) -> list[Image]:
-    """Return one row of panels: `frames` (count, rows, cols, [3]), each below its title of
-    `titles`, which has as many. `note` is written below the first panel only."""
+    """Return one row of panels: `frames` (count, rows, cols, [3]), each below its title; `titles`
+    has one text for each frame. `note` is written below the first panel only."""
     return [
         Image(_fit(frame), title, note if k == 0 else "")
         for k, (frame, title) in enumerate(zip(frames, titles, strict=True))

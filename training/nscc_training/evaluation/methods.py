@@ -33,7 +33,7 @@ Frames = Floats32
 class CapturedScene:
     """Captured frames of one scene.
 
-    `codes` (frames, rows, cols) are above the converter's offset. `tile` (frames, slots, r, c)
+    `codes` (frames, rows, cols) are converter codes above the offset. `tile` (frames, slots, r, c)
     contains the shutters, which repeat over the array. `saturated` (frames, rows, cols) marks
     saturated codes. `model` is the sensor, None for exact measurements."""
 

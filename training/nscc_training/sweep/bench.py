@@ -196,8 +196,8 @@ def _scenes(items: tuple[tuple[str, Any], ...]) -> BenchScenes:
 
 def _decoded(frames: CapturedScene) -> Array:
     """Return the light of frames in electrons: neighbours are merged for stills, clips are decoded
-    by GAP-TV. A decoded clip with fewer slots than the truth has frames repeats each slot, whose
-    light is shared among its frames, so that it has as many."""
+    by GAP-TV. If a decoded clip has fewer slots than the truth has frames, each slot is repeated
+    and its light is divided among the copies. The result then has the frames of the truth."""
     if frames.is_still:
         return STILLS["merged"].decode(frames)
     decoded = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)

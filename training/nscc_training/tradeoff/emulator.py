@@ -295,14 +295,14 @@ class EmulatorBench:
 
     def error(self, frames: Sequence[Frame]) -> tuple[float, float]:
         """Return the RMS difference of `frames` from those of the reference, in electrons and in
-        codes."""
+        converter codes."""
         return error(frames, self.truth[0])
 
     @cache  # noqa: B019  # a bench lives as long as the command
     def plan_error(self, name: str) -> tuple[float, float]:
-        """Return the RMS error of the plan for the tolerance `name`, in electrons and in codes,
-        measured against the reference with the same random numbers. Results are cached. A plan is a
-        choice of the effects that are simulated."""
+        """Return the RMS error of the plan for the tolerance `name`, in electrons and in converter
+        codes, measured against the reference with the same random numbers. Results are cached. A
+        plan is a choice of the effects that are simulated."""
         rms_e = audit(self._on(self.scene.light), self.plans[name]).measured_rms_e
         return rms_e, rms_e / self.program.sensor.electrons_per_lsb
 
@@ -365,8 +365,8 @@ class EmulatorBench:
 
 
 def _error_figures(errors: Callable[[], tuple[float, float]], _frame: Frame) -> Figures:
-    """Return the errors that `errors` measures, in electrons and in codes, by the name of the unit.
-    The frame of the timed run is not used."""
+    """Return the errors that `errors` measures, in electrons and in converter codes, by the name of
+    the unit. The frame of the timed run is not used."""
     return dict(zip((ELECTRONS, LSB), errors(), strict=True))
 
 
@@ -377,8 +377,8 @@ def unknown(light: Light) -> Light:
 
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
-    """Return the RMS difference of frames from those of `truth`, as many, in electrons and in
-    codes, each of the worst bucket.
+    """Return the RMS difference of `frames` from `truth`, in electrons and in converter codes, each
+    of the worst bucket. Both have the same number of frames.
 
     Only pixels that are valid in both frames count. Both are infinite if a bucket has no valid
     pixel."""
