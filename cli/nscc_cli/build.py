@@ -138,7 +138,7 @@ def _printer(after: str | None) -> Observer | None:
         )
 
     def see(compiler_pass: Pass, value: Any) -> None:
-        """Print the result `value` of a pass, if it is the one that was asked for."""
+        """Print the result `value` of a pass, if the user chose to see this pass."""
         if compiler_pass.name == after:
             _print(compiler_pass.text(value).encode())
 

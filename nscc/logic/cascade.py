@@ -110,9 +110,9 @@ def cascade(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
 
 
 class _Finder:
-    """A search for a plan (which predicates to store, and cascades for the others) for one problem.
-    Points, tasks and how often each task occurs are computed once; then plans are searched until
-    the budget is used up."""
+    """The search for plans of one problem. A plan says which predicates (sets of shutters) are
+    stored, and how cascades of gates compute the others. Points, tasks and how often each task
+    occurs are computed once; then plans are searched until the budget is used up."""
 
     def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
         """Reduce the problem's demands (sets of shutters that FLAG must select at boundaries) to

@@ -140,8 +140,8 @@ class Covers(NamedTuple):
 
         `zeros` are indices into `values`, `outside` and `uncovered` are truth vectors (integers
         with one bit for each shutter). The cube starts with all literals and drops one after
-        another, each time the literal whose removal adds most of `uncovered`, the first of equal
-        ones. A cube is prime if no literal can be dropped."""
+        another, each time the literal whose removal adds most of `uncovered`. If several literals
+        add equally much, the first is dropped. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
         # A literal that alone keeps out a part of `outside` can never be dropped.

@@ -251,7 +251,7 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
     """Return the analog steps of a moment (a boundary with operations) of the analog plan, for
-    reports: comparisons, then for each bucket its closing and opening, then a reset.
+    reports. The steps are comparisons, then for each bucket its closing and opening, then a reset.
 
     A step has the words that it would need alone; the program may share words between steps."""
     steps: list[PlanStep] = []

@@ -254,7 +254,7 @@ class _Moment:
 
     def _take_signal(self, comparison: Comparison) -> None:
         """Append words that write the negative signal of a comparison to the registers `scratched`
-        of the analog plan; the sum of these registers is the negative signal.
+        of the analog plan. The sum of these registers is the negative signal.
 
         The signal of a bucket that is open includes the light that the bucket has not taken yet.
         Raises GaveUp if no gates tell in which pixels the bucket is open."""

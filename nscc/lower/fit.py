@@ -23,8 +23,8 @@ _LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
 
 
 def ledger(holders: Mapping[str, str]) -> str:
-    """Return the contents of registers as text, with equal ones joined: `R1-R4 fall at boundary 4,
-    16, 64, 256; R0 scratch`.
+    """Return the contents of registers as text; registers with equal contents are joined: `R1-R4
+    fall at boundary 4, 16, 64, 256; R0 scratch`.
 
     `holders` maps registers to their contents in words. Contents are equal if they differ in their
     last number only. Without registers the text is empty."""

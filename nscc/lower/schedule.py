@@ -284,8 +284,8 @@ def _segments(decoding: Decoding, allocation: Allocation, size: KernelSize) -> l
     known: dict[Segment, Words] = {}
 
     def placed(*segments: Segment) -> Iterator[Words]:
-        """Yield the words of segments, by gate (size "gate") or by segment; equal ones are the same
-        object."""
+        """Yield the words of segments, by gate (size "gate") or by segment. Equal results are the
+        same object."""
         for segment in segments:
             for part in [(gate,) for gate in segment] if size == "gate" else [segment]:
                 if part not in known:

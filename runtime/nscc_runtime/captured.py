@@ -180,11 +180,12 @@ class Capture(Frame):
         ----------
         path : str or PathLike
             The ending selects the format: `.npz` for a frame file; `.hdr`, `.exr`, `.pfm` or
-            `.tiff` for electrons; `.png`, `.gif` or `.mp4` for codes.
+            `.tiff` for electrons; `.png`, `.gif` or `.mp4` for converter codes.
         keep : str or sequence of str
             Further contents of a frame file: `light`, `truth`, `shutter`, `codes`.
         tone : str, optional
-            Tone curve with which `.png`, `.gif` and `.mp4` show electrons; None shows codes.
+            Tone curve with which `.png`, `.gif` and `.mp4` show electrons; None shows converter
+            codes.
 
         Returns
         -------

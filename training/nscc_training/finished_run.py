@@ -165,8 +165,8 @@ class Run:
     ) -> Floats32:
         """Return the decoder's output for a frame: light in electrons, or scores of classes.
 
-        `frame` is a capture, a frame file or an array of converter codes; with `force` another
-        program or sensor is only a warning; `dark` is a dark capture or file, or None. Raises
+        `frame` is a capture, a frame file or an array of converter codes. With `force`, another
+        program or sensor is only a warning. `dark` is a dark capture or file, or None. Raises
         Rejected (NS0819, NS0789). Warnings are shown by Python's `warnings`."""
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)

@@ -274,7 +274,6 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: Array, adc_offset: float) -> Floats:
-    """Return the mean converter code above the converter's offset, `adc_offset`, of repeated
-    exposures `codes` (repeats, buckets, rows, cols): (rows, cols), or (2, rows, cols) for two
-    buckets."""
+    """Return the mean converter code above the offset `adc_offset`, (rows, cols), or (2, rows,
+    cols) for two buckets. `codes` are repeated exposures (repeats, buckets, rows, cols)."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

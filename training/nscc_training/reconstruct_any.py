@@ -440,8 +440,8 @@ def with_weight(weight: float, iterations: int) -> Decoder:
 
 def best_weight(measured: Measured[Array], iterations: int) -> tuple[float, Floats]:
     """Return the weight of total variation, one of `_WEIGHTS`, with which GAP-TV predicts left-out
-    pixels best (least mean square error; of equal ones the smallest weight), and the errors
-    (values,) of its predictions, in units of white.
+    pixels with the least mean square error; of equal errors, the smallest weight. Return also the
+    errors (values,) of the predictions with this weight, in units of white.
 
     `measured` must be divided by white. Each prediction runs `iterations` iterations."""
     errors = [prediction_errors(measured, with_weight(w, iterations)) for w in _WEIGHTS]

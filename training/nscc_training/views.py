@@ -297,8 +297,8 @@ def result_sheet(values: JsonObject, title: str) -> Figure:
 
 
 def sensor_sheet(path: Path) -> Figure:
-    """Draw the mean converter code over uniform light in one slot of 1 ms, and the scatter of codes
-    from frame to frame and from pixel to pixel.
+    """Draw the mean converter code over uniform light in one slot of 1 ms. Draw also the scatter of
+    codes from frame to frame and from pixel to pixel.
 
     `path` is a sensor file. The emulator exposes two frames whose columns have increasing light."""
     target = load_target(DEFAULT_NAME, Path())

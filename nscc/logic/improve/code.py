@@ -184,9 +184,9 @@ def flatten(
     """Return a solution as items, with as many scratch registers (for intermediate results) as the
     machine allows.
 
-    A write to the masked register first overwrites its mask, which the items forget before it.
-    Masked gates are taken as gates that write in all shutters: their words are right, the contents
-    of their states are not."""
+    A write to the masked register first overwrites its mask, which the items forget before it. A
+    masked gate (it writes a state only where the mask t0 is 1) becomes an operation that writes in
+    all shutters. The number of its words is right, but the content of its state is not."""
     planes, states = len(solution.planes), solution.states
     scratch, masked = _room(solution, machine)
     everything = problem.everything

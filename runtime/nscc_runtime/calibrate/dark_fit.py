@@ -36,8 +36,8 @@ class DarkFit:
 
     def at(self, exposure_s: float | None) -> Map:
         """Return the mean converter codes (2, rows, cols) of even and odd frames without light
-        after `exposure_s` seconds. If that or the current is unknown, the charge of the fitted
-        darks stays included."""
+        after `exposure_s` seconds. If `exposure_s` or the dark current is unknown, return
+        `offsets`."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s

@@ -115,9 +115,9 @@ def calibrate_files(
     """Calibrate from files and folders of flats and of darks, each PATH or PATH@TIME (such as 2ms)
     and one level.
 
-    `target` gives the largest code. `crosstalk`: a known value, None to measure it. `progress`
-    counts the files. Raises Rejected (status 2) like `load_stack` for unreadable frames, and like
-    `calibrated` for unsuitable ones."""
+    `target` gives the largest converter code. `crosstalk`: a known value, None to measure it.
+    `progress` counts the files. Raises Rejected (status 2) like `load_stack` for unreadable frames,
+    and like `calibrated` for unsuitable ones."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
@@ -215,13 +215,13 @@ def _noise(
     """Return the noise without light in converter codes and in electrons, as quantities by name.
     The variance of rounding is subtracted.
 
-    If rounding hides it, the result is an upper limit. It is unknown if `dark` is None, because all
-    darks are cut off at an end of the scale. `curve` is the fitted photon transfer curve, `darks`
-    are the moments of the darks."""
+    If rounding hides the noise, the result is an upper limit. The noise is unknown if `dark` is
+    None, because all darks (frames without light) are then clipped at an end of the scale. `curve`
+    is the fitted photon transfer curve, `darks` are the moments of the darks."""
 
     def at_most(most: float, why: str) -> dict[str, Quantity]:
-        """Return `most` codes as the upper limit of the dark noise, in codes and in electrons, with
-        the reason `why`."""
+        """Return the upper limit `most` of the dark noise, in converter codes, as quantities in
+        codes and in electrons. `why` is the reason."""
         in_electrons = (most / curve.gain, None)
         return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
 

@@ -58,7 +58,7 @@ class Stack:
 
 
 def load_stack(source: str, top_code: int) -> Stack:
-    """Read the frames of PATH or PATH@TIME (such as 2ms), with codes in 0..`top_code`.
+    """Read the frames of PATH or PATH@TIME (such as 2ms), with converter codes in 0..`top_code`.
 
     PATH is a frame file, an array, a picture or a folder of pictures; the head of this module says
     where the exposure time comes from. Raises Rejected (status 2): NS0757 for unsuitable frames and
@@ -232,12 +232,12 @@ def _chosen(name: str, arrays: Mapping[str, Array]) -> tuple[str, Array]:
 
 
 def _ours(name: str, values: Array, meta: Mapping[str, Any]) -> tuple[Array, float | None]:
-    """Return the codes (K, rows, cols) of the frame file `name`, and for how long (s) its pixels
-    were open, None if unknown.
+    """Return the converter codes (K, rows, cols) of the frame file `name`, and for how long (s) its
+    pixels were open, None if unknown.
 
-    `values` are its codes, (buckets, rows, cols) or (K, buckets, rows, cols), and `meta` its
-    description. Raises Rejected (NS0757) for several buckets, for pixels with different open times,
-    and for an invalid time."""
+    `values` are the codes in the file, (buckets, rows, cols) or (K, buckets, rows, cols), and
+    `meta` its description. Raises Rejected (NS0757) for several buckets, for pixels with different
+    open times, and for an invalid time."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise _no_frames(
@@ -287,8 +287,8 @@ def _pictures(path: Path) -> Array:
 
 
 def _codes(name: str, key: str, values: Array, top_code: int) -> Codes:
-    """Return the codes `values`, (K, rows, cols) or (rows, cols), of the array `key` of file `name`
-    as uint16 (K, rows, cols).
+    """Return the converter codes `values`, (K, rows, cols) or (rows, cols), as uint16 (K, rows,
+    cols). They are the array `key` of the file `name`.
 
     Raises Rejected (NS0757) for other shapes, fewer than 2 rows or columns, types that are not
     numbers, and values that are not integers from 0 to `top_code`."""

@@ -80,19 +80,19 @@ class LevelMoments:
 
     @property
     def cut_at_zero(self) -> bool:
-        """Whether the level is clipped at code 0."""
+        """Whether the level is clipped at the converter code 0."""
         return self.share_at_zero > CLIPPED
 
     @property
     def cut_at_top(self) -> bool:
-        """Whether the level is clipped at the top code."""
+        """Whether the level is clipped at the largest converter code."""
         return self.share_at_top > CLIPPED
 
 
 def level_of(stack: Stack, top_code: int) -> Level:
-    """Return the moments of the frames of `stack`, whose largest possible code is `top_code`.
-    Raises Rejected: NS0758 for a single frame, NS0757 for a frame that is repeated in a level with
-    noise."""
+    """Return the moments of the frames of `stack`, whose largest possible converter code is
+    `top_code`. Raises Rejected: NS0758 for a single frame, NS0757 for a frame that is repeated in a
+    level with noise."""
     count = len(stack.codes)
     if count < 2:
         raise rejected(

@@ -108,8 +108,8 @@ def refuse_uneven(
 
 
 def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
-    """Return a mask (rows, cols) of the pixels of `good_mask` whose mean code in `level` differs
-    from the median by more than `OUTLIER` standard deviations.
+    """Return a mask (rows, cols) of the pixels of `good_mask` whose mean converter code in `level`
+    differs from the median by more than `OUTLIER` standard deviations.
 
     The standard deviation is estimated robustly. With `flat`, a smooth surface is subtracted
     first."""

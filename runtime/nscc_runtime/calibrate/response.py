@@ -83,8 +83,8 @@ def linearity(
     text with the reason why it is unknown.
 
     `level_moments` are those of the flats. `dark` is the fit of the frames without light, None if
-    there is none. `full`: the code at which flats saturate. Flats between 5 % and 95 % of that
-    range count; three different times are needed."""
+    there is none. `full`: the converter code at which flats saturate. Flats between 5 % and 95 % of
+    that range count; three different times are needed."""
     if dark is None:
         return "no dark tells the code without charge"
     if any(level.exposure_s is None for level in level_moments):

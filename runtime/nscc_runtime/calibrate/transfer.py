@@ -1,9 +1,9 @@
 """The photon transfer curve: usable levels, system gain, saturation.
 
-Mean and variance of a count of electrons are equal. One electron is K codes, so the variance of a
-level increases with its mean with slope K, from the noise of a frame without charge. Charge that a
-pixel shares with its neighbours reduces the variance and appears in the covariance of neighbours
-(EMVA 1288 assumes no crosstalk)."""
+Mean and variance of a count of electrons are equal. One electron is K converter codes, so the
+variance of a level increases with its mean with slope K. Without charge, the variance is that of
+the noise. Charge that a pixel shares with its neighbours reduces the variance and appears in the
+covariance of neighbours (EMVA 1288 assumes no crosstalk)."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def transfer(
 
 def _unfit(level: LevelMoments, limit: float) -> str:
     """Return the reason why `level` is excluded from the fit; "" if it is used. `limit`: the
-    largest mean code of a level that is used."""
+    largest mean converter code of a level that is used."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
     if level.cut_at_zero:
@@ -118,9 +118,9 @@ def _fitted(
     """Return the photon transfer line of variance over mean through the `used` levels, with the
     covariance of neighbours; without saturation and levels left out.
 
-    `offset` is the code without charge and its standard error, None if unknown. `known` is a known
-    crosstalk, None to measure it. Raises Rejected (NS0759) if the variance does not increase with
-    the mean. Errors are propagated with a numerical Jacobian."""
+    `offset` is the converter code without charge and its standard error, None if unknown. `known`
+    is a known crosstalk, None to measure it. Raises Rejected (NS0759) if the variance does not
+    increase with the mean. Errors are propagated with a numerical Jacobian."""
     zero, zero_se = offset or (0.0, 0.0)
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
@@ -137,7 +137,7 @@ def _fitted(
 
     def standard_errors(fitted: Vector) -> Vector:
         """Return the expected standard errors of the measured variances of the `used` levels, given
-        the fitted variances, both in squared codes."""
+        the fitted variances, both in squared converter codes."""
         # A fitted variance near or below 0 must not give a level infinite weight.
         size = np.maximum(fitted, QUIET / 2)
         errors = 2 * size**2 / degrees + slope**2 * size / samples + rounding**2
@@ -205,7 +205,7 @@ def _crosstalk(variance: float, covariance: float) -> float:
 def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Rejected:
     """Return the error (NS0758) that too few levels can be used, with the reason for each unused
     one. `judged` are all flats, each with the reason why it cannot be used or "". `limit` is the
-    largest mean code of a level that is used."""
+    largest mean converter code of a level that is used."""
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]

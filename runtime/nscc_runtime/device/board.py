@@ -43,9 +43,9 @@ class EmulatedChip:
     def execute(self, program: BoardProgram, channels: int) -> ExecutedFrame:
         """Expose one frame of `program`. `channels` are the bits of `Channel` that are read out.
 
-        The bytes of the frame are, as far as they are requested, all codes, then all exposures, by
-        readout, column and row, then all planes of states. Raises what the scene raises for these
-        slots."""
+        The bytes of the frame are, as far as they are requested, all converter codes, then all
+        exposures, then all planes of states. Codes and exposures are in the order of readout,
+        column and row. Raises what the scene raises for these slots."""
         from nscc_runtime.frame_file import read_out
         from nscc_runtime.interface import Exposure
         from nscc_runtime.neighbours.pictured_program import image_sensor

@@ -248,11 +248,11 @@ def frame_of(
     """Convert the bytes of a frame to a frame. `data` has the `channels`, bits of `Channel`, in the
     order of their numbers.
 
-    `shape`: (readouts, rows, cols). `sensor` converts codes to electrons if there is no channel
-    EXPOSURE. `target` decides which pixels are saturated: the last code of the scale and, with a
-    program `container`, the codes of a full well or register. With a program whose pixels look, the
-    frame contains the light that follows from the planes of STATES. `reaches`: see
-    `told_of_planes`; None if the program's own apply."""
+    `shape`: (readouts, rows, cols). `sensor` converts converter codes to electrons if there is no
+    channel EXPOSURE. `target` decides which pixels are saturated: those with the largest converter
+    code. With a program `container`, pixels with the code of a full well or register are saturated,
+    too. With a program whose pixels look, the frame contains the light that follows from the planes
+    of STATES. `reaches`: see `told_of_planes`; None if the program's own apply."""
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
     # Loaders send values column by column (`in_columns`).

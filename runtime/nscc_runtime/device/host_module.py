@@ -46,10 +46,10 @@ def expose_by_host(
     """Return the file of the next whole frame that a host module receives.
 
     `place`: host:MODULE for a chip at USB, or host:MODULE@ADDRESS[:PORT] for a relay at TCP.
-    `container`: the program that runs on the chip. `sensor` converts codes to electrons, None for
-    the program's default. `patience_s`: longest time without a picture. Raises Rejected (status 3):
-    NS0795 for a module that cannot be used, a lost link, silence, or frames with other readouts
-    than the program's, and NS0794 (status 2) for pictures of another size."""
+    `container`: the program that runs on the chip. `sensor` converts converter codes to electrons,
+    None for the program's default. `patience_s`: longest time without a picture. Raises Rejected
+    (status 3): NS0795 for a module that cannot be used, a lost link, silence, or frames with other
+    readouts than the program's, and NS0794 (status 2) for pictures of another size."""
     name, _, address = place.removeprefix(PREFIX).partition("@")
     module = _imported(name)
     try:

@@ -1,8 +1,8 @@
 """Frames that the software of a chip's own host saved, as frame files.
 
-Such a host saves one picture for each readout: 8-bit codes of an analog register, or the bits of a
-digital register. The pictures do not tell how the host turned or cut the array, so the user states
-it."""
+Such a host saves one picture for each readout: 8-bit converter codes of an analog register, or the
+bits of a digital register. The pictures do not tell how the host turned or cut the array, so the
+user states it."""
 
 from __future__ import annotations
 
@@ -71,12 +71,12 @@ def import_frame(
     container : Container
         The program that ran on the chip, with pixel codes.
     files : sequence of Path, or mapping of str to Path
-        A picture for each name of `readout_names`, in this order or by name. Pictures of codes are
-        8-bit grey; pictures of bits have at most two values, of which one is 0.
+        A picture for each name of `readout_names`, in this order or by name. Pictures of converter
+        codes are 8-bit grey; pictures of bits have at most two values, of which one is 0.
     orientation : Orientation, optional
         By default, row 0 and column 0 of a picture are those of the array.
     sensor : Sensor, optional
-        Converts codes to electrons, by default the sensor of the program's target.
+        Converts converter codes to electrons, by default the sensor of the program's target.
 
     Returns
     -------
@@ -115,8 +115,8 @@ def frame_of_pictures(
 
     `container`: the program that ran. `pictures`: for each name of `readout_names` the origin of
     the picture, for messages, and its 8-bit values (rows, cols). `orientation`: how they lie on the
-    array. `sensor` converts codes to electrons, None for the program's default. `about`: what
-    `meta["imported"]` tells beside the orientation. Raises Rejected as `import_frame`."""
+    array. `sensor` converts converter codes to electrons, None for the program's default. `about`:
+    what `meta["imported"]` tells beside the orientation. Raises Rejected as `import_frame`."""
     target = container.target
     check_adc(target)
     sensor = sensor or default_sensor(converter_of(container))

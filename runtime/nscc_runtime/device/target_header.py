@@ -197,7 +197,7 @@ def _sequences(target: Target) -> Iterator[str]:
 
 def _spreading(target: Target) -> Iterator[str]:
     """Yield the lines of the C++ tables of words that map a register to 2 x exposure - full well
-    before conversion, and the mapping of the converter's symmetric codes to the converter codes of
+    before conversion. The lines also state how the converter's symmetric codes map to the codes of
     a frame."""
     names, level = target.analog_registers, target.spread_level
     yield "\n// What readout makes of exposures, so that they take all codes of the converter."

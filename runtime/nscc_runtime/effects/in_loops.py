@@ -48,9 +48,10 @@ def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Fl
 
 
 def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:
-    """Return the first halves of the random keys for errors of words, by field of `WordKeys`, for
-    all effects, also those that are off. `seed`: of the noise. `source`: number that distinguishes
-    uses of an effect's stream."""
+    """Return the part of the random keys for errors of words that does not depend on frame and
+    group (`nscc_runtime.noise.keys.base`), by field of `WordKeys`. The keys are for all effects,
+    also those that are off. `seed`: of the noise. `source`: number that distinguishes uses of an
+    effect's stream."""
     keys_by_name: dict[str, np.uint64] = {
         error_part.at: base(seed, effect.stream, source)
         for effect in registered()

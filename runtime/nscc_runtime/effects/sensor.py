@@ -77,8 +77,9 @@ class Sensor:
 
 def before_readout_effects(values: Mapping[str, float]) -> dict[str, float]:
     """Return the parameters that sensors of earlier versions lack, with the values that describe
-    their frames: all words had the same errors, in converter codes, and the readout had white noise
-    only. `values`: the parameters of such a sensor by name, with `electrons_per_lsb` among them."""
+    their frames. In these frames all words had the same errors, in converter codes, and the readout
+    had white noise only. `values`: the parameters of such a sensor by name, with
+    `electrons_per_lsb` among them."""
     return {
         "analog_lsb_e": values["electrons_per_lsb"],
         "analog_move_loss": 1.0,

@@ -419,7 +419,7 @@ def _charge_of_frame(
 
     def run(begin: int, end: int) -> None:
         """Exchange the random electron counts of the pixels `begin` to `end` - 1 with their
-        neighbours, and write the charge of these pixels, in electrons, into `charge_e`."""
+        neighbours. Write the charge of these pixels, in electrons, into `charge_e`."""
         exchange_counts(
             exchanging=Exchanging(
                 begin=begin,

@@ -84,9 +84,9 @@ def add_up(
     drawn: Written[Floats],
     exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
-    """Compute the exposures, in electrons, of some rows of a frame from their means `expected`,
-    from the deviations `away` of Poisson counts of electrons from their means, and from normal
-    errors.
+    """Compute the exposures, in electrons, of some rows of a frame. Each is the sum of its mean
+    `expected`, of the deviations `away` of Poisson counts of electrons from their means, and of
+    normal errors.
 
     `noise_keys`: the random key of each source of errors, drawn at `places`. `sigma`: the standard
     deviation of each source in each bucket and lane (the pixels of one code); `lanes` has the lane

@@ -84,7 +84,7 @@ class FrameSource:
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Yield frames 0 to `count` - 1, with converter codes and the noise of `seed`. Raises
-        ValueError, when the first frame is asked for, if `count` < 1."""
+        ValueError at the first frame if `count` < 1."""
         if count < 1:
             raise ValueError(f"{count} frames")
         target, seeds = self.container.target, (seed, self.device_seed)

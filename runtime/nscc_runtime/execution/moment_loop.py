@@ -58,7 +58,8 @@ def _separate(
     own_weights: Floats32,
 ) -> None:
     """Set the means `counts` (buckets, pixels) of the independent Poisson counts of the row of
-    pixels that begins with `first`, and their weights `own_weights` if buckets overlap.
+    pixels that begins with `first`. If buckets overlap, also set the weights `own_weights` of the
+    counts.
 
     `covariance_e2`: covariances of the row, (pairs of buckets, cols). It becomes L D L^T, where L
     has a unit diagonal, and both replace it. Buckets that depend on earlier ones have no count of

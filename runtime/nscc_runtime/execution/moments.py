@@ -43,9 +43,9 @@ ten thousand is outside."""
 class Moments:
     """The distribution of a scene's frames without saturation.
 
-    A frame is a sum of four terms: `mean_e`; the deviations of Poisson counts from their means
-    `counts`, times `own_weights`; the deviations of neighbours; and normal errors. There is one
-    Poisson count and one normal number for each pixel and bucket.
+    A frame is the sum of `mean_e`, deviations of Poisson counts, deviations of neighbours, and
+    normal errors. The deviations are those from the means `counts`, times `own_weights`. There is
+    one Poisson count and one normal number for each pixel and bucket.
 
     Attributes
     ----------
@@ -365,9 +365,9 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Floats:
 
 
 def _neighbour_weights(program: AnalysedProgram, model: WeightModel) -> tuple[Floats32, Floats]:
-    """Return the weights (draws, 4, buckets, pixels) of neighbours' Poisson counts, and the parts
-    (4, buckets, pixels) of neighbours' charge in a frame whose counts do not follow from them. Both
-    are cached with the program and the `model` of weights.
+    """Return the weights (draws, 4, buckets, pixels) of neighbours' Poisson counts. Return also the
+    parts (4, buckets, pixels) of neighbours' charge in a frame whose counts do not follow from the
+    neighbours' draws. Both are cached with the program and the `model` of weights.
 
     The counts of a neighbour in the slots that a pixel sees are estimated from its own draws, as if
     its light were steady."""

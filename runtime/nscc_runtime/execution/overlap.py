@@ -29,7 +29,7 @@ neighbour, and these neighbours."""
 
 def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights:
     """Return the electrons that one Poisson count of each neighbour would add to a pixel's
-    exposures if all of the neighbour's charge moved to the pixel.
+    exposures if all its charge moved to the pixel.
 
     Parameters
     ----------
@@ -37,8 +37,8 @@ def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights
         Length of each slot in seconds times its weight in the exposures of a lane (the pixels of
         one code).
     estimated : float64, shape (N, lanes, draws)
-        Estimated charge in each slot, in electrons per second, for a count of 1 in a draw (one
-        Poisson count of every pixel) of a lane.
+        Estimated charge in each slot, in electrons per second, if a draw of a lane counts 1. A draw
+        is one Poisson count of every pixel.
     lanes : int32, shape (rows, cols)
         The lane of each pixel.
 

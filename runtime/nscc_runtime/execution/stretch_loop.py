@@ -339,9 +339,9 @@ def exchange_counts(
     drawn: Written[Floats],
     charge: Written[Floats],
 ) -> None:
-    """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame. It
-    is the means `mean_e` plus the deviations `away` (stretches, sites) of Poisson counts from their
-    means, after crosstalk.
+    """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame. The
+    charge is the sum of the means `mean_e` and the deviations `away` (stretches, sites) of Poisson
+    counts from their means, after crosstalk.
 
     `missing_e2` (stretches, pixels): the variance of what pixels receive that the neighbours'
     counts do not determine; it is drawn here. `drawn` is working memory for `BLOCK` pixels. A

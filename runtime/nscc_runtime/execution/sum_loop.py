@@ -390,9 +390,9 @@ def drawn_at(light: Light, places: Ints) -> Light:
 
 
 def light_at(light: Light, places: Ints) -> Iterator[tuple[slice, Light]]:
-    """Yield the light of the pixels at the ascending `places`, row * cols + col: a slice of
-    `places`, and the light of its pixels with one row. The light is read in strips of rows, one
-    slice for each strip with pixels; frames in memory are a single strip.
+    """Yield the light of the pixels at the ascending `places`, row * cols + col. Each result is a
+    slice of `places` and the light of its pixels, with one row. The light is read in strips of
+    rows, one slice for each strip with pixels; frames in memory are a single strip.
 
     The yielded lights have no `motion`. A caller that needs the light with motion passes
     `light.motion` instead of `light`."""

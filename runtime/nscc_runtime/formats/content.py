@@ -129,11 +129,12 @@ def frame_content(
 ) -> Content:
     """Return the content of the frame file `file` of the program `container`.
 
-    Pictures of linear light contain electrons, other pictures the codes. Buckets are side by side,
-    or the images, planes and buckets that the program reads. Frames of --repeat make a clip, three
-    colours a colour picture. `light`: the scene of a .mat file, None if unknown. `shutters` returns
-    the distinct shutters bool (shutters, buckets, N) of the container (a compiled program). `tone`:
-    the requested tone curve, None for the codes as read out."""
+    Pictures of linear light contain electrons, other pictures the converter codes. Buckets are side
+    by side, or the images, planes and buckets that the program reads. Frames of --repeat make a
+    clip, three colours a colour picture. `light`: the scene of a .mat file, None if unknown.
+    `shutters` returns the distinct shutters bool (shutters, buckets, N) of the container (a
+    compiled program). `tone`: the requested tone curve, None for the converter codes as read out.
+    """
     frame, colour = file.frame, "colours" in file.meta
     codes, electrons = _read_out(frame, container)
     return Content(
@@ -152,7 +153,7 @@ def frame_content(
 
 def _read_out(frame: Frame, container: Container) -> tuple[Bytes, Floats | None]:
     """Return converter codes and electrons, (.., reads, rows, cols) each, of everything that the
-    program `container` reads out in `frame`; no electrons if only reports are read.
+    program `container` reads out in `frame`. There are no electrons if only reports are read.
 
     The first axis, of repeated frames or colours, may be missing. A 1 of a plane is the code 255
     and one electron."""

@@ -418,8 +418,8 @@ class PicturedProgram:
 
 
 class _WordsOfParams:
-    """The words of a container's images and planes, cached for the values of its parameters with
-    which they were asked for last."""
+    """The words of a container's images and planes, cached for the most recently requested values
+    of its parameters."""
 
     def __init__(self, container: Container) -> None:
         """Begin without words for the parameters of `container`."""

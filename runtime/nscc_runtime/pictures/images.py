@@ -77,8 +77,8 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
 
 
 def frame_sheet(readouts: Sequence[BucketReadout], title: str) -> Figure:
-    """Return a sheet under `title` with a row for each of `readouts`: the codes as read out, and
-    the tone-mapped light."""
+    """Return a sheet under `title` with a row for each of `readouts`: the converter codes as read
+    out, and the tone-mapped light."""
     rows = []
     for readout in readouts:
         light, usable = light_estimate(readout)

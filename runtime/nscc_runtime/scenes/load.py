@@ -92,8 +92,8 @@ class _Request:
             exposure.needed(self.name)
 
     def scale(self, open_sum: Floats, placement: Placement) -> float:
-        """Return the factor from the scene's unit to electrons: `factor`, or the one that gives the
-        exposure asked for.
+        """Return the factor from the scene's unit to electrons: `factor`, or the factor that gives
+        the requested exposure.
 
         `open_sum` (rows, cols) is the light over the frame in the scene's unit, on all arrays. Only
         its part on the picture counts, which `placement` cuts out. Raises Rejected (NS0738) like

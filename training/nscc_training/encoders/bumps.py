@@ -202,7 +202,7 @@ class Bump(Encoder):
 
     def snapped(self, fields: Tensor) -> Tensor:
         """Return the legal code nearest to each pixel's `fields` (fields, rows, cols), by the sum
-        of absolute differences; of equally near ones the first in `legal`.
+        of absolute differences. Of equally near codes, the first in `legal` is returned.
 
         Without a list of legal codes, every whole number is legal. The gradient passes as if
         nothing was rounded."""

@@ -29,8 +29,8 @@ _CPUINFO = Path("/proc/cpuinfo")
 
 
 def processor_name() -> str:
-    """Return the name of this machine's processor, or if the system does not tell it, its
-    architecture."""
+    """Return the name of this machine's processor; its architecture if the system does not tell the
+    name."""
     try:
         lines = _CPUINFO.read_text(errors="replace").splitlines()
     except OSError:

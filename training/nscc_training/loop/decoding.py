@@ -130,8 +130,8 @@ def decoded_frame(
     share: Floats32 | None = None,
     corner: tuple[int, int] = (0, 0),
 ) -> Floats32:
-    """Decode the converter codes of a frame to electrons over the frame (rows, cols), or per slot
-    (T, rows, cols), or to a number for each class.
+    """Decode the converter codes of a frame. Return electrons over the frame (rows, cols),
+    electrons per slot (T, rows, cols), or a number for each class.
 
     `frame` holds converter codes, (rows, cols), or (2, rows, cols) for two buckets. `saturated`, of
     the same shape, marks codes that count as full. `share` (rows, cols) is the open fraction of

@@ -129,8 +129,9 @@ class ClassWindow(ClipWindow):
         return np.array([float(name == self.label) for name in self.classes])
 
     def scores(self, result_e: Array) -> Item:
-        """Return whether the class with the highest score (of equal ones the first) is right
-        (`correct`, 1 or 0), the `cross_entropy` in nats, and the names of both classes.
+        """Return whether the class with the highest score is right (`correct`, 1 or 0), the
+        `cross_entropy` in nats, and the names of both classes. Of equal scores, the first is the
+        highest.
 
         `result_e` (classes,) are logarithms of likelihoods, up to a common constant."""
         decoded = self.classes[int(np.argmax(result_e))]

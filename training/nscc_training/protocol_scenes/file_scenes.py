@@ -119,8 +119,8 @@ def kinds_in(data: Path) -> list[Kind]:
 def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes (at least 1 is asked for), as evenly as possible from the first
-    files in `data`; None makes procedural ones, which `seed` determines.
+    """Return at most `count` scenes (`count` is at least 1), as evenly as possible from the first
+    files in `data`. With `data` None the scenes are procedural, and `seed` determines them.
 
     Raises Rejected (NS0811) if the protocol cannot expose any."""
     if data is None:
