@@ -65,8 +65,8 @@ def unknown_name(code: str, message: str, name: str, known: Sequence[str], liste
     """Return the exception for a name that is not in `known`.
 
     `message` contains {} for the name. `listed` is the note with the known names, and contains {}
-    for them. The help suggests the most similar name; without one, to name one of them. `code` is
-    that of the error, and the exit status is 2."""
+    for them. The help suggests the most similar name. If no name is similar, the help is to use one
+    of the known names. `code` is that of the error, and the exit status is 2."""
     return rejected(
         code,
         message.format(name[:60]),

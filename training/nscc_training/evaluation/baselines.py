@@ -168,7 +168,7 @@ def evaluate_baseline(
 
     def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:
         """Return the scores of the scenes `shown`, captured with the shutters `tile` ([frames,] N,
-        r, c) and decoded. None among them is left out."""
+        r, c) and decoded. An entry None is skipped."""
 
         def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             """Return the light of a scene that is captured with the tile, and the seconds of
