@@ -1,7 +1,8 @@
-"""The promise, on procedural scenes of every kind x programs of every kind x tolerances.
+"""Errors of plans stay within the tolerance, for all kinds of procedural scenes and of programs.
 
-Each program's runs are one test: no run may break its promise or keep an effect that the tolerance
-can spare, and of the errors that are large enough to be judged nine in ten must have been foreseen.
+Each program's runs are one test. An error may exceed its tolerance by a tenth at most. No effect
+may be kept that the tolerance can spare. Of the errors that are large enough to be judged, nine in
+ten must be near their prediction.
 The oracle is the loop over words on whole frames, without `nscc_runtime.planning.audit`.
 """
 
@@ -42,7 +43,7 @@ def runs(
 
 
 def check(found: dict[tuple[str, float], Outcome], least_judged: int = 1) -> None:
-    """Assert all that a promise is."""
+    """Assert that errors are within their tolerances, and that predictions of errors are right."""
     said = {
         at: f"err {each.err:.3g}, predicted {each.plan.predicted_e:.3g}"
         for at, each in found.items()
@@ -67,7 +68,7 @@ QUICK = {
 
 
 @pytest.mark.parametrize("program", QUICK)
-def test_plans_keep_their_promise_on_some_scenes(program: str) -> None:
+def test_errors_of_plans_stay_within_the_tolerance_on_some_scenes(program: str) -> None:
     slots = 8
     lights = [(name, scene(name, slots, ROWS, COLS)) for name in QUICK[program]]
     check(runs(program, lights, slots, tolerances=(0.5, 5.0, 50.0)))
@@ -76,15 +77,15 @@ def test_plans_keep_their_promise_on_some_scenes(program: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("slots", [4, 16, 64])
 @pytest.mark.parametrize("program", CASES)
-def test_plans_keep_their_promise_on_all_scenes(program: str, slots: int) -> None:
+def test_errors_of_plans_stay_within_the_tolerance_on_all_scenes(program: str, slots: int) -> None:
     lights = [(name, scene(name, slots, ROWS, COLS)) for name in SCENES]
     check(runs(program, lights, slots), least_judged=20)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("program", CASES)
-def test_plans_keep_their_promise_in_frames_of_half_a_second(program: str) -> None:
-    """Half a second: dark charge and leakage count, and registers forget."""
+def test_errors_of_plans_stay_within_the_tolerance_in_frames_of_half_a_second(program: str) -> None:
+    """In half a second dark charge and leakage matter, and registers lose their bits."""
     names = ("dark", "mid", "fast", "hdr")
     lights = [(name, scene(name, 16, ROWS, COLS)) for name in names]
     # Class a holds its FLAG for the whole frame: it fades, nothing is read, nothing to be judged.
@@ -94,15 +95,18 @@ def test_plans_keep_their_promise_in_frames_of_half_a_second(program: str) -> No
 
 @pytest.mark.slow
 @pytest.mark.parametrize("program", CASES)
-def test_plans_keep_their_promise_when_scenes_are_instants(program: str) -> None:
-    """Frames that are instants: what moves inside a slot is an effect as well."""
+def test_errors_of_plans_stay_within_the_tolerance_if_scenes_move_inside_slots(
+    program: str,
+) -> None:
+    """The frames of the scene are instants, so motion inside a slot is an effect that the plan may
+    drop."""
     names = ("fast", "flicker", "fast, bright")
     lights = [(name, with_motion(scene(name, 16, ROWS, COLS))) for name in names]
     check(runs(program, lights, 16))
 
 
-def test_the_promise_holds_for_a_scene_with_one_lamp() -> None:
-    """One pixel in four thousand carries the whole error of some effects."""
+def test_errors_of_plans_stay_within_the_tolerance_for_a_scene_with_one_lamp() -> None:
+    """One pixel in four thousand causes the whole error of some effects."""
     slots = 8
     frames = np.full((slots, ROWS, COLS), 12.0, np.float32)
     frames[:, 40, 23] = 2500.0
@@ -118,7 +122,7 @@ def test_reset_noise_cancels_unless_a_read_saturates(slots: int, name: str) -> N
     check(runs("c edges", [(name, light)], slots, tolerances=(0.5,)), least_judged=0)
 
 
-def test_all_devices_are_alike() -> None:
+def test_errors_of_plans_stay_within_the_tolerance_for_any_device_seed() -> None:
     slots = 8
     container = case("d edges", slots, rows=ROWS, cols=COLS)
     light, sensor = scene("fast", slots, ROWS, COLS), sensor_of(container)

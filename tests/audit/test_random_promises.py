@@ -1,4 +1,4 @@
-"""Random programs, scenes, sensors and tolerances: every promise of every plan holds."""
+"""Errors of plans stay within the tolerance for random programs, scenes and sensors."""
 
 from __future__ import annotations
 
@@ -16,15 +16,16 @@ def check(found: list[Draw]) -> None:
     assert 0.85 < ratio < 1.15
 
 
-def test_random_plans_keep_their_promise() -> None:
+def test_errors_of_random_plans_stay_within_the_tolerance() -> None:
     check([each for seed in range(3) for each in promises(seed, plans=3, side=32)])
 
 
-def test_pixels_at_the_edge_of_a_full_well_are_foreseen() -> None:
-    """A sun beside whose neighbours one pixel is at the edge, and the worst of the frame by far."""
+def test_plans_account_for_a_pixel_that_almost_fills_its_well_beside_a_sun() -> None:
+    """The scene has a sun. One pixel near it almost fills its well, and has by far the largest
+    error of the frame."""
     assert [each.said for each in promises(95130) if not each.found.kept] == []
 
 
 @pytest.mark.slow
-def test_a_thousand_random_promises_hold() -> None:
+def test_errors_of_a_thousand_random_plans_stay_within_the_tolerance() -> None:
     check([each for seed in range(250) for each in promises(seed)])

@@ -1,4 +1,4 @@
-"""The promise on sensors whose every figure is drawn at random, some of them zero."""
+"""Errors of plans stay within the tolerance on sensors with random values, some of them zero."""
 
 from __future__ import annotations
 
@@ -16,11 +16,12 @@ def check(found: list[Draw]) -> None:
     assert len(wrong) <= max(1, 0.1 * len(judged)), wrong
 
 
-def test_plans_of_a_few_random_sensors_keep_their_promise() -> None:
+def test_errors_of_plans_for_a_few_random_sensors_stay_within_the_tolerance() -> None:
     check([each for seed in range(1000, 1003) for each in draws(seed)])
 
 
 @pytest.mark.slow
-def test_plans_of_400_random_sensors_keep_their_promise() -> None:
-    """Judged together: of fifty predictions chance alone makes one in ten wrong now and then."""
+def test_errors_of_plans_for_400_random_sensors_stay_within_the_tolerance() -> None:
+    """All sensors are judged together: by chance alone, one in ten of fifty predictions may be
+    wrong."""
     check([each for seed in range(400) for each in draws(seed)])

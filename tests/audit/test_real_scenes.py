@@ -1,4 +1,4 @@
-"""The promise on real panoramas and clips, where they are."""
+"""Errors of plans stay within the tolerance on real panoramas and clips, if these are there."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def check(found: list[tuple[str, Outcome]]) -> None:
     assert len(wrong) <= 0.1 * len(judged), wrong
 
 
-def test_plans_keep_their_promise_on_two_real_scenes() -> None:
+def test_errors_of_plans_stay_within_the_tolerance_on_two_real_scenes() -> None:
     check(
         [
             each
@@ -77,7 +77,7 @@ def test_plans_keep_their_promise_on_two_real_scenes() -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
-def test_every_real_scene_keeps_its_promise(path: Path) -> None:
+def test_errors_of_plans_stay_within_the_tolerance_on_every_real_scene(path: Path) -> None:
     number = FILES.index(path)
     check(
         [

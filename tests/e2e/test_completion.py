@@ -128,8 +128,8 @@ def commands(group: click.Group, context: click.Context) -> Iterator[click.Comma
             yield from commands(found, context)
 
 
-def test_every_command_offers_what_it_takes() -> None:
-    """Options that have one name everywhere are told to the shell everywhere."""
+def test_options_of_one_name_have_the_same_type_in_every_command() -> None:
+    """The type determines what the shell offers."""
     known = {"--target": TARGET, "--scene": SCENE, "--effects": EFFECTS, "--sensor-set": SETTING}
     asked = [
         (option, command.name, parameter.type)
@@ -141,10 +141,10 @@ def test_every_command_offers_what_it_takes() -> None:
     assert [each for each in asked if each[2] is not known[each[0]]] == []
 
 
-def test_fish_keeps_what_stands_behind_a_comma(
+def test_the_fish_script_keeps_values_with_commas_whole(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """`string split` with a limit: values with commas are one value."""
+    """The script splits a line of the completion at its first comma only."""
     monkeypatch.setenv("_NSCC_COMPLETE", "fish_source")
     assert main([]) == 0
     assert "(string split --max 1 , $completion)" in capsys.readouterr().out

@@ -50,7 +50,7 @@ def test_pictures_do_not_depend_on_the_hash_seed(root: Path, tmp_path: Path) -> 
     assert pictures[0] == pictures[1]
 
 
-def test_a_second_frame_in_the_same_process_is_the_same(root: Path, tmp_path: Path) -> None:
+def test_a_second_run_in_the_same_process_writes_the_same_frame(root: Path, tmp_path: Path) -> None:
     from nscc_command import invoke
 
     shutil.copy(root / "examples" / "class_c.nsl", tmp_path)

@@ -65,7 +65,7 @@ def failed(outcome: Outcome, code: str, status: int = 3) -> str:
     return outcome.err
 
 
-def test_the_frame_is_the_emulators(folder: Path) -> None:
+def test_run_on_a_device_writes_the_frame_of_the_emulator(folder: Path) -> None:
     with serving(folder) as device:
         for name in ("small.icw", "small.nsl"):
             outcome = invoke(["run", name, "--on", device.port, "-o", "d.npz"], folder)
@@ -172,7 +172,7 @@ def test_options_of_the_emulator_are_refused(folder: Path) -> None:
         assert " ".join(more[:1]) in failed(outcome, "NS0770", 2)
 
 
-def test_a_port_that_cannot_be_opened(folder: Path) -> None:
+def test_a_port_that_cannot_be_opened_is_refused_without_a_frame_file(folder: Path) -> None:
     (folder / "file").write_text("no port")
     for port in ("/dev/nowhere", "file", ".", "/dev/null", "file/x", "a\nb"):
         said = failed(invoke(["run", "small.icw", "--on", port], folder), "NS0760")
@@ -261,12 +261,12 @@ def test_capture_refuses_contradicting_outputs(folder: Path) -> None:
         failed(invoke(line, folder), "NS0784", 2)
 
 
-def test_there_is_no_other_command(folder: Path) -> None:
+def test_an_unknown_device_command_gets_a_suggestion(folder: Path) -> None:
     assert "`nscc device serve`" in failed(invoke(["device", "sreve"], folder), "NS0781", 2)
     assert invoke(["device", "--help"], folder).status == 0
 
 
-def test_a_scene_that_does_not_suit_the_program(folder: Path) -> None:
+def test_a_stand_in_refuses_a_frame_if_its_scene_has_too_few_slots(folder: Path) -> None:
     np.savez(folder / "short.npz", light=np.ones((3, SIZE, SIZE), np.float32))
     with serving(folder, scene="short.npz") as device:
         failed(invoke(["run", "small.icw", "--on", device.port], folder), "NS0768")
@@ -345,7 +345,7 @@ def test_frames_of_the_stand_in_equal_those_of_the_emulator(tmp_path: Path, root
 
 
 @pytest.mark.pages
-def test_the_page_keeps_its_word(tmp_path: Path, root: Path) -> None:
+def test_the_commands_of_the_device_page_work(tmp_path: Path, root: Path) -> None:
     text = (root / "docs/device.md").read_text()
     lines = "".join(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S)).splitlines()
     serve = [line.split()[1:] for line in lines if " serve " in line]
@@ -366,7 +366,7 @@ def test_doctor_lists_ports(folder: Path) -> None:
     assert "serial ports: " in invoke(["doctor"], folder).out
 
 
-def test_only_the_port_imports_serial(root: Path) -> None:
+def test_only_the_module_port_imports_serial(root: Path) -> None:
     importing = set()
     for path in [*root.glob("nscc/**/*.py"), *root.glob("runtime/**/*.py")]:
         for node in ast.walk(ast.parse(path.read_text())):

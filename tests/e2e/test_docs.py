@@ -77,7 +77,9 @@ def test_commands_on_pages_work(page: str, tmp_path: Path) -> None:
             assert outcome.status == 0, outcome.err
 
 
-def test_the_python_of_the_home_page_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_python_code_on_the_home_page_of_the_site_works(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.chdir(tmp_path)
     [code] = blocks("docs/index.md", "python")
     names: dict[str, Any] = {}
@@ -86,7 +88,9 @@ def test_the_python_of_the_home_page_works(tmp_path: Path, monkeypatch: pytest.M
     assert names["frame"].light_e_per_s().shape == (1, 256, 256)
 
 
-def test_python_works_after_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_python_code_of_the_readme_works_after_its_commands(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     test_commands_on_pages_work("README.md", tmp_path)
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
@@ -95,7 +99,7 @@ def test_python_works_after_the_commands(tmp_path: Path, monkeypatch: pytest.Mon
     assert names["frame"]["exposure_e"].shape == (1, 256, 256)  # type: ignore[index]
 
 
-def test_python_captures_what_the_page_says(
+def test_the_python_code_on_the_emulator_page_captures_with_the_plan_that_it_makes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
@@ -133,7 +137,7 @@ def test_the_table_of_a_plan_is_that_of_its_command(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("page", PAGES)
 def test_links_lead_to_existing_pages(page: str) -> None:
-    """But to pages that the site's build makes: it checks those itself."""
+    """Links to generated pages are left out, because the build of the site checks them."""
     for link in re.findall(r"\]\(([^)#]+)\)", (ROOT / page).read_text()):
         assert (
             "://" in link
@@ -159,7 +163,7 @@ def test_every_command_is_listed_by_its_task() -> None:
         assert [name for name in lines if f"`nscc {name}" not in sections[title]] == []
 
 
-def test_the_python_of_training_works() -> None:
+def test_the_python_code_on_the_training_page_works() -> None:
     pytest.importorskip("torch")
     [text] = blocks("docs/training.md", "python")
     printed: list[object] = []

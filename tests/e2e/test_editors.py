@@ -100,8 +100,11 @@ def test_files_commands_and_settings_of_the_extension_exist() -> None:
 
 
 @pytest.mark.slow
-def test_the_packed_extension_colours_and_talks_to_the_server(tmp_path: Path) -> None:
-    """Packed by `make vsix`; its colours by VS Code's own library; it talks to `nscc lsp`."""
+def test_the_packed_extension_colours_programs_and_shows_answers_of_the_server(
+    tmp_path: Path,
+) -> None:
+    """`make vsix` packs the extension. The colouring library of VS Code reads its grammar; Node
+    runs the extension with `nscc lsp`, without a window."""
     if not shutil.which("npm"):
         pytest.skip("npm is not there")
     subprocess.run(["make", "vsix", f"OUT={tmp_path}"], cwd=ROOT, check=True, timeout=600)
@@ -137,10 +140,8 @@ def test_the_packed_extension_colours_and_talks_to_the_server(tmp_path: Path) ->
 
 @pytest.mark.slow
 def test_the_packed_extension_works_in_a_window_of_vs_code(tmp_path: Path) -> None:
-    """The packed extension in VS Code's own window, served by code-server, seen by a browser.
-
-    NSCC_EDITOR names the folder where `npm install code-server playwright-core` was run.
-    """
+    """A browser opens VS Code, which code-server serves, with the packed extension. NSCC_EDITOR
+    names the folder in which `npm install code-server playwright-core` was run."""
     modules, browser = Path(os.environ.get("NSCC_EDITOR", "")) / "node_modules", which_browser()
     server = modules / "code-server/out/node/entry.js"
     if not (server.is_file() and browser):

@@ -86,7 +86,7 @@ def test_examples_have_the_recorded_proved_words(
 
 
 @long_later
-def test_builds_for_every_legal_code(path: Path, tmp_path: Path) -> None:
+def test_every_example_is_built_and_proved_for_all_legal_codes(path: Path, tmp_path: Path) -> None:
     fine(["build", path, "--codes", "open", "-o", "a.icw"], tmp_path)
     fine(["prove", "a.icw"], tmp_path)
 

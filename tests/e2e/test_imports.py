@@ -144,7 +144,7 @@ def test_the_runtime_executes_words_and_knows_no_compiler() -> None:
     assert not wanted & (compiling | rooms)
 
 
-def test_rooms_of_the_compiler_keep_their_order() -> None:
+def test_folders_of_the_compiler_import_only_folders_of_lower_levels() -> None:
     level = {room: number for number, rooms in enumerate(ROOMS) for room in rooms}
     wrong = [
         f"{name} imports {other}"
@@ -154,8 +154,9 @@ def test_rooms_of_the_compiler_keep_their_order() -> None:
     assert not wrong
 
 
-def test_circles_and_arrows_up_are_seen(tmp_path: Path) -> None:
-    """Deferred, for types, relative; through a package's face, and through two folders."""
+def test_cyclic_and_upward_imports_are_found(tmp_path: Path) -> None:
+    """The imports are deferred, for types only, relative, and through an `__init__`. One cycle goes
+    through two folders."""
     texts = {
         "low/__init__.py": "",
         "low/one.py": "def late():\n    from low.two import x\n",

@@ -76,7 +76,7 @@ def test_frames_match_the_comments_of_the_examples(name: str, tmp_path: Path) ->
             assert len(np.unique(values)) > 1 or name == "auto_exposure"
 
 
-def test_a_frame_says_its_light(tmp_path: Path) -> None:
+def test_the_example_float_pixel_is_reconstructed_to_1_percent(tmp_path: Path) -> None:
     path = ROOT / "examples" / "float_pixel.nsl"
     scene = ["--scene", "builtin:hdr", "--exposure", "300000"]
     fine(["run", path, *scene, "-o", "f.npz", "--keep", "truth"], tmp_path)
@@ -90,7 +90,7 @@ def test_a_frame_says_its_light(tmp_path: Path) -> None:
     assert np.median(np.abs(image / truth - 1)[bright]) < 0.01
 
 
-def test_kept_states_find_an_exposure(tmp_path: Path) -> None:
+def test_the_example_auto_exposure_settles_within_six_frames(tmp_path: Path) -> None:
     path = ROOT / "examples" / "auto_exposure.nsl"
     scene = ["--scene", "builtin:hdr", "--exposure", "100000@90"]
     fine(["run", path, *scene, "-o", "f.npz", "--repeat", "6", "--keep", "truth"], tmp_path)

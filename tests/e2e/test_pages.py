@@ -48,7 +48,9 @@ def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.mark.parametrize("path", [pytest.param(page, id=page.stem) for page in PAGES])
-def test_a_page_keeps_its_word(path: Path, tmp_path: Path, tools: Path) -> None:
+def test_programs_on_a_message_page_fail_and_pass_as_the_page_says(
+    path: Path, tmp_path: Path, tools: Path
+) -> None:
     text, code = path.read_text(), path.name[:6]
     title, *parts = re.split(r"^## (.+)$", text, flags=re.MULTILINE)
     assert re.fullmatch(rf"# {code}: \S.*\n\n", title), "the title is `# CODE: what it is`"

@@ -77,8 +77,8 @@ def test_examples_in_docstrings_of_modules_work(
 
 
 @pytest.mark.parametrize("package", PACKAGES)
-def test_public_names_are_there_and_are_no_modules(package: str) -> None:
-    """A module of a public name would take its place in the package once it is imported."""
+def test_public_names_are_documented_and_no_module_has_their_name(package: str) -> None:
+    """A module with a public name would replace the name in its package once it is imported."""
     if package == "nscc_training":
         pytest.importorskip("torch")
     module = importlib.import_module(package)
@@ -100,7 +100,7 @@ def test_the_page_names_everything_public(package: str) -> None:
     assert set(re.findall(r"`(\w+)`", row)) == public
 
 
-def test_importing_is_light() -> None:
+def test_importing_the_packages_imports_no_large_module() -> None:
     code = (
         "import sys, nscc, nscc_runtime, nscc_training; "
         "heavy = ('numpy', 'lark', 'numba', 'torch', 'nscc.pipeline'); "

@@ -85,7 +85,7 @@ def test_meta_says_which_effects_were_forced_and_which_sensor(folder: Path) -> N
     assert before["exposure_e"][0, 0, :5] == pytest.approx([0, 500, 1000, 1500, 2000])
 
 
-def test_the_digest_is_of_the_resolved_values(folder: Path) -> None:
+def test_the_sensor_digest_in_meta_covers_all_values_with_their_defaults(folder: Path) -> None:
     from nscc.chips.load import load_target
     from nscc_runtime.sensor import default_sensor
 

@@ -143,7 +143,7 @@ def test_a_frame_that_measuring_would_not_pay_for_has_all_effects(folder: Path) 
     assert "no error was measured" in outcome.err
 
 
-def test_options_of_plans_mean_a_plan(folder: Path) -> None:
+def test_options_that_need_a_plan_make_one_without_effects_auto(folder: Path) -> None:
     assert run(folder, "--effects", "auto").status == 0
     expected = (folder / "f.npz").read_bytes()
     assert run(folder, "--tolerance", "0.15noise").status == 0
@@ -173,7 +173,7 @@ def test_a_tolerance_in_codes_is_converted_to_electrons(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("scene", ["builtin:flat:2000", "builtin:hdr", "builtin:dark"])
-def test_an_audit_is_in_the_file_and_holds(scene: str, folder: Path) -> None:
+def test_run_writes_an_audit_that_holds_into_the_frame_file(scene: str, folder: Path) -> None:
     outcome = run(folder, "--audit", "--tolerance", "3e", scene=scene)
     assert outcome.status == 0, outcome.err
     _, meta = loaded(folder)
@@ -185,7 +185,7 @@ def test_an_audit_is_in_the_file_and_holds(scene: str, folder: Path) -> None:
     assert "the promise holds" in outcome.err
 
 
-def test_a_broken_promise_exits_1_and_leaves_the_files(folder: Path) -> None:
+def test_an_audited_error_above_the_tolerance_exits_1_and_leaves_the_files(folder: Path) -> None:
     outcome = run(
         folder,
         "--effects",
@@ -272,7 +272,9 @@ def test_plans_of_other_programs_and_sensors_are_refused(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("option", [["--effects", "auto"], ["--tolerance", "5e"]])
-def test_a_plan_has_decided_already(option: list[str], folder: Path) -> None:
+def test_an_existing_plan_cannot_be_combined_with_effects_or_a_tolerance(
+    option: list[str], folder: Path
+) -> None:
     assert run(folder, "--plan", "plan.json").status == 0
     outcome = run(folder, "--plan", "plan.json", *option)
     assert (outcome.status, outcome.codes) == (2, ["NS0739"])
@@ -294,7 +296,7 @@ def test_a_plan_has_decided_already(option: list[str], folder: Path) -> None:
         b"7" * 5000,
     ],
 )
-def test_files_that_are_no_plans(content: bytes, folder: Path) -> None:
+def test_invalid_plan_files_are_refused_and_left_unchanged(content: bytes, folder: Path) -> None:
     (folder / "plan.json").write_bytes(content)
     outcome = run(folder, "--plan", "plan.json")
     assert (outcome.status, outcome.codes) == (2, ["NS0747"])
@@ -317,7 +319,7 @@ def test_damaged_plans_are_refused_or_are_plans(folder: Path) -> None:
                 assert outcome.codes == ["NS0747"]
 
 
-def test_a_folder_is_no_plan(folder: Path) -> None:
+def test_a_folder_given_as_a_plan_is_refused(folder: Path) -> None:
     (folder / "plans").mkdir()
     outcome = run(folder, "--plan", "plans")
     assert (outcome.status, outcome.codes) == (2, ["NS0747"])
@@ -334,7 +336,7 @@ def test_the_same_input_gives_the_same_bytes(folder: Path, tmp_path: Path) -> No
     assert not np.array_equal(arrays["exposure_e"][0], arrays["exposure_e"][1])
 
 
-def test_timings_tell_planning_from_exposing(folder: Path) -> None:
+def test_timings_have_separate_times_for_planning_and_exposing(folder: Path) -> None:
     assert run(folder, "--tolerance", "5e", "--audit", "--timings", "t.json").status == 0
     found = json.loads((folder / "t.json").read_text())
     assert set(found) >= {"compile_s", "analyse_s", "plan_s", "expose_s", "audit_s", "write_s"}

@@ -95,7 +95,7 @@ def serial(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bytes]:
     return folder, table
 
 
-def test_a_worker_that_is_killed_loses_nothing(serial: tuple[Path, bytes]) -> None:
+def test_a_sweep_whose_worker_is_killed_gives_the_same_table(serial: tuple[Path, bytes]) -> None:
     folder, table = serial
     process = started(folder, "killed", 2)
     while len(workers_of(folder, "killed")) < 6:
@@ -186,8 +186,8 @@ def test_a_sweep_on_a_dask_scheduler_gives_the_same_table(serial: tuple[Path, by
     assert (folder / "own/table.csv").read_bytes() == table
 
 
-def test_a_point_that_kills_its_workers_is_a_row(tmp_path: Path) -> None:
-    """A loss of one's own that ends the process; the points beside it are computed."""
+def test_a_point_that_kills_its_workers_is_a_failed_row_of_the_table(tmp_path: Path) -> None:
+    """A loss of the user's own ends the process. The points beside it are computed."""
     pytest.importorskip("torch")
     (tmp_path / "deadly.py").write_text("import os\nos._exit(9)\n")
     (tmp_path / "config.toml").write_text(

@@ -51,7 +51,7 @@ def folder(tmp_path: Path) -> Path:
     ],
     ids=" ".join,
 )
-def test_needs_no_torch(arguments: list[str], folder: Path) -> None:
+def test_commands_that_train_nothing_work_without_torch(arguments: list[str], folder: Path) -> None:
     done = without_torch(arguments, folder)
     assert done.returncode == 0, done.stderr
 

@@ -72,15 +72,16 @@ def test_vulture_finds_nothing_unused() -> None:
     assert unused == []
 
 
-def test_no_exception_is_needless() -> None:
+def test_every_exception_of_the_vulture_test_is_needed() -> None:
     finder = Vulture()
     finder.scavenge([str(ROOT / folder) for folder in (*PRODUCT, *USERS)])
     names = {item.name for item in finder.get_unused_code(min_confidence=60)}
     assert names >= set(EXCEPTIONS)
 
 
-def test_no_pairs_are_dropped_in_silence() -> None:
-    """Sequences of different lengths that are paired on purpose are cut to one length first."""
+def test_no_zip_in_the_product_drops_items_of_a_longer_sequence() -> None:
+    """Where sequences of different lengths are paired, the product first cuts them to one
+    length."""
     files = [path for folder in PRODUCT for path in (ROOT / folder).rglob("*.py")]
     assert [str(path) for path in files if _cuts_pairs(path.read_text())] == []
 
@@ -95,6 +96,6 @@ def _cuts_pairs(text: str) -> bool:
     )
 
 
-def test_pairs_that_are_dropped_are_noticed() -> None:
+def test_a_zip_that_is_not_strict_is_noticed() -> None:
     assert _cuts_pairs("for a, b in zip(x, y, strict=False): pass")
     assert not _cuts_pairs("kind = guess_type(name, strict=False)")

@@ -58,7 +58,7 @@ def until(lines: Lines, *pieces: str) -> list[str]:
     return found
 
 
-def test_files_are_checked_again(tmp_path: Path) -> None:
+def test_check_with_watch_checks_changed_and_new_files_again(tmp_path: Path) -> None:
     program, codes = tmp_path / "a.nsl", tmp_path / "deep" / "codes.npz"
     codes.parent.mkdir()
     program.write_text(GOOD.replace("codes.npz", "deep/codes.npz"))

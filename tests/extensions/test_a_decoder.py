@@ -42,7 +42,7 @@ SMALL = (
 )
 
 
-def test_a_decoder_from_outside_learns_and_decodes(tmp_path: Path) -> None:
+def test_a_decoder_of_another_package_is_trained_and_decodes_frames(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.decoders", "shine", "Shine")
     (tmp_path / "c.toml").write_text(nscc_with(tmp_path, "train", "--schema").stdout)
     choices = [word for pair in SMALL for word in ("--set", pair)]

@@ -54,7 +54,7 @@ level = 0
 """
 
 
-def test_a_measurement_from_outside_has_a_table_and_a_diagram(tmp_path: Path) -> None:
+def test_a_measurement_of_another_package_has_a_table_and_a_diagram(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.measurements", "range", "RANGE")
     (tmp_path / "grid.toml").write_text(GRID)
     done = nscc_with(tmp_path, "sweep", "grid.toml", "--out", "out", "--workers", "0")

@@ -29,7 +29,7 @@ WRONG = TABLE.replace("rows = 8", "rows = 0")
 RULE = "nsl 1\ntarget tiny\nframe 8 slots of 1ms\ncode stop : 1..N\nopen when n < stop\n"
 
 
-def test_a_target_from_outside_compiles_and_runs(tmp_path: Path) -> None:
+def test_programs_compile_and_run_for_a_target_of_another_package(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.targets", "tiny", "TABLE")
     (tmp_path / "p.nsl").write_text(RULE + "pixels stop = tile [[1, 3], [5, 8]]\n")
     assert "tiny               8 x 12" in nscc_with(tmp_path, "targets").stdout

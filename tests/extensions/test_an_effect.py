@@ -26,7 +26,7 @@ COLUMNS = Effect(
 RUN = ("run", "a.nsl", "--scene", "builtin:motion", "--exposure", "20000", "-o", "f.npz")
 
 
-def test_an_effect_from_outside_in_everything_there_is(tmp_path: Path) -> None:
+def test_an_effect_of_another_package_works_in_files_runs_plans_and_audits(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.effects", "columns", "COLUMNS")
     (tmp_path / "a.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when true\n")
     assert "the columns' offsets" in nscc_with(tmp_path, "effects", "columns").stdout

@@ -53,7 +53,7 @@ def test_an_encoding_of_another_package_is_used_and_proved(tmp_path: Path, level
 
 
 @pytest.mark.parametrize("value", ["WRONG", "EARLY", "FOREIGN", "sums"])
-def test_a_wrong_one_is_refused_by_name(tmp_path: Path, value: str) -> None:
+def test_a_wrong_encoding_of_another_package_is_refused_by_name(tmp_path: Path, value: str) -> None:
     add_package(tmp_path, SOURCE, "nscc.encodings", "odd", value)
     (tmp_path / "p.nsl").write_text(PROGRAM)
     assert nscc_with(tmp_path, "check", "p.nsl").returncode == 0
@@ -61,7 +61,7 @@ def test_a_wrong_one_is_refused_by_name(tmp_path: Path, value: str) -> None:
     assert (done.returncode, "[NS0905]: the encoding 'odd'" in done.stderr) == (2, True)
 
 
-def test_one_that_raises_is_left_out_and_named(tmp_path: Path) -> None:
+def test_an_encoding_that_raises_is_left_out_and_named(tmp_path: Path) -> None:
     add_package(tmp_path, SOURCE, "nscc.encodings", "odd", "BROKEN")
     (tmp_path / "p.nsl").write_text(PROGRAM)
     done = nscc_with(tmp_path, *BUILD, 2)

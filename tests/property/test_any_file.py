@@ -174,8 +174,8 @@ def judge(folder: Path, line: str) -> int:
 
 
 @pytest.mark.parametrize("number", range(len(ARRAYS)))
-def test_pictures_of_other_arrays_are_drawn_or_refused(number: int, folder: Path) -> None:
-    """What is no frame is not drawn: of pictures every array counts, at its place."""
+def test_frame_files_with_other_arrays_are_drawn_or_refused(number: int, folder: Path) -> None:
+    """The test replaces one array of a frame file at a time by an array of another kind."""
     whole = (folder / "f.npz").read_bytes()
     with np.load(folder / "f.npz") as file:
         arrays: dict[str, Any] = dict(file)
@@ -192,7 +192,7 @@ def test_pictures_of_other_arrays_are_drawn_or_refused(number: int, folder: Path
     "table", [b"", b"\xff", b"step,split\n\0", b"step,split,psnr_db\nx,val,y\n"]
 )
 @pytest.mark.parametrize("result", [b"{}", b"[]", b'{"robustness": 1}', b'{"robustness": [1]}'])
-def test_pictures_of_damaged_runs(table: bytes, result: bytes, folder: Path) -> None:
+def test_damaged_runs_are_drawn_or_refused(table: bytes, result: bytes, folder: Path) -> None:
     run = folder.parent / "a_run"
     run.mkdir(exist_ok=True)
     (run / "metrics.csv").write_bytes(table)

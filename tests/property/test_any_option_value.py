@@ -68,7 +68,9 @@ def test_any_value_of_the_sensor_runs_or_is_refused(
 
 
 @pytest.mark.parametrize("name", PARAMETERS)
-def test_both_ends_of_a_range(name: str, folder: Path) -> None:
+def test_the_ends_of_the_range_of_every_sensor_value_run_or_are_refused(
+    name: str, folder: Path
+) -> None:
     for value in (RANGES[name].low, RANGES[name].high):
         judge(folder, "--effects", "auto", "--sensor-set", f"{name}={value!r}")
 

@@ -47,7 +47,7 @@ def check_film(cell: Cell, container: Container, seed: int) -> None:
 
 
 @pytest.mark.parametrize("seeds", [slow(s) if s.start >= 40 else s for s in SEEDS], ids=str)
-def test_cells_compute_what_the_text_says(seeds: range) -> None:
+def test_words_of_random_cells_equal_scipy(seeds: range) -> None:
     refused = 0
     for seed in seeds:
         cell = random_cell(seed, most_side=5 if seed < 40 else 7)

@@ -164,7 +164,7 @@ def test_the_twins_answer_packets_alike(core: Lockstep, begun: int, more: list[b
         st.tuples(st.integers(0, len(b"".join(WHOLE_UPLOAD)) - 1), st.integers(0, 255)), max_size=6
     )
 )
-def test_a_spoiled_upload_is_never_taken_for_another(
+def test_firmware_and_twin_answer_damaged_uploads_alike_and_confirm_only_whole_ones(
     core: Lockstep, spoiled: list[tuple[int, int]]
 ) -> None:
     wire = bytearray(b"".join(WHOLE_UPLOAD))

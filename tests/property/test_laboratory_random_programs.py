@@ -238,7 +238,7 @@ def agree(writer: Writer, container: Any, seed: int) -> None:
 
 
 @pytest.mark.parametrize("chunk", [slow(c) if c >= 2 else c for c in range(CHUNKS)])
-def test_words_compute_what_the_text_says(chunk: int) -> None:
+def test_words_of_random_version_4_programs_equal_the_interpreter(chunk: int) -> None:
     size, refused = PROGRAMS // CHUNKS, 0
     for seed in range(chunk * size, (chunk + 1) * size):
         writer = Writer(seed)

@@ -201,7 +201,8 @@ def test_pictures_are_refused_or_right(seed: int, how: str, lit: bool) -> None:
 @settings(max_examples=300, deadline=None)
 @given(st.integers(0, 2**32))
 def test_arrays_in_python_mark_values_that_are_not_numbers(seed: int) -> None:
-    """`expose` looks at no values: what does not come out as a number is not valid."""
+    """`expose` does not check the values of the light. Exposures that are not finite are marked as
+    invalid."""
     patterns = bits(np.random.default_rng(seed), (SLOTS, ROWS, COLS), np.float32).view(np.uint32)
     values = (patterns & 0x7FFF_FFFF).view(np.float32)
     container = program(TEXT, "accumulate", ROWS, COLS)

@@ -74,7 +74,9 @@ def shutters() -> np.ndarray:
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @settings(max_examples=80, deadline=None)
 @given(patterns())
-def test_all_pixels_open_are_an_ordinary_camera(lowering: str, light: np.ndarray) -> None:
+def test_a_shutter_that_is_always_open_gives_the_sum_of_all_slots(
+    lowering: str, light: np.ndarray
+) -> None:
     container = program(ALL + "63", lowering, ROWS, COLS)
     close(frames(container, light)[0], light.astype(float).sum(axis=0), light)
 
@@ -172,7 +174,7 @@ def test_the_initial_register_contents_do_not_change_a_frame(light: np.ndarray) 
 
 @settings(max_examples=40, deadline=None)
 @given(patterns(), st.sampled_from([*optional(), "all", "all,-crosstalk", "shot,dark,read"]))
-def test_every_effect_of_any_light_is_a_number(light: np.ndarray, effects: str) -> None:
+def test_every_effect_gives_finite_exposures_for_any_light(light: np.ndarray, effects: str) -> None:
     container = program(EVERY, "edges", ROWS, COLS)
     found = by_reference(
         container,

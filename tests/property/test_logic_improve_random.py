@@ -28,7 +28,7 @@ STEPS = st.sampled_from([0, 30, 500, 4000])
 
 
 @given(chips(), st.integers(0, 2**32), STEPS)
-def test_improved_gates_do_the_same(target, seed, steps):
+def test_improved_gates_answer_their_demands_in_no_more_words(target, seed, steps):
     machine = Machine.of(target)
     problem, solution = random_solution(seed, machine)
     before = words_of(solution, problem, target)
@@ -38,8 +38,8 @@ def test_improved_gates_do_the_same(target, seed, steps):
 
 
 @given(chips(), st.integers(0, 2**32), st.sampled_from([0, 300, 4000]))
-def test_balanced_gates_do_the_same(target, seed, steps):
-    """The largest boundary gets no larger, the words no more."""
+def test_balanced_gates_answer_their_demands_in_no_more_words(target, seed, steps):
+    """The boundary with the most words gets no larger."""
     machine = Machine.of(target)
     problem, solution = random_solution(seed, machine)
     last = problem.demands[-1].boundary

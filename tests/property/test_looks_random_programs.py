@@ -56,7 +56,7 @@ def with_codes(container: Container, seed: int) -> Container:
 
 
 @pytest.mark.parametrize("chunk", [slow(c) if c % 5 else c for c in range(CHUNKS)])
-def test_words_do_what_the_text_says(chunk: int) -> None:
+def test_words_of_random_looking_programs_equal_the_interpreter(chunk: int) -> None:
     run(chunk, range(PROGRAMS // CHUNKS))
 
 
@@ -144,8 +144,11 @@ def check_with_effects(text: str, container: Container, scene: Light, seed: int)
         (100, "count + 1 when bright and count < 100"),
     ],
 )
-def test_a_state_of_many_values_counts_by_a_ripple_of_carries(last: int, rule: str) -> None:
-    """Five words for each bit, three more for a bit of the limit, and those of the look."""
+def test_counting_in_a_state_of_many_values_takes_few_words_for_each_bit(
+    last: int, rule: str
+) -> None:
+    """The state takes five words for each bit, three more for a bit of the limit, and the words of
+    the look."""
     slots = 60 if last == 63 else last + 10
     text = (
         f"nsl 2\nframe {slots} slots of 100us\nsense bright when light > 50% at n > 0\n"

@@ -70,7 +70,7 @@ def slot_times(draw, slots):
 
 
 @given(st.data())
-def test_words_do_what_the_table_says(data):
+def test_words_open_the_shutters_of_random_tables(data):
     table = data.draw(tables())
     target = data.draw(targets())
     program = program_from(table, data.draw(slot_times(table.shape[2])), target)

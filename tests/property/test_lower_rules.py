@@ -48,7 +48,7 @@ def programs(draw):
 
 
 @given(programs(), st.sampled_from(LOWERINGS), st.integers(0, 1))
-def test_words_do_what_the_rule_says(text, lowering, level):
+def test_words_open_the_shutters_of_random_rules(text, lowering, level):
     try:
         program = program_of(text, "open")
     except Rejected:

@@ -53,7 +53,7 @@ def agree(program: Program, container: Container, seed: int) -> bool:
 
 
 @pytest.mark.parametrize("chunk", [slow(c) if c >= 4 else c for c in range(CHUNKS)])
-def test_words_compute_what_the_text_says(chunk: int) -> None:
+def test_words_of_random_version_3_programs_equal_scipy(chunk: int) -> None:
     size = PROGRAMS // CHUNKS
     refused = undecided = 0
     for seed in range(chunk * size, (chunk + 1) * size):

@@ -232,8 +232,8 @@ def test_no_number_is_marked_and_huge_light_is_the_top() -> None:
         assert 25_000 < found.exposure_e[0][place] < 31_000
 
 
-def test_every_effect_runs_alone_and_changes_something() -> None:
-    """But for those that this scene does not call for."""
+def test_every_effect_changes_the_frame_alone_unless_the_scene_lacks_its_cause() -> None:
+    """The set `absent` names the effects that change no exposure of this scene."""
     container = program(BUMPS, "accumulate")
     light, sensor = random_light(scale=12000.0), sensor_of(container, register_max_e=2e4)
     nothing = exposures(container, light, sensor, "none")

@@ -154,7 +154,7 @@ class TestBadFiles:
         "",
     ],
 )
-def test_array_headers_that_lie(header: str) -> None:
+def test_arrays_with_false_headers_are_refused(header: str) -> None:
     text = header.encode() + b"\n"
     data = b"\x93NUMPY\x01\x00" + len(text).to_bytes(2, "little") + text
     assert not load(data, ".npy")
@@ -169,7 +169,7 @@ def test_a_large_claim_costs_no_memory() -> None:
     assert not load(file.getvalue(), ".npy")
 
 
-def test_a_folder_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
+def test_broken_links_and_pipes_are_refused_as_scenes(tmp_path: Path) -> None:
     (tmp_path / "0.png").symlink_to(tmp_path / "gone.png")
     with pytest.raises(Rejected):
         load_scene(str(tmp_path), slot_us=(1.0,), rows=1, cols=1, exposure=ExposureLevel(1.0))

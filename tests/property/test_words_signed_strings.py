@@ -114,8 +114,8 @@ def test_free_text_of_containers_is_shown_by_diff_and_disasm(
 
 
 @pytest.mark.parametrize("name", ["source_lines", "notes"])
-def test_halves_of_characters_are_refused_at_the_door(name: str) -> None:
-    """No file and no terminal takes them, wherever a command would print them."""
+def test_containers_with_a_lone_surrogate_in_a_string_are_refused(name: str) -> None:
+    """Files and terminals accept no lone surrogate, so commands could not print the string."""
     value: Any = ["nsl 1", "\ud800"] if name == "source_lines" else {"class": "\ud800"}
     with pytest.raises(Rejected, match=r"NS0707.*surrogate"):
         from_bytes(signed({**good()[1], name: value}), "x.icw")

@@ -97,8 +97,9 @@ def test_nothing_scrolls_sideways_or_is_cut(opened: Any) -> None:
 
 
 @pytest.mark.parametrize("opened", [(1280, "light"), (1280, "dark")], indirect=True)
-def test_pictures_are_there_and_legible(opened: Any) -> None:
-    """Those of one look alone have a white ground in the dark; of two, one is shown."""
+def test_pictures_are_loaded_and_match_the_colours_of_the_page(opened: Any) -> None:
+    """On a dark page, a picture without a dark version has a white ground. Of two versions only the
+    matching one is shown."""
     is_dark = opened.evaluate("matchMedia('(prefers-color-scheme: dark)').matches")
     count = 0
     for name in PAGES:
@@ -117,7 +118,7 @@ def test_pictures_are_there_and_legible(opened: Any) -> None:
 
 @pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
 def test_the_copy_button_leaves_out_the_prompt(opened: Any) -> None:
-    """By the button, as the clipboard gets it."""
+    """The test clicks each button and reads what the clipboard gets."""
     opened.context.grant_permissions(["clipboard-read", "clipboard-write"])
     opened.goto((SITE / "docs/start.html").as_uri())
     opened.evaluate(
@@ -236,7 +237,7 @@ def test_pages_have_descriptions_sources_and_files(opened: Any) -> None:
 
 @pytest.mark.parametrize("opened", [(360, "light"), (1280, "dark")], indirect=True)
 def test_the_static_playground_starts_python(opened: Any) -> None:
-    """Up to its picture if numpy can be loaded; else the page says what it could not load."""
+    """The page shows its picture if it can load numpy; otherwise it says what it could not load."""
     config = json.loads((SITE / "play/config.json").read_text())
     assert (SITE / "play" / config["wheel"]).stat().st_size < 2_500_000
     with http_server(SITE / "play") as address:

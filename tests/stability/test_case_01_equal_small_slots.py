@@ -39,8 +39,9 @@ def lights() -> dict[str, Light]:
     return {"clip": clip, "still": still}
 
 
-def test_case_01_plain_arithmetic_would_fail() -> None:
-    """Added one by one in float32 the sum is far off: the tests below would notice."""
+def test_case_01_plain_float32_sums_would_fail() -> None:
+    """A float32 sum in slot order is wrong by more than 1e-5, so the tests below would notice
+    it."""
     naive = np.full((SLOTS, len(STOPS)), TENTH, np.float32).sum(axis=0)[0]
     assert abs(naive / exact(SLOTS) - 1) > 1e-5
 

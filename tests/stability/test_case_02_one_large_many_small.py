@@ -26,7 +26,7 @@ def light() -> Light:
     return Light.of_clip(frames)
 
 
-def test_case_02_plain_arithmetic_would_fail() -> None:
+def test_case_02_a_plain_float32_sum_would_lose_the_small_slots() -> None:
     assert light().frames.sum(axis=0)[0, 0] == LARGE
 
 
@@ -38,7 +38,7 @@ def test_case_02_all_slots_open_give_the_exact_sum(lowering: str) -> None:
 
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
-def test_case_02_the_large_one_before_the_shutter_opens(lowering: str) -> None:
+def test_case_02_large_charge_before_the_shutter_opens_is_subtracted_exactly(lowering: str) -> None:
     """Charge from before the shutter opens is subtracted, and the single electrons remain."""
     found = expose(program(LATE, lowering, 1, len(PLACES)), light()).exposure_e[0, 0]
     wanted = [SLOTS - 1, *[LARGE + SLOTS - 2] * (len(PLACES) - 1)]

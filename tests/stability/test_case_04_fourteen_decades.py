@@ -35,7 +35,7 @@ def truth() -> np.ndarray:
     return sums
 
 
-def test_case_04_plain_arithmetic_would_fail() -> None:
+def test_case_04_float16_could_not_hold_the_light() -> None:
     halves = light().frames.astype(np.float32)
     assert halves.max() > np.finfo(np.float16).max
     assert halves.min() < np.finfo(np.float16).smallest_subnormal * 20

@@ -39,7 +39,7 @@ def test_case_05_the_charge_left_and_the_charge_lost_are_exact(a_slot: float) ->
     assert ELECTRONS - found == pytest.approx(float(lost), rel=1e-3)
 
 
-def test_case_05_plain_arithmetic_would_fail() -> None:
+def test_case_05_plain_float32_factors_would_lose_the_leakage() -> None:
     assert np.float32(1) - np.float32(1e-8) == 1
 
 

@@ -26,7 +26,7 @@ def test_case_07_edges_are_exact(slot_us: float) -> None:
     assert edges == [n * length for n in range(SLOTS + 1)]
 
 
-def test_case_07_plain_arithmetic_would_fail() -> None:
+def test_case_07_adding_slot_times_in_float32_would_fail() -> None:
     t = np.float32(0)
     for _ in range(SLOTS):
         t += np.float32(0.1)
@@ -59,7 +59,7 @@ def test_case_07_a_register_fades_at_the_right_boundary(early: bool) -> None:
     np.testing.assert_allclose(found, -3000 if early else SLOTS - 3000)
 
 
-def test_case_07_how_long_pixels_were_open() -> None:
+def test_case_07_the_open_time_in_meta_is_exact() -> None:
     text = f"nsl 1\nframe {SLOTS} slots of 33.3us\nopen when n < 4095\n"
     container = program(text, "accumulate", 1, 2)
     light = Light.of_clip(np.ones((SLOTS, 1, 2), np.float32))

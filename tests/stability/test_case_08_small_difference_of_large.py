@@ -53,7 +53,7 @@ def test_case_08_a_noisy_reset_level_is_subtracted_exactly(lowering: str) -> Non
     np.testing.assert_allclose(found.exposure_e[0], SMALL, rtol=1e-6)
 
 
-def test_case_08_plain_arithmetic_would_fail() -> None:
+def test_case_08_plain_float32_arithmetic_would_fail() -> None:
     assert abs((LARGE + SMALL - LARGE) / SMALL - 1) > 0.02
 
 

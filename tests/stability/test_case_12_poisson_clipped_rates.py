@@ -10,7 +10,7 @@ import numpy as np
 from nscc_runtime.noise import RATE_CAP, key, poisson
 
 
-def test_case_12_counts_of_the_cap():
+def test_case_12_rates_above_the_cap_give_the_counts_of_the_cap():
     n = 5000
     pixels = np.arange(n)
     expected, _ = poisson(key(1, 1), pixels, np.full(n, RATE_CAP))

@@ -27,7 +27,7 @@ def loaded(path: Path, exposure: ExposureLevel | None = None) -> Light:
     )
 
 
-def test_case_17_plain_arithmetic_would_fail() -> None:
+def test_case_17_sums_in_16_bits_would_overflow() -> None:
     assert np.full(SLOTS, 255, np.uint16).sum(dtype=np.uint16) != SLOTS * 255
 
 

@@ -9,7 +9,7 @@ torch = pytest.importorskip("torch")
 from nscc_training.sensor_model import lifted  # noqa: E402
 
 
-def test_a_pixel_that_never_opens() -> None:
+def test_a_pixel_that_never_opens_is_0_and_invalid_with_gradient_0() -> None:
     shutters = torch.tensor([[1.0, 0.0], [1.0, 0.0], [0.0, 0.0]]).reshape(3, 1, 2)
     shutters.requires_grad_()
     exposure = torch.tensor([[[8.0, 5.0]]], requires_grad=True)

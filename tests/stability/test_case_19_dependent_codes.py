@@ -33,7 +33,7 @@ def exact(matrix: np.ndarray, right: np.ndarray) -> list[float]:
 
 
 @pytest.mark.parametrize("size", [3, 6, 9])
-def test_error_is_that_of_the_condition_not_of_its_square(size: int) -> None:
+def test_the_error_grows_with_the_condition_number_and_not_with_its_square(size: int) -> None:
     matrix = hilbert(size)
     right = matrix @ np.arange(1.0, size + 1)
     found = solve(matrix, right)

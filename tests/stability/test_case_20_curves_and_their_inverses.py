@@ -38,7 +38,7 @@ def test_curves_and_their_inverses_give_the_value_back(name: str, kind: type) ->
     np.testing.assert_allclose(back(y), x, rtol=2e-6, atol=0)
 
 
-def test_round_trip_of_pu21_where_it_is_defined() -> None:
+def test_pu21_can_be_inverted_where_it_is_defined() -> None:
     x = np.array([0.005, 0.01, 1.0, 100.0, 1e4, 1e8, -1e-7, 0.0])
     back = [
         brentq(lambda light, y=y: curves.pu21(np.float64(light)) - y, -1.0, 2e8, xtol=1e-13)

@@ -11,7 +11,7 @@ from nscc_training import metrics
 from nscc_training.metrics import mean_square_error
 
 
-def test_equal_is_infinite_and_one_ulp_is_not() -> None:
+def test_psnr_is_infinite_for_equal_images_and_finite_one_ulp_apart() -> None:
     x = np.random.default_rng(0).random((32, 32)).astype(np.float32)
     assert metrics.psnr(x, x, 1.0) == math.inf
     near = np.nextafter(x, np.float32(2))

@@ -29,7 +29,9 @@ def light(bad: float, slot: int) -> tuple[Light, np.ndarray]:
 @pytest.mark.parametrize("bad", BAD, ids=["nan", "-nan", "inf"])
 @pytest.mark.parametrize("slot", range(SLOTS))
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_case_27_the_emulator_shows_nan(lowering: str, slot: int, bad: float) -> None:
+def test_case_27_the_emulator_marks_pixels_that_nan_or_infinity_reaches(
+    lowering: str, slot: int, bad: float
+) -> None:
     container = program(TEXT, lowering, ROWS, COLS)
     seen, where = light(bad, slot)
     found = expose(container, seen)
@@ -49,7 +51,7 @@ def test_case_27_the_emulator_shows_nan(lowering: str, slot: int, bad: float) ->
 
 
 @pytest.mark.parametrize("effects", ["shot", "shot,dark,prnu", "all,-crosstalk"])
-def test_case_27_the_reference_shows_nan(effects: str) -> None:
+def test_case_27_the_reference_marks_pixels_that_nan_reaches(effects: str) -> None:
     container = program(TEXT, "edges", ROWS, COLS)
     seen, where = light(np.nan, 0)
     (found,) = by_reference(container, seen, sensor_of(container), selected(effects))
@@ -59,7 +61,7 @@ def test_case_27_the_reference_shows_nan(effects: str) -> None:
     assert np.isfinite(found.exposure_e[0][~where]).all()
 
 
-def test_case_27_samplers_show_nan() -> None:
+def test_case_27_samplers_mark_counts_of_nan_rates() -> None:
     rates = np.full(1000, 5.0)
     rates[::3], rates[1::3] = np.nan, np.inf
     counts, valid = poisson(key(1, 1), np.arange(1000), rates)

@@ -41,7 +41,7 @@ def test_case_29_moments_are_those_of_the_law(rate):
     check_moments(rate, 3, by_reference)
 
 
-def test_case_29_ends_at_every_rate_and_at_both_ends():
+def test_case_29_the_search_ends_at_every_rate_and_at_both_ends_of_the_uniform_number():
     ends = [2.0**-k for k in range(1, 54)]
     for rate in (
         0.0,

@@ -37,8 +37,8 @@ def test_case_32_the_sum_is_exact(lowering: str) -> None:
 
 
 def test_case_32_small_slots_are_exact_between_large_closed_ones() -> None:
-    """Where PIX is reset in between: what is lost is a part of the light of the whole frame, which
-    the arbitrary start of the registers follows."""
+    """The shutter is closed in the large slots, and PIX is reset in between. The error is bounded
+    by a fraction of the light of the whole frame."""
     container = program(ODD, "accumulate", 2, 3)
     wanted = math.fsum([float(SMALL)] * (SLOTS // 2))
     total = math.fsum([float(LARGE)] * (SLOTS // 2))

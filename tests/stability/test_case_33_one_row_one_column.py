@@ -27,8 +27,8 @@ def light(rows: int, cols: int) -> Light:
 
 
 @pytest.mark.parametrize("effects", ["none", "crosstalk", "crosstalk,full_well,register"])
-def test_case_33_a_row_is_a_column(effects: str) -> None:
-    """Without noise, which is drawn by place, the same light gives the same exposures."""
+def test_case_33_a_row_and_a_column_give_the_same_exposures(effects: str) -> None:
+    """Noise is left out, because random numbers depend on the place of a pixel."""
     row, column = program(ALONG_X, "edges", 1, LONG), program(ALONG_Y, "edges", LONG, 1)
     sensor = sensor_of(row)
     first = capture(row, light(1, LONG), sensor=sensor, effects=effects)

@@ -10,7 +10,7 @@ BAD = ("nan", "-nan", "inf", "-inf", "1e400", "-1e-9")
 
 
 @pytest.mark.parametrize("value", BAD)
-def test_case_34_refused_by_key_and_line(tmp_path, value) -> None:
+def test_case_34_bad_values_are_refused_with_their_key_and_line(tmp_path, value) -> None:
     known = invoke(["effects", "--toml"], tmp_path).out
     lines = known.splitlines()
     for key in KEYS:

@@ -17,7 +17,7 @@ ROWS, COLS = 8, 20
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("effects", ["none", "shot", "all", "auto"])
 @pytest.mark.parametrize("fill", [0.0, np.nan, np.inf])
-def test_case_39_a_frame_results_without_anything_to_measure(
+def test_case_39_scenes_without_usable_light_give_a_frame_without_numeric_warnings(
     lowering: str, effects: str, fill: float
 ) -> None:
     container = program(STOPS, lowering, ROWS, COLS)

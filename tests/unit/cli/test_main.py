@@ -143,7 +143,9 @@ def test_wrong_commands_say_what_to_write(
     assert not list(folder.glob("x*"))
 
 
-def test_frame_files_are_no_scenes_and_keep_their_names(folder: Path) -> None:
+def test_messages_about_frame_files_suggest_reconstruct_and_a_name_for_its_output(
+    folder: Path,
+) -> None:
     assert invoke(["run", "ok.nsl", "--scene", "builtin:dark", "-o", "f.npz"], folder).status == 0
     as_scene = invoke(["run", "ok.nsl", "--scene", "f.npz"], folder)
     assert "`nscc reconstruct any f.npz -o OUT.png` decodes it" in as_scene.err
@@ -152,7 +154,7 @@ def test_frame_files_are_no_scenes_and_keep_their_names(folder: Path) -> None:
     assert "name it f.npy" in wrong.err  # f.npz is the input
 
 
-def test_prove_compiles_programs(folder: Path) -> None:
+def test_prove_prints_the_same_result_for_a_program_and_its_container(folder: Path) -> None:
     invoke(["build", "ok.nsl", "-o", "named_otherwise"], folder)
     proofs = [invoke(["prove", name], folder) for name in ("ok.nsl", "named_otherwise")]
     assert [proof.status for proof in proofs] == [0, 0]
@@ -201,10 +203,10 @@ def test_json_is_one_object_a_line_even_for_wrong_usage(folder: Path, arguments:
         (["--emit", "asm=-"], set()),
     ],
 )
-def test_build_writes_what_its_help_says(
+def test_build_writes_exactly_the_requested_products(
     folder: Path, options: list[str], written: set[str]
 ) -> None:
-    """A container goes with other products only where `-o` or `icw` asks for it."""
+    """The container is written beside other products only if `-o` or `icw` asks for it."""
     before = {path.name for path in folder.iterdir()}
     assert invoke(["build", "ok.nsl", *options], folder).status == 0
     assert {path.name for path in folder.iterdir()} - before == written
@@ -325,7 +327,7 @@ raise SystemExit(main())
 
 
 def test_a_second_interrupt_ends_at_once_without_a_traceback(folder: Path) -> None:
-    """While a command cleans up after the first one."""
+    """The second interrupt comes while a command cleans up after the first one."""
     assert outcome_of_script(TWICE, folder, "check", "ok.nsl") == (130, "\ninterrupted\n")
 
 
@@ -345,7 +347,7 @@ raise SystemExit(main())
 
 
 def test_an_interrupt_while_python_ends_keeps_the_exit_status(folder: Path) -> None:
-    """Its handlers are gone by then, and the signal would kill the process."""
+    """At that time Python has removed its signal handlers, so the signal would kill the process."""
     assert outcome_of_script(AT_THE_END, folder, "check", "ok.nsl") == (130, "\ninterrupted\n")
 
 
@@ -528,7 +530,7 @@ def test_folders_that_cannot_be_written_give_at_most_one_line(
         assert len(others) <= 1, done.stderr
 
 
-def test_file_names_with_blanks_and_a_leading_dash(folder: Path) -> None:
+def test_messages_quote_names_with_blanks_and_explain_a_leading_dash(folder: Path) -> None:
     assert "`nscc check 'my prog.nsl'`" in invoke(["new", "my prog"], folder).err
     assert "`nscc check 'my prog.nsl'`" in invoke(["my prog.nsl"], folder).err
     dashed = invoke(["check", "-lead.nsl"], folder)

@@ -53,8 +53,9 @@ def rows():
 
 
 @pytest.mark.slow
-def test_a_limit_of_words_that_holds_keeps_the_chosen_lowering(tmp_path, rows):
-    """Of 24 rows some solutions on the way to the cheapest one do not meet it."""
+def test_a_limit_that_the_solution_meets_changes_nothing_in_the_report(tmp_path, rows):
+    """With 24 rows, some solutions that the search finds before the cheapest one exceed the
+    limit."""
     text = book_program(rows[:24])
     _, free = built(tmp_path, text)
     most = free["words_per_slot"]["max"]
@@ -64,7 +65,8 @@ def test_a_limit_of_words_that_holds_keeps_the_chosen_lowering(tmp_path, rows):
 
 @pytest.mark.slow
 def test_a_solution_within_the_limit_is_preferred_to_a_cheaper_one(tmp_path, rows):
-    """The tightest limit is found by walking down; each step holds what it promises."""
+    """The test lowers the limit by one below the words of each solution, until the compiler refuses
+    the program."""
     text = book_program(rows)
     limit = built(tmp_path, text)[1]["words_per_slot"]["max"] - 1
     steps = 0
@@ -153,7 +155,7 @@ def test_slots_too_short_for_a_codebook_name_the_rows_that_pass(tmp_path, rows):
     check_rows(tmp_path, error, text, ())
 
 
-def test_the_message_says_where_the_words_go(tmp_path):
+def test_the_error_for_too_many_words_in_a_slot_divides_them_by_purpose(tmp_path):
     (tmp_path / "p.nsl").write_text(STOPS)
     said = invoke(["build", "p.nsl", "-O1", "--max-words-per-slot", "3"], tmp_path)
     assert (said.status, said.codes) == (1, ["NS0603"])
@@ -166,7 +168,7 @@ def test_the_message_says_where_the_words_go(tmp_path):
     assert allowed.status == 0
 
 
-def test_fewer_slots_are_named_where_they_help(tmp_path):
+def test_the_error_for_too_many_words_in_a_slot_names_a_number_of_slots_that_fits(tmp_path):
     bumps = (
         "nsl 1\nframe 100 slots of 1ms\ncode a : 0..99\ncode b : 1..100\nrequire a < b\n"
         "open when a <= n < b\n"

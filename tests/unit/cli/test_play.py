@@ -63,7 +63,7 @@ def test_requests_without_the_key_or_from_other_hosts_are_refused(address: Any) 
             assert b"nscc play" in text
 
 
-def test_requests_are_answered(address: Any) -> None:
+def test_the_requests_start_and_check_are_answered(address: Any) -> None:
     status, start = ask(address, "POST", f"{address.path}start", "{}")
     assert status == 200
     assert start["file"] == {"name": "mine.nsl", "text": PROGRAM}

@@ -99,7 +99,7 @@ def test_a_valid_program_has_a_report_a_chart_and_a_map(playground: Playground) 
 
 
 @pytest.mark.parametrize("effects", ["none", "auto", "all"])
-def test_a_frame_is_that_of_capture(playground: Playground, effects: str) -> None:
+def test_the_playground_shows_the_frame_of_capture(playground: Playground, effects: str) -> None:
     answer = ask(playground, "frame", effects=effects)
     light, frame, merged = answer["pictures"]
     assert np.array_equal(grey(frame), taken(effects=effects).frame[0])
@@ -216,7 +216,7 @@ def test_a_file_is_saved_unless_another_program_changed_it(tmp_path: Path) -> No
     assert codes(Playground(tmp_path).answer("save", {"text": "", "before": ""})) == ["NS0796"]
 
 
-def test_messages_are_those_of_check(playground: Playground, tmp_path: Path) -> None:
+def test_the_playground_gives_the_messages_of_check(playground: Playground, tmp_path: Path) -> None:
     broken = TILE.replace("16]]", "99]]").replace("1ms", "1us")
     listed = Document("program.nsl", broken, tmp_path).checked.diagnostics
     assert codes(ask(playground, "check", program=broken)) == [d.code for d in listed]

@@ -104,8 +104,10 @@ def test_shutters_of_hand_written_words_follow_their_planes(tmp_path: Path) -> N
     ("old", "new"),
     [("{step}", "half"), ("    all\n", ""), ("    all\n", "    where PIX\n")],
 )
-def test_words_that_are_no_shutter(tmp_path: Path, old: str, new: str) -> None:
-    """Light that counts half, or only where FLAG happens to be 1."""
+def test_words_that_do_not_act_as_a_shutter_are_refused_by_the_command_shutters(
+    tmp_path: Path, old: str, new: str
+) -> None:
+    """The words count the light half, or only where FLAG happens to be 1."""
     text = HAND.replace(old, new).format(step="step")
     (tmp_path / "hand.asm").write_text(text)
     assert invoke(["asm", "hand.asm", "-o", "hand.icw"], tmp_path).status == 0

@@ -93,7 +93,7 @@ def test_frames_without_numbers_in_their_meta_give_no_light(
 
 
 @pytest.mark.parametrize("by", ["r", "any"])
-def test_a_dark_frame_is_of_the_program_and_without_light(by: str, folder: Path) -> None:
+def test_dark_frames_that_are_lit_or_of_another_program_are_refused(by: str, folder: Path) -> None:
     line = ["reconstruct", by, "f.npz", "-o", "o.npz", "--dark"]
     for name, reason in (("lit", "exposed to light"), ("other", "exposed with another program")):
         done = invoke([*line, f"{name}.npz"], folder)
@@ -109,8 +109,11 @@ def test_a_dark_frame_is_of_the_program_and_without_light(by: str, folder: Path)
 
 
 @pytest.mark.parametrize("by", ["r", "any"])
-def test_of_a_chips_dark_frame_pixels_say_whether_it_was_lit(by: str, folder: Path) -> None:
-    """Its scene nobody knows: what saturates there is told, and is no error."""
+def test_a_dark_frame_of_a_chip_gives_a_warning_if_its_pixels_are_saturated(
+    by: str, folder: Path
+) -> None:
+    """The scene of a chip's frame is unknown, so saturated pixels give a warning and not an
+    error."""
     for name, codes in (("d", []), ("bright", ["NS0844"])):
         remade(folder, name, "chip", lambda arrays: arrays["meta"].update(scene_sha256=None))
         line = ["reconstruct", by, "f.npz", "-o", "o.npz", "--dark", "chip.npz"]
@@ -118,7 +121,7 @@ def test_of_a_chips_dark_frame_pixels_say_whether_it_was_lit(by: str, folder: Pa
         assert (done.status, done.codes) == (0, codes), done.err
 
 
-def test_captures_without_light_are_looked_at_as_files_are(folder: Path) -> None:
+def test_reconstruct_in_python_refuses_a_dark_frame_that_was_exposed_to_light(folder: Path) -> None:
     from nscc.diagnostics.diagnostic import Rejected
     from nscc_training import load_run
 

@@ -30,7 +30,9 @@ def run_folder(folder: Path, slot_us: str, target: str = "scamp5") -> Path:
 
 
 @pytest.mark.parametrize("slot_us", ["333.33333333333", "100.0000005", "1000.123456789"])
-def test_slots_that_text_rounds_are_the_runs(slot_us: str, tmp_path: Path) -> None:
+def test_slot_times_rounded_in_the_text_match_those_of_the_run_and_others_are_refused(
+    slot_us: str, tmp_path: Path
+) -> None:
     run_folder(tmp_path, slot_us)
     done = invoke(["run", "--like", "r", *SCENE, "-o", "f.npz"], tmp_path)
     assert done.status == 0, done.err
@@ -41,8 +43,9 @@ def test_slots_that_text_rounds_are_the_runs(slot_us: str, tmp_path: Path) -> No
     assert (done.status, done.codes) == (2, ["NS0821"])
 
 
-def test_words_bring_the_chip_that_they_are_for(tmp_path: Path) -> None:
-    """A run's own chip is for text: words are compiled already."""
+def test_a_container_runs_on_its_own_target_and_text_on_that_of_the_run(tmp_path: Path) -> None:
+    """The target of a run is for text only, because the words of a container are compiled
+    already."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
     run = run_folder(tmp_path, "125", "mine.toml")
     (run / "target.toml").write_text(small_target(text, 64, 48))

@@ -51,7 +51,7 @@ def table(folder: Path, grid: str, *more: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO((folder / "out/table.csv").read_text())))
 
 
-def test_points_of_kind_limits_are_those_of_the_targets_table(tmp_path: Path) -> None:
+def test_points_of_kind_limits_name_the_largest_program_that_builds(tmp_path: Path) -> None:
     grid = '[bits]\nkind = "limits"\nfamily = "e"\ntarget = "scamp5"\nlevel = 0\n'
     (row,) = table(tmp_path, grid)
     built = int(row["built_up_to"])
@@ -73,7 +73,7 @@ def test_points_of_kind_design_leave_programs(tmp_path: Path) -> None:
         run(f"check {path}", tmp_path)
 
 
-def test_points_of_kind_evaluate_are_scored_as_evaluate_does(tmp_path: Path) -> None:
+def test_points_of_kind_evaluate_have_the_scores_of_the_command_evaluate(tmp_path: Path) -> None:
     (tmp_path / "clips").mkdir()
     clip(tmp_path / "clips/a.mat", 8, 32)
     grid = (
@@ -89,7 +89,7 @@ def test_points_of_kind_evaluate_are_scored_as_evaluate_does(tmp_path: Path) -> 
     assert weak["psnr_db"] != strong["psnr_db"]
 
 
-def test_threads_of_a_sweep_belong_to_the_key_of_what_is_trained(tmp_path: Path) -> None:
+def test_a_sweep_with_another_number_of_threads_trains_its_points_again(tmp_path: Path) -> None:
     import torch
 
     before = torch.get_num_threads()
@@ -117,7 +117,7 @@ def test_resume_continues_restarts_or_copies_another_run(tmp_path: Path) -> None
     assert "NS0816" in run("train c.toml --out d --resume nowhere", tmp_path, 2).err
 
 
-def test_a_clip_begins_with_the_first_frame_that_is_named(tmp_path: Path) -> None:
+def test_the_option_first_leaves_out_earlier_frames_of_a_clip(tmp_path: Path) -> None:
     frames = [np.full((256, 256, 3), 40 * k + 20, np.uint8) for k in range(5)]
     for name, shown in (("all", frames), ("late", frames[2:])):
         first, *others = map(Image.fromarray, shown)

@@ -30,7 +30,9 @@ def run(folder: Path, line: str, redirections: str) -> tuple[int, str]:
 @pytest.mark.parametrize(
     "closed", [">&-", "2>&-", ">&- 2>&-", "<&- >&- 2>&-", ">/dev/full", "2>/dev/full"]
 )
-def test_the_product_is_written_and_the_status_is_0(tmp_path: Path, closed: str) -> None:
+def test_products_are_written_although_standard_streams_are_closed_or_full(
+    tmp_path: Path, closed: str
+) -> None:
     assert run(tmp_path, "build p.nsl -o p.icw", closed)[0] == 0
     whole = (tmp_path / "p.icw").read_bytes()
     (tmp_path / "p.icw").unlink()

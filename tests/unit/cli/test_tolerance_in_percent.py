@@ -71,7 +71,9 @@ def signal_e(folder: Path, program: str, *scene: str) -> float:
 
 @pytest.mark.parametrize("scale", [1.0, 30.0])
 @pytest.mark.parametrize("name", ["b accumulate", "c edges", "two buckets"])
-def test_a_part_of_a_clip_is_of_the_mean_exposure_within_the_well(name: str, scale: float) -> None:
+def test_a_percentage_refers_to_the_mean_exposure_limited_to_the_full_well(
+    name: str, scale: float
+) -> None:
     program, light = case(name), scale * CLIP
     exact = nscc_runtime.capture(program, light, effects="none").exposure_e
     expected = np.minimum(exact, FULL_E).mean()
@@ -85,7 +87,7 @@ def test_a_part_of_a_clip_is_of_the_mean_exposure_within_the_well(name: str, sca
 
 
 @pytest.mark.parametrize("program", ["fixed.nsl", "looking.nsl"])
-def test_the_frame_says_what_was_asked_and_what_it_means(folder: Path, program: str) -> None:
+def test_meta_has_the_percentage_and_its_tolerance_in_electrons(folder: Path, program: str) -> None:
     scene = ("--scene", "builtin:hdr", "--exposure", "40000")
     expected = signal_e(folder, program, *scene)
     outcome = run(folder, program, *scene, "--tolerance", "1 %", "--audit")
@@ -97,14 +99,16 @@ def test_the_frame_says_what_was_asked_and_what_it_means(folder: Path, program: 
 @pytest.mark.parametrize(
     ("asked", "said"), [("5e", "tolerance 5 e\n"), ("0.5lsb", " e (0.5lsb)\n")]
 )
-def test_electrons_and_codes_follow_no_scene(folder: Path, asked: str, said: str) -> None:
+def test_tolerances_in_electrons_or_codes_do_not_depend_on_the_scene(
+    folder: Path, asked: str, said: str
+) -> None:
     outcome = run(folder, "fixed.nsl", "--scene", "builtin:dark", "--tolerance", asked, "--verbose")
     assert said in outcome.err
     assert (found(folder)["tolerance"], found(folder)["signal_e"]) == (asked, None)
 
 
 @pytest.mark.parametrize("program", ["fixed.nsl", "looking.nsl"])
-def test_a_part_of_darkness_is_refused(folder: Path, program: str) -> None:
+def test_a_percentage_is_refused_for_a_dark_scene(folder: Path, program: str) -> None:
     outcome = run(folder, program, "--scene", "builtin:dark", "--tolerance", "1%")
     assert (outcome.status, outcome.codes) == (2, ["NS0746"])
     assert "mean signal is 0 electrons" in outcome.err
@@ -113,7 +117,9 @@ def test_a_part_of_darkness_is_refused(folder: Path, program: str) -> None:
 
 
 @pytest.mark.parametrize("program", ["fixed.nsl", "looking.nsl"])
-def test_a_plan_in_a_file_is_of_the_scene_it_is_used_on(folder: Path, program: str) -> None:
+def test_a_plan_with_a_percentage_takes_its_tolerance_from_the_scene_it_is_used_on(
+    folder: Path, program: str
+) -> None:
     scene = ("--scene", "builtin:flat:4000")
     assert run(folder, program, *scene, "--tolerance", "1%", "--plan", "p.json").status == 0
     made = found(folder)

@@ -97,7 +97,7 @@ def test_templates_are_filled_with_means_and_values(page: Page) -> None:
     assert columns.startswith("| c | 27.33 / 0.500 | 12.50 / ")
 
 
-def test_a_row_says_that_its_weights_are_not_there(page: Page) -> None:
+def test_rows_of_runs_without_weights_have_a_dagger(page: Page) -> None:
     without = "run/seed1", "run/*", "every-effect/run/seed1"
     for name, mark in {"run/seed0": "", "base/line": "", **dict.fromkeys(without, " †")}.items():
         assert page.filled(f"{{{{row r {name} psnr_db}}}}").startswith(f"| r{mark} | ")
@@ -248,7 +248,7 @@ def test_baselines_record_the_codes_that_they_were_run_on(tmp_path: Path) -> Non
         assert "NS0840" in invoke(wrong, tmp_path).err
 
 
-def test_codes_of_a_run_whose_weights_are_not_there(tmp_path: Path) -> None:
+def test_the_codes_of_a_run_without_weights_can_be_evaluated(tmp_path: Path) -> None:
     clip(tmp_path / "c.mat", 16, 112)
     run = RESULTS / "runs/clips/class-e/searched-from-random/any/four-words/seed0"
     line = ["evaluate", "any", "--data", ".", "--protocol", "codes-v1", "--json", "--shutter"]

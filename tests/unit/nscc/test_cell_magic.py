@@ -67,7 +67,7 @@ def test_invalid_arguments_of_the_magic_are_explained(
     assert said in "".join(capsys.readouterr())
 
 
-def test_every_option_of_a_line_is_used(shell: InteractiveShell) -> None:
+def test_every_option_of_the_cell_magic_is_passed_to_the_compiler(shell: InteractiveShell) -> None:
     line = "-O 0 --codes open --lowering edges --target scamp7 --max-words-per-slot 99"
     options = shell.run_cell(f"%%nsl {line}\n{CELL}").result.options
     assert options.level == 0

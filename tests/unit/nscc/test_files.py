@@ -27,10 +27,11 @@ def test_a_file_is_written_and_replaced(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_files_of_a_killed_process_are_no_obstacle(
+def test_files_are_written_in_spite_of_partial_files_of_a_killed_process(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In a container the next process has the same number, and also counts its writes from 0."""
+    """In a container the next process has the same process number and also counts its writes from
+    0, so both choose the same temporary name."""
     half: list[str] = []
 
     def killed(file: BinaryIO) -> None:

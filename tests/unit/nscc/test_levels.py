@@ -138,7 +138,7 @@ def test_commands_compile_at_their_documented_level(
 
 
 def test_suggestions_are_compiled_at_level_1(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A program that cannot fit: what is offered instead was compiled at -O1."""
+    """The program cannot fit at any level. The suggestions of its error were compiled at -O1."""
     from nscc import pipeline
 
     levels = []

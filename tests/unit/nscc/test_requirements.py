@@ -34,14 +34,16 @@ def _read_anew(monkeypatch: pytest.MonkeyPatch) -> None:
         ("what_these_need", "pip install 'nscc[all]'"),
     ],
 )
-def test_the_smallest_extra_is_named(
+def test_the_pip_command_for_a_missing_module_names_its_smallest_extra(
     module: str, line: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(metadata, "requires", lambda _name: ASKED)
     assert requirements.line_for(module) == line
 
 
-def test_sources_that_are_not_installed_name_all(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_pip_command_installs_all_extras_if_nscc_is_not_installed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     def missing(name: str) -> list[str]:
         raise metadata.PackageNotFoundError(name)
 

@@ -180,7 +180,7 @@ def test_a_rejection_says_all_that_the_command_line_says(tmp_path: Path) -> None
     assert (str(again), again.status) == (str(caught.value), 1)
 
 
-def test_warnings_are_pythons() -> None:
+def test_compile_gives_warnings_as_python_warnings_at_the_line_of_the_call() -> None:
     text = "nsl 1\nframe 4 slots of 1ms\nopen when false\n"
     with pytest.warns(UserWarning, match=r"NS0350.*\n  --> <text>:3:11") as caught:
         nscc.compile(text, target=TARGET)
@@ -188,7 +188,7 @@ def test_warnings_are_pythons() -> None:
 
 
 @pytest.mark.parametrize("made", ["compiled", "loaded", "container", "program", "choice", "table"])
-def test_repr_is_a_line(made: str, tmp_path: Path) -> None:
+def test_repr_of_compiled_values_is_one_line(made: str, tmp_path: Path) -> None:
     p = program(codes="open")
     assert p.compiled is not None
     values = {

@@ -138,8 +138,9 @@ def test_commands_have_the_declared_options(
             assert str(options[key.name].help).startswith(key.meaning), name
 
 
-def test_what_declarations_write_again_is_the_same() -> None:
-    """They import neither the compiler nor the planner."""
+def test_values_that_declarations_repeat_equal_those_of_compiler_and_planner() -> None:
+    """Declarations repeat these values, because they import neither the compiler nor the
+    planner."""
     keys = declared(Options)
     assert keys["codes"].kind == TextKind(get_args(Codes))
     assert keys["lowering"].kind == TextKind(("auto", *LOWERINGS))

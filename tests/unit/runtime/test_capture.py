@@ -179,7 +179,7 @@ def test_batches_are_single_captures(threads: int) -> None:
     assert one[1].frame.tobytes() == many[1].frame.tobytes()
 
 
-def test_batches_that_do_not_pair_up() -> None:
+def test_captures_refuses_unequal_numbers_of_programs_and_scenes_and_bad_repeats() -> None:
     with pytest.raises(ValueError, match="2 scenes for 3 programs"):
         captures([PROGRAM] * 3, [CLIP, CLIP], effects="auto")
     with pytest.raises(ValueError, match=r"repeat is a whole number from 1 to \d+, not (0|-1)$"):

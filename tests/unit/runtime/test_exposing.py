@@ -48,10 +48,10 @@ def program() -> nscc.ShutterProgram:
         ),
     ],
 )
-def test_a_frame_file_is_the_commands(
+def test_frame_files_of_python_equal_those_of_nscc_run(
     options: dict[str, Any], arguments: list[str], tmp_path: Path
 ) -> None:
-    """Byte for byte, with everything that can be kept."""
+    """The files are equal byte for byte, with all arrays that can be kept."""
     (tmp_path / "p.nsl").write_text(TEXT + DATA)
     keep = KEEP
     line = [
@@ -331,7 +331,7 @@ def test_pixels_that_look_have_frames_and_plans_but_no_shutters(root: Path) -> N
     assert "<svg" not in p._repr_html_()
 
 
-def test_repr_is_a_line(program: nscc.ShutterProgram) -> None:
+def test_repr_of_frames_plans_light_and_sensors_is_one_line(program: nscc.ShutterProgram) -> None:
     taken = nscc_runtime.capture(program, LIGHT, effects="auto", repeat=2)
     sensor = nscc_runtime.sensor_for(program)
     for value in (taken, taken.plan, taken.light, sensor):

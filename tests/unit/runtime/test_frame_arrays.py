@@ -93,7 +93,9 @@ READERS: dict[str, tuple[str, Callable[[str], bool]]] = {
 
 
 @pytest.mark.parametrize("line", READERS)
-def test_all_commands_refuse_what_they_read(tmp_path: Path, run_nscc: RunNscc, line: str) -> None:
+def test_every_command_refuses_damage_in_the_arrays_that_it_reads(
+    tmp_path: Path, run_nscc: RunNscc, line: str
+) -> None:
     code, is_read = READERS[line]
     for name, (changes, said) in DAMAGED.items():
         if not is_read(name):

@@ -31,7 +31,9 @@ def _frames(count: int) -> Iterator[Frame]:
 
 
 @pytest.mark.parametrize("most", [0, 1 << 28])
-def test_a_film_is_its_frames_stacked(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_film_gathered_frame_by_frame_equals_its_frames_stacked(
+    most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(frame_series, "MOST_BYTES", most)
     found, wanted = frame_series.gathered(_frames(5), 5), joined(list(_frames(5)), np.stack)
     for name in ("frame", "exposure_e", "valid", "saturated_by"):
@@ -71,7 +73,7 @@ def test_a_full_disk_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize("ending", [".npz", ".npy"])
-def test_no_copy_of_a_film_is_made_for_its_file(
+def test_saving_a_film_takes_less_memory_than_half_the_film(
     ending: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(frame_file, "_BLOCK_BYTES", 0)
@@ -88,7 +90,7 @@ def test_no_copy_of_a_film_is_made_for_its_file(
 
 
 def test_frames_of_a_film_are_shown_one_by_one(tmp_path: Path) -> None:
-    """Buckets side by side, and what is no number dark."""
+    """Buckets are shown side by side, and values that are not numbers are dark."""
     frame = joined(list(_frames(3)), np.stack)
     frame.exposure_e[1, 0, 2, 3] = np.nan
     program = case("two buckets", 8, rows=3, cols=4)

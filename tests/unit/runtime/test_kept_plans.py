@@ -91,7 +91,7 @@ def test_stripes_that_begin_to_move_are_planned_anew() -> None:
     assert error_e(last.plan, moving) <= 5.5
 
 
-def test_no_succession_of_scenes_breaks_the_promise() -> None:
+def test_errors_stay_within_the_tolerance_for_any_succession_of_scenes() -> None:
     assert broken_successions(range(6)) == []
 
 
@@ -114,7 +114,7 @@ def test_frames_that_share_a_plan_are_measured(tolerance: str) -> None:
 
 
 @pytest.mark.parametrize("threads", [1, 4])
-def test_whose_plan_a_scene_takes_follows_from_the_order_alone(threads: int) -> None:
+def test_the_order_of_scenes_alone_decides_which_plan_a_scene_reuses(threads: int) -> None:
     film = frames(2)
     spot = film[0].copy()
     spot[:, 3, 3] = 20 * film[0].max()
@@ -217,7 +217,7 @@ def test_a_film_continues_after_a_skipped_or_refused_frame(lost: int) -> None:
             assert taken.plan is not None
 
 
-def test_one_rejected_scene_of_many_hangs_no_other() -> None:
+def test_captures_with_one_rejected_scene_raise_its_error_and_do_not_hang() -> None:
     lights = frames(5)
     lights[2] = lights[2][:, :8]
     with pytest.raises(Rejected):

@@ -62,7 +62,9 @@ def test_comparators_are_off_by_their_figures(
     assert abs(closed - expected) < 5 * sqrt(0.25 / SIDE**2)
 
 
-def test_an_offset_is_the_pixels_own_and_noise_is_not(program: Container) -> None:
+def test_offsets_of_comparators_are_equal_in_every_frame_and_their_noise_is_not(
+    program: Container,
+) -> None:
     frames = {}
     for effect in ("comparator_offset", "comparator_noise"):
         light = np.full((SIDE, SIDE), LEVEL_E / LOOK * 1000.0, np.float32)
@@ -76,7 +78,9 @@ def test_an_offset_is_the_pixels_own_and_noise_is_not(program: Container) -> Non
 
 
 @pytest.mark.parametrize("at_look_e", [900.0, 3000.0, 20000.0])
-def test_the_error_bar_is_the_error(program: Container, at_look_e: float) -> None:
+def test_the_stated_deviation_of_the_light_equals_the_spread_of_its_errors(
+    program: Container, at_look_e: float
+) -> None:
     # Without neighbours, lag and words that take time, which a steady flat scene does not have, and
     # without errors that many pixels have in common.
     off = "-crosstalk,-lag,-dead_time,-leakage,-readout_pattern,-readout_level"

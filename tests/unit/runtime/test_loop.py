@@ -171,7 +171,7 @@ def test_a_loop_reads_and_writes_the_arrays_of_records_in_any_order_of_arguments
         ("places", np.zeros(2), "lines.places is an array of float64, not an array of int64"),
     ],
 )
-def test_each_of_them_is_checked(field, value, message):
+def test_every_array_of_a_record_is_checked_against_its_declaration(field, value, message):
     with pytest.raises(TypeError, match=message):
         summed(**of_lines(lines=of_lines()["lines"]._replace(**{field: value})))
     with pytest.raises(TypeError, match="lines is tuple, not Lines"):
@@ -192,7 +192,7 @@ def test_a_record_has_all_its_fields():
         Sizes(count=1.5, factor=1.0, word=0)
 
 
-def test_the_files_name_hangs_on_constants_and_called_functions(monkeypatch):
+def test_the_name_of_an_object_file_depends_on_constants_and_called_functions(monkeypatch):
     def name():
         return loops.ObjectFile(__name__, [scaled]).name
 
@@ -247,7 +247,9 @@ def test_damaged_code_is_never_run(tmp_path, no_compiler, monkeypatch):
     assert len(no_compiler) == 5
 
 
-def test_next_place_where_the_first_cannot_be_written(tmp_path, no_compiler, monkeypatch):
+def test_machine_code_is_stored_in_the_second_folder_if_the_first_cannot_be_written(
+    tmp_path, no_compiler, monkeypatch
+):
     blocked = tmp_path / "file"
     blocked.write_text("not a folder")
     second = tmp_path / "second"

@@ -127,7 +127,9 @@ def agree(ours: tuple[float, float], theirs: tuple[float, float]) -> bool:
 
 
 @pytest.mark.parametrize("band", range(len(RATES_E)))
-def test_means_variances_and_shares_agree(ours: list[Band], theirs: list[Band], band: int) -> None:
+def test_means_variances_and_saturated_fractions_agree_with_pyxel(
+    ours: list[Band], theirs: list[Band], band: int
+) -> None:
     mine, other = ours[band], theirs[band]
     measured = {
         "mean, e": (of_mean(mine.exposure_e), of_mean(other.exposure_e)),

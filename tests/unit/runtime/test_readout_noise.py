@@ -23,7 +23,7 @@ def codes(effects: str, frames: int = 1, sensor: Sensor = SENSOR, **keys: int) -
     return np.array([noise.codes(5, number, 1)[0] for number in range(frames)])
 
 
-def test_a_pattern_belongs_to_a_chip() -> None:
+def test_the_readout_pattern_is_equal_in_all_frames_of_a_chip_and_differs_between_chips() -> None:
     first, again = codes("readout_pattern", 2)
     np.testing.assert_array_equal(first, again)
     other = codes("readout_pattern", device_seed=1)[0]

@@ -30,8 +30,8 @@ UNKNOWN = ",-readout_pattern,-readout_level"
 
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("effects", ["none", "all", "all,-leakage", "analog", "dark,leakage"])
-def test_exposures_are_a_line_over_the_light(name: str, effects: str) -> None:
-    """The mean of many pixels and frames, dark and lit, all of one light."""
+def test_exposures_are_a_linear_function_of_the_light(name: str, effects: str) -> None:
+    """The test compares means over many pixels and frames, dark and lit evenly."""
     container = case(name, rows=24, cols=32)
     sensor = sensor_of(
         container, leakage_tau_s=0.05, dark_current_e_per_s=2e4, analog_gain=0.98, lag_fraction=0.0

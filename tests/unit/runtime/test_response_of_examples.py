@@ -52,7 +52,9 @@ def example(path: Path) -> Container:
 
 @pytest.mark.parametrize("count", [6, slow(120)], ids=lambda count: f"{count} frames")
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
-def test_mean_and_variance_are_those_of_the_reference(path: Path, count: int) -> None:
+def test_the_response_of_every_example_predicts_mean_and_variance_of_its_frames(
+    path: Path, count: int
+) -> None:
     program, effects = example(path), selected(EFFECTS)
     sensor = sensor_of(program, **ALIKE, **LARGE)
     slot_s = np.array(program.slot_us) * 1e-6

@@ -68,7 +68,7 @@ def taken(container: Container, light: np.ndarray, effects: str) -> Capture:
     return found
 
 
-def test_without_effects_the_last_code_is_all_that_saturates(
+def test_without_effects_only_values_of_the_last_code_are_saturated(
     lit: tuple[Container, np.ndarray],
 ) -> None:
     container, light = lit

@@ -31,7 +31,9 @@ def found() -> dict[str, float]:
 
 
 @pytest.mark.parametrize("name", WITHIN)
-def test_figures_are_those_of_the_chip(found: dict[str, float], name: str) -> None:
+def test_measured_properties_of_emulated_frames_are_near_those_of_the_chip(
+    found: dict[str, float], name: str
+) -> None:
     value, _ = json.loads(CHIP.read_text())[name]
     assert found[name] == pytest.approx(value, rel=WITHIN[name])
 
@@ -43,7 +45,7 @@ def test_taps_grow_and_codes_are_clipped_as_on_the_chip(found: dict[str, float])
     assert found["clipped low"] < found["clipped high"]
 
 
-def test_without_these_effects_frames_are_not_those_of_the_chip() -> None:
+def test_frames_without_pattern_level_column_noise_and_gain_lack_the_errors_of_the_chip() -> None:
     ideal = {
         "adc_pattern_lsb": 0.0,
         "adc_smooth_lsb": 0.0,

@@ -104,7 +104,7 @@ STRONG = {
 @pytest.mark.parametrize("effects", ["shot,dark,crosstalk", "all"])
 @pytest.mark.parametrize("name", ["b edges", "c accumulate", "codebook", "two buckets"])
 @pytest.mark.parametrize("simulator", [by_sums, by_words])
-def test_moments_are_those_of_the_reference(
+def test_frames_by_sums_and_by_words_have_the_moments_of_the_reference(
     simulator: Callable[..., Exposing], name: str, effects: str
 ) -> None:
     container = case(name, rows=ROWS, cols=COLS)

@@ -60,7 +60,7 @@ def test_every_class_shares_out_all_light(kind: str) -> None:
 
 
 def test_buckets_have_opposite_gradients() -> None:
-    """Light that a bit moves leaves one bucket for the other: gradients of both, signs turned."""
+    """Light that leaves one bucket goes to the other, so their gradients differ in sign only."""
     encoder = encoder_of("e")
     light = torch.full((1, 6, 3, 2), 500.0)
     sensor = SensorModel(full_well_e=30000.0, electrons_per_lsb=30000 / 255)
@@ -74,7 +74,7 @@ def test_buckets_have_opposite_gradients() -> None:
 
 
 @pytest.mark.parametrize("name", [name for name, each in DECODERS.items() if each.two_buckets])
-def test_decoders_see_both_frames(name: str) -> None:
+def test_decoders_of_two_buckets_use_the_frames_of_both(name: str) -> None:
     torch.manual_seed(2)
     decoder = make_decoder(name, "small", DecoderTask("clip", 8, (4, 4), buckets=2)).eval()
     shutters = (torch.rand(8, 4, 4) < 0.5).float()

@@ -107,7 +107,7 @@ def test_the_same_cell_gives_the_same_bytes() -> None:
     assert "agree(h2, uf1_h2)" in first.text
 
 
-def test_settings_that_no_program_has() -> None:
+def test_cells_refuse_settings_that_no_program_can_have() -> None:
     for settings, text in (
         ({"kernel": 4}, "kernel is 4, but must be an odd number from 3 to 9"),
         ({"pool": 2}, "pool is 2"),

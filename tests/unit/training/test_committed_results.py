@@ -37,7 +37,7 @@ def test_runs_have_weights_where_they_are_shipped() -> None:
 
 
 @pytest.mark.parametrize("run", RUNS, ids=named)
-def test_a_run_is_of_one_piece(run: Path) -> None:
+def test_the_files_of_a_shipped_run_belong_together(run: Path) -> None:
     """The files of a shipped run match its digests, and its program opens the shutters of its
     codes."""
     digests = json.loads((run / "result.json").read_text())["files"]

@@ -175,7 +175,7 @@ def test_any_text_survives_the_file(text: str, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("change", ["data.train=\udcff", "train.steps=3\nbatch=5"])
-def test_changes_that_are_no_value_are_refused(change: str) -> None:
+def test_changes_that_are_not_a_single_toml_value_are_refused(change: str) -> None:
     with pytest.raises(Rejected) as caught:
         settings_of({}, [change])
     assert [d.code for d in caught.value.diagnostics] == ["NS0815"]

@@ -125,7 +125,7 @@ def test_codes_of_the_model_have_the_moments_of_the_emulators(
     assert wanted[:, ::2, ::2].var() > 1.3 * (photons + sensor.adc_noise_lsb**2)
 
 
-def test_a_shutter_has_its_response_at_every_place(table: EmulatedSensor) -> None:
+def test_a_shutter_that_moves_to_another_place_keeps_its_response(table: EmulatedSensor) -> None:
     """The expected responses come from a measurement of the same shutters at other places. The
     tables themselves need no new measurement."""
     turned = PROGRAM.replace("[[0, 2], [0, 3]]", "[[3, 0], [2, 0]]")
@@ -155,9 +155,9 @@ def test_places_of_one_shutter_have_one_response(table: EmulatedSensor) -> None:
     assert torch.equal(tables.table.code, table.code[:, :1].expand(-1, 2, 2))
 
 
-def test_errors_of_the_readout_are_alike_in_neighbouring_pixels() -> None:
-    """Level of frames, smooth pattern and correlation of neighbours, beside frames of other chips.
-    Light is even, and all pixels are always open."""
+def test_the_model_of_the_readout_has_the_spatial_correlation_of_the_emulator() -> None:
+    """The test compares levels of frames, the smooth pattern and correlations of neighbours with
+    frames of other chips. Light is even, and all pixels are always open."""
     text = "nsl 1 frame 8 slots of 125us open when true"
     program = compile_source(Source("p.nsl", text), Path(), Options(level=1)).container
     assert program is not None
@@ -194,8 +194,8 @@ def test_errors_of_the_readout_are_alike_in_neighbouring_pixels() -> None:
         assert found[name] == pytest.approx(chips[name], abs=tolerance), name
 
 
-def test_a_code_that_changed_has_its_own_exposure(table: EmulatedSensor) -> None:
-    """Places that are open for longer or shorter than when the table was measured."""
+def test_the_table_gives_changed_codes_their_new_exposure(table: EmulatedSensor) -> None:
+    """Some places are open for a longer or shorter time than when the table was measured."""
     stops = "[[4, 8], [2, 5]]"
     other = compile_source(
         Source("p.nsl", PROGRAM.replace("[[8, 5], [4, 8]]", stops)), Path(), Options(level=1)
@@ -291,7 +291,7 @@ def test_training_measures_the_sensor_again_and_resumes_exactly(
         assert parts == whole, name
 
 
-def test_crosstalk_is_the_emulators_and_light_has_a_slope(
+def test_the_table_has_the_crosstalk_of_the_emulator_and_a_gradient_near_1(
     program: Container, table: EmulatedSensor
 ) -> None:
     generator = np.random.default_rng(1)
@@ -307,8 +307,11 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
     assert ((gain > 0.8) & (gain < 1.05)).all()
 
 
-def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: Path) -> None:
-    """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
+def test_evaluating_a_run_under_effects_lowers_its_score_and_says_how_it_was_trained(
+    tmp_path: Path,
+) -> None:
+    """The run was trained with noise only. Reconstructing a frame with all effects gives a
+    warning."""
     clip(tmp_path / "c.mat", 16, 256)
     run = RUNS / "clips/class-d/learned-from-2x2/unet2d/noise-alone/seed0"
     plain, _ = evaluate(EvaluationSettings(str(run), tmp_path, "video-v1"))
@@ -375,7 +378,9 @@ EFFECTS = "analog,shot,full_well"
 
 
 @pytest.mark.slow
-def test_a_run_under_effects_says_first_what_they_cost(tmp_path: Path) -> None:
+def test_a_result_of_a_run_under_effects_begins_with_its_scores_with_and_without_them(
+    tmp_path: Path,
+) -> None:
     chip = small_target(invoke(["targets", "scamp5", "--toml"], tmp_path).out, 64, 48)
     (tmp_path / "chip.toml").write_text(chip)
     shutter = {"slots": 4, "tile": [2, 2], "target": str(tmp_path / "chip.toml")}

@@ -27,7 +27,7 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> nscc_training.Run:
     return nscc_training.load_run(trained(tmp_path_factory.mktemp("runs") / "r", shutter=few_codes))
 
 
-def test_reconstructions_are_the_commands(run: nscc_training.Run, tmp_path: Path) -> None:
+def test_reconstruct_in_python_equals_the_command(run: nscc_training.Run, tmp_path: Path) -> None:
     taken = nscc_runtime.capture(run.program, "builtin:hdr")
     path = taken.save(tmp_path / "frame.npz")
     outcome = invoke(["reconstruct", str(run.path), "frame.npz", "-o", "r.npz"], tmp_path)
@@ -40,7 +40,9 @@ def test_reconstructions_are_the_commands(run: nscc_training.Run, tmp_path: Path
         np.testing.assert_array_equal(found, wanted)
 
 
-def test_frames_are_those_of_run_like(run: nscc_training.Run, tmp_path: Path) -> None:
+def test_capture_of_a_run_writes_the_frame_file_of_nscc_run_like(
+    run: nscc_training.Run, tmp_path: Path
+) -> None:
     line = ["run", "--like", str(run.path), "--scene", "builtin:hdr", "-o", "c.npz"]
     outcome = invoke(line, tmp_path)
     assert outcome.status == 0, outcome.err
@@ -114,7 +116,7 @@ def test_folders_that_are_not_runs_are_refused(tmp_path: Path) -> None:
         nscc_training.load_run(3)  # type: ignore[arg-type]
 
 
-def test_curves_are_those_of_the_file(run: nscc_training.Run) -> None:
+def test_curves_of_a_run_have_the_values_of_metrics_csv(run: nscc_training.Run) -> None:
     rows = [*csv.DictReader((run.path / "metrics.csv").read_text().splitlines())]
     assert [*run.curves] == [*rows[0]]
     for number, row in enumerate(rows):

@@ -51,7 +51,7 @@ def imported(
 
 
 @pytest.mark.parametrize("kind", MASKS)
-def test_the_class_that_holds_a_mask(tmp_path: Path, kind: str) -> None:
+def test_a_mask_is_imported_with_its_class_and_shutters(tmp_path: Path, kind: str) -> None:
     mask = MASKS[kind]
     found, shutters = imported(tmp_path, mask)
     if kind == "e":  # for these bits a list of them takes as many words
@@ -105,7 +105,7 @@ def test_a_tile_that_can_be_read_in_two_ways_is_refused(
 
 
 @pytest.mark.parametrize("axis", ["last", "first"])
-def test_the_axis_of_slots_is_chosen(tmp_path: Path, axis: Axis) -> None:
+def test_the_given_axis_of_a_mask_holds_its_slots(tmp_path: Path, axis: Axis) -> None:
     mask = np.zeros((4, 8, 4), bool)
     mask[0, 1, 2] = mask[1, 0, 0] = True
     stored = mask if axis == "last" else np.moveaxis(mask, 0, 2)
@@ -179,7 +179,9 @@ def test_a_mask_with_a_code_for_every_pixel_is_imported(tmp_path: Path) -> None:
         (RNG.random((16, 16, 100)) < 0.5, "no class represents"),
     ],
 )
-def test_masks_that_do_not_fit(tmp_path: Path, mask: np.ndarray, reason: str) -> None:
+def test_unsuitable_masks_are_refused_with_the_reason(
+    tmp_path: Path, mask: np.ndarray, reason: str
+) -> None:
     np.save(tmp_path / "m.npy", mask)
     with pytest.raises(Rejected) as caught:
         import_mask(tmp_path / "m.npy", "c.npz")

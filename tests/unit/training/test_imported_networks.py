@@ -51,7 +51,7 @@ def test_settings_may_be_left_out(tmp_path: Path) -> None:
     assert (cell.update, cell.pool, float(cell.level)) == ("flip", 1, 0.5)
 
 
-def test_files_that_are_not_cells(tmp_path: Path) -> None:
+def test_import_network_refuses_files_without_a_valid_cell(tmp_path: Path) -> None:
     good = made().state_dict()
     path = tmp_path / "m.pt"
     for changes, text in (

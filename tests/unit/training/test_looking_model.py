@@ -51,7 +51,7 @@ def by_hand(light: float, at: list[int], levels: list[int]) -> tuple[float, floa
     return min(light, WELL_E), 1.0
 
 
-def test_the_model_is_the_machine() -> None:
+def test_the_model_of_looking_pixels_equals_a_computation_by_hand() -> None:
     at, levels = [1, 7, 20], [30, 55, 90]
     fields = torch.tensor([*at, *levels], dtype=torch.float32).reshape(-1, 1, 1)
     light = np.geomspace(10, 5e6, 30 * 20).reshape(30, 20)
@@ -74,8 +74,9 @@ def test_answers_are_as_sure_as_the_comparator() -> None:
         assert float((share == 0.5).float().mean()) == pytest.approx(expected, abs=0.01)
 
 
-def test_codes_are_looks_in_their_order() -> None:
-    """Boundaries rise and stay within the frame for any parameters."""
+def test_boundaries_of_looks_increase_and_levels_stay_in_their_range() -> None:
+    """Boundaries increase and stay within the frame whatever the parameters. Codes in another order
+    are refused."""
     encoder = make_encoder(SPEC, "quad")
     encoder.load_codes({"at": np.array([[2, 9, 33]]), "level": np.array([[5, 60, 126]])})
     assert encoder.codes()["at"].tolist() == [[2, 9, 33]]
@@ -134,8 +135,8 @@ def test_learning_makes_a_bad_start_better(run: Path) -> None:
     assert learned["stages"]["emulated"] == pytest.approx(learned["stages"]["hard"], abs=0.05)
 
 
-def test_learned_looks_compile_to_a_program(run: Path) -> None:
-    """It builds, exposes, and its run reconstructs its frame; so does nobody's."""
+def test_a_program_of_learned_looks_is_exposed_and_reconstructed(run: Path) -> None:
+    """The decoder of the run and the reconstruction without a run give nearly the same light."""
     text = (run / "r/shutter.nsl").read_text()
     assert text.splitlines()[2] == "nsl 2"
     steps = [

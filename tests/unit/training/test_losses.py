@@ -24,7 +24,7 @@ def pair(error: float) -> tuple[torch.Tensor, torch.Tensor]:
 
 
 @pytest.mark.parametrize("error", [1.0, 0.1, 0.01])
-def test_decibels_are_those_of_the_metrics(error: float) -> None:
+def test_losses_in_decibels_equal_the_metrics(error: float) -> None:
     made, truth = pair(error)
     for name, metric in (
         ("psnr", lambda t, m: metrics.psnr(t, m, 1.0)),
@@ -38,7 +38,7 @@ def test_decibels_are_those_of_the_metrics(error: float) -> None:
     assert LOSSES["psnr"](made, truth).item() == pytest.approx(np.log10(mse + LEAST_ERROR))
 
 
-def test_half_the_error_is_six_decibels_wherever() -> None:
+def test_halving_the_error_lowers_the_psnr_loss_by_6_decibels_at_any_error() -> None:
     for error in (0.5, 0.05):
         values = []
         for part in (1.0, 0.5):

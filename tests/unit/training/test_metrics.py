@@ -51,7 +51,7 @@ def slow_ssim(x: Picture, y: Picture, data_range: float) -> float:
     return math.fsum(values) / len(values)
 
 
-def test_psnr_is_its_definition() -> None:
+def test_psnr_equals_its_definition_computed_by_hand() -> None:
     truth, result = _pair((17, 13))
     mse = math.fsum((a - b) ** 2 for a, b in zip(truth.flat, result.flat, strict=True)) / truth.size
     assert metrics.psnr(truth, result, 1.0) == pytest.approx(10 * math.log10(1 / mse), abs=1e-9)
@@ -67,7 +67,7 @@ def test_psnr_of_bytes_does_not_wrap() -> None:
 
 
 @pytest.mark.parametrize("data_range", [1.0, 0.25])
-def test_ssim_is_its_definition(data_range: float) -> None:
+def test_ssim_equals_its_definition_computed_by_hand(data_range: float) -> None:
     truth, result = _pair((14, 16))
     assert metrics.ssim(truth, result, data_range) == pytest.approx(
         slow_ssim(truth, result, data_range), abs=1e-10
@@ -216,7 +216,7 @@ def test_summaries_leave_out_infinity_and_bootstrap_intervals() -> None:
     assert few[1] - few[0] == pytest.approx(2 * 1.96 * values[:40].std() / 40**0.5, rel=0.15)
 
 
-def test_pairs_compare_what_both_have() -> None:
+def test_paired_scores_compare_only_the_items_of_both_results() -> None:
     first = {"a": 20.0, "b": 30.0, "c": 1.0, "d": math.inf}
     second = {"a": 21.0, "b": 33.0, "d": 5.0, "e": 2.0}
     found = paired(first, second, {"a": "s", "b": "t", "d": "t"})
@@ -299,7 +299,7 @@ def test_the_command_metrics_refuses_invalid_files(
 
 
 @pytest.mark.parametrize("scale", [1e-59, 1.0, 1e59])
-def test_the_unit_does_not_matter(tmp_path: Path, scale: float) -> None:
+def test_metrics_do_not_depend_on_the_unit_of_the_pictures(tmp_path: Path, scale: float) -> None:
     truth, result = _pair((16, 16))
     np.save(tmp_path / "t.npy", truth * scale)
     np.save(tmp_path / "r.npy", result * scale)

@@ -207,8 +207,10 @@ def test_invalid_light_is_refused(folder: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["torch_is_full", "numpy_is_full", "gpu_is_full"])
-def test_memory_that_runs_out_is_nobodys_fault(folder: Path, name: str) -> None:
-    """Neither nscc's (70) nor the user's code: it says what takes less."""
+def test_running_out_of_memory_is_reported_with_settings_that_need_less(
+    folder: Path, name: str
+) -> None:
+    """The error blames neither nscc (status 70) nor the user's code."""
     small = {
         "shutter.slots": 8,
         "shutter.tile": "[2,2]",
@@ -242,8 +244,8 @@ def test_a_training_without_anything_to_learn_is_refused(folder: Path) -> None:
 
 
 @pytest.mark.parametrize("unit", ["1e-300", "1e-30", "1e30"])
-def test_stills_have_no_unit(folder: Path, unit: str) -> None:
-    """Their contrast is bent above a floor, and powers of theirs must stay finite."""
+def test_stills_are_scaled_so_that_their_unit_has_no_effect(folder: Path, unit: str) -> None:
+    """Contrast is changed above a floor, and powers of the light must stay finite."""
     lights = []
     for text in ("1", unit):
         (folder / "unit.txt").write_text(text)

@@ -99,7 +99,7 @@ def write(path: Path) -> None:
 
 
 @pytest.mark.parametrize("ending", FORMATS)
-def test_a_size_is_read_from_the_head(
+def test_the_size_of_a_picture_is_read_without_decoding_it(
     tmp_path: Path, ending: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / f"a.{ending}"

@@ -53,7 +53,7 @@ def write_v73(path: Path, user_block: int, **arrays: np.ndarray) -> None:
 @pytest.mark.parametrize("kind", ["v5.mat", "v73.mat", "bare.mat", "a.npz", "pair.npy"])
 @pytest.mark.parametrize("count", [1, 3])
 @pytest.mark.parametrize("last", [True, False])
-def test_files_are_read_as_they_are_meant(
+def test_measurements_of_every_format_and_axis_order_are_read(
     tmp_path: Path, kind: str, count: int, last: bool
 ) -> None:
     from scipy.io import savemat

@@ -47,8 +47,9 @@ def sensor_model() -> tuple[SensorModel, object, object]:
 
 @pytest.mark.parametrize("still", [False, True])
 @pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
-def test_hard_capture_is_the_emulators(spec: ShutterSpec, still: bool) -> None:
-    """1e-6 before the ADC; the same code after it unless a tie is within 1e-6."""
+def test_a_hard_capture_equals_the_frame_of_the_emulator(spec: ShutterSpec, still: bool) -> None:
+    """Values before the converter agree to 1e-6. Codes are equal unless a value is within 1e-6 of a
+    tie."""
     model, sensor, target = sensor_model()
     encoder = make_encoder(spec, "random", seed=8)
     container = compiled(program_of(encoder, Chip()), Chip()).container

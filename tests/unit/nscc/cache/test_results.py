@@ -134,7 +134,7 @@ def test_another_compiler_does_not_use_stored_results(
     assert len(searches) == 3 * before
 
 
-def test_the_version_is_that_of_the_sources(
+def test_the_version_digest_changes_with_every_source_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(digests, "_ROOT", tmp_path)
@@ -157,7 +157,7 @@ def test_the_version_is_that_of_the_sources(
     version_digest.cache_clear()
 
 
-def test_the_version_is_also_that_of_added_generators(
+def test_the_version_digest_changes_with_the_sources_of_added_generators(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     module = ModuleType("mine")
@@ -201,7 +201,7 @@ def test_builds_without_a_cache_write_the_same_bytes(
     assert len({(tmp_path / f"{name}.icw").read_bytes() for name in "abc"}) == 1
 
 
-def test_a_place_that_cannot_be_written_is_no_trouble(
+def test_builds_work_if_the_cache_folder_cannot_be_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("NSCC_CACHE_DIR", "/dev/null/cache")
@@ -294,7 +294,9 @@ def test_hostile_entries_do_no_harm(name: str, lowering: str, folder: Path) -> N
     assert entries_of(folder) == good, "what was wrong is written anew"
 
 
-def test_a_program_that_does_not_fit_says_the_same(folder: Path, tmp_path: Path) -> None:
+def test_a_program_that_does_not_fit_gives_the_same_messages_with_and_without_the_cache(
+    folder: Path, tmp_path: Path
+) -> None:
     small = invoke(["targets", "scamp5", "--toml"], tmp_path).out.replace("1024", "10")
     (tmp_path / "small.toml").write_text(small)
     (tmp_path / "p.nsl").write_text(f"nsl 1 {TEXTS['d']}\n")
@@ -310,8 +312,10 @@ def test_a_program_that_does_not_fit_says_the_same(folder: Path, tmp_path: Path)
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("name", TEXTS)
-def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) -> None:
-    """All that the generators find, not only the best: none is refused when it comes back."""
+def test_every_solution_of_the_generators_can_be_stored_and_read_back(
+    name: str, lowering: str, tmp_path: Path
+) -> None:
+    """The test stores all solutions that the generators find, not only the best one."""
     asked: list[tuple[Problem, Machine]] = []
 
     def overhear(problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault]):

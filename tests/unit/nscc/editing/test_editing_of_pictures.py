@@ -27,7 +27,7 @@ def test_every_place_can_be_asked(name: str) -> None:
         complete(document, offset)
 
 
-def test_a_kernel_is_shown_as_a_grid() -> None:
+def test_hovering_over_a_kernel_shows_its_weights_as_a_grid() -> None:
     document = document_of("edges")
     found = hover(document, document.text.index("sx(exposure"))
     assert found is not None

@@ -97,7 +97,9 @@ def test_the_recording_library_encodes_the_published_examples(tmp_path: Path) ->
 
 @needs_compiler
 @pytest.mark.parametrize("name", [p.stem if p.stem in KINDS else slow(p.stem) for p in EXAMPLES])
-def test_examples_do_on_the_devkit_what_the_container_says(name: str, tmp_path: Path) -> None:
+def test_the_cpp_of_every_example_sends_the_words_of_its_container(
+    name: str, tmp_path: Path
+) -> None:
     checked(tmp_path, (ROOT / f"examples/{name}.nsl").read_text())
 
 
@@ -122,7 +124,7 @@ pixels stop = 1 + (21 * (x % 8) + 8 * (y % 8)) % N
 
 
 @needs_compiler
-def test_tables_run_where_the_library_has_a_function_for_them(tmp_path: Path) -> None:
+def test_tables_of_words_run_if_the_library_has_a_function_for_them(tmp_path: Path) -> None:
     file, container = build(tmp_path, WIDE, "--codes", "open", "-O", "1")
     assert "_words[][5]" in file.read_text()
     check(record(file, "-std=c++11", CHIP, "-DDEVKIT_STUB_TABLE_FUNCTION"), container)
@@ -207,7 +209,7 @@ def test_cpp_loads_the_codes_of_arrays_of_any_size(
 
 
 @needs_compiler
-def test_tiles_need_no_image_and_pictures_do(tmp_path: Path) -> None:
+def test_cpp_loads_images_for_irregular_codes_and_none_for_tiles(tmp_path: Path) -> None:
     recording, container, _ = checked(
         tmp_path, B + "pixels stop = 8 if (x - 128)*(x - 128) + (y - 99)*(y - 99) < 5000 else N\n"
     )
@@ -272,7 +274,7 @@ def test_cpp_exposes_a_frame_longer_than_its_clock(tmp_path: Path) -> None:
 @needs_compiler
 @pytest.mark.slow
 def test_cpp_times_do_not_drift_over_4096_slots(tmp_path: Path) -> None:
-    """Slots of no whole number of microseconds, each with a launch that takes longer than it
+    """A slot is not a whole number of microseconds long, and each launch takes longer than it
     should."""
     text = "nsl 1\nframe 4096 slots of 20.3us\nopen when n % 2 == 0\n"
     checked(tmp_path, text, "--lowering", "accumulate")
@@ -280,9 +282,9 @@ def test_cpp_times_do_not_drift_over_4096_slots(tmp_path: Path) -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("name", ["hdr_2x2", slow("class_c"), slow("class_e")])
-def test_the_simulators_build_opens_the_same_shutters(name: str, tmp_path: Path) -> None:
-    """Words that have no call there are several: frame by frame they gather the same light, which
-    falls between them as long as the slots are."""
+def test_cpp_built_for_the_simulator_opens_the_same_shutters(name: str, tmp_path: Path) -> None:
+    """Every frame gathers the light of the emulator. The simulated light falls between the
+    launches, in proportion to the times of the slots."""
     file, container = build(tmp_path, (ROOT / "examples" / f"{name}.nsl").read_text())
     recording = record(file, "-std=c++11")
     check_codes(recording, container)
@@ -326,7 +328,7 @@ def test_cpp_for_the_scamp7_uses_its_registers(tmp_path: Path) -> None:
 
 @needs_compiler
 def test_kernels_without_library_calls_run_on_the_scamp7(tmp_path: Path) -> None:
-    """Its word is not public, and neither are constant tables of it."""
+    """Some kernels contain words with more than four sources, for which the library has no call."""
     options = ("--target", "scamp7", "--codes", "open", "-O", "1")
     file, container = build(tmp_path, WIDE, *options)
     wide = [k for k in container.kernels if any(len(decode(w).sources) > 4 for w in k.words)]
@@ -352,7 +354,7 @@ def test_full_and_half_readouts_need_no_words_before_the_converter(
 
 
 @needs_compiler
-def test_codes_where_no_register_is_left_to_spread_with(tmp_path: Path) -> None:
+def test_cpp_has_no_spreading_words_if_no_register_is_free(tmp_path: Path) -> None:
     rules = "".join(f"bucket b{n} open when n == {n} + k\n" for n in range(6))
     text = f"nsl 1\nframe 8 slots of 1ms\ncode k : 0..1\n{rules}pixels k = x % 2\n"
     _, container, written = checked(tmp_path, text)
@@ -486,7 +488,9 @@ def test_reports_whose_margin_grows_for_ever_are_refused(tmp_path: Path) -> None
 
 @needs_compiler
 @pytest.mark.parametrize("sources", [("4", "3"), ('"any"', '"any"')])
-def test_calls_stop_at_their_number_of_sources(sources: tuple[str, str], tmp_path: Path) -> None:
+def test_kernels_with_more_sources_than_a_call_takes_are_tables(
+    sources: tuple[str, str], tmp_path: Path
+) -> None:
     chip = chip_file(tmp_path, 256, 256, or_sources=sources[0], where_sources=sources[1])
     text = B + "pixels stop = 1 + (21 * (x % 8) + 8 * (y % 8)) % N\n"
     _, container, written = checked(tmp_path, text, "--target", chip)
@@ -500,7 +504,7 @@ def test_calls_stop_at_their_number_of_sources(sources: tuple[str, str], tmp_pat
         assert (f"k{number}_words[][5]" in written) == bool(beyond), (number, beyond)
 
 
-def test_a_kernel_is_calls_or_a_table_and_not_both(tmp_path: Path) -> None:
+def test_every_kernel_is_written_either_as_calls_or_as_a_table(tmp_path: Path) -> None:
     file, container = build(tmp_path, (ROOT / "examples" / "class_c.nsl").read_text())
     text = file.read_text()
     for number in range(len(container.kernels)):

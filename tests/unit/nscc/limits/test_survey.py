@@ -113,7 +113,7 @@ def test_a_survey_of_limits_is_deterministic():
     assert limits_text(TINY, 1, list(one.values())) == limits_text(TINY, 1, list(other.values()))
 
 
-def test_the_table_says_what_the_values_say(tiny):
+def test_the_printed_table_of_limits_agrees_with_the_json_values(tiny):
     values = limits_json(TINY, 1, list(tiny.values()))
     text = limits_text(TINY, 1, list(tiny.values()))
     assert json.loads(json.dumps(values)) == values

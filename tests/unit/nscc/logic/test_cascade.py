@@ -45,7 +45,8 @@ def test_cascades_answer_random_codebooks(machine, lowering, density):
 
 @pytest.mark.parametrize(("shutters", "registers"), [slow(65, 9), slow(200, 11), (480, 12)])
 def test_planes_are_changed_until_they_tell_all_shutters_apart(shutters, registers):
-    """More shutters than predicates alone tell apart: sets of several words, one not full."""
+    """The predicates alone cannot distinguish so many shutters, so the search changes some
+    planes."""
     asked = asked_of(book(shutters, 12, 8))
     machine = replace(SCAMP5, registers=registers)
     solution = cascade(asked, machine, 300_000)
@@ -88,8 +89,8 @@ def test_shutters_that_no_demand_tells_apart_share_a_code():
     assert words_if_right(asked, SCAMP5, solution) <= 4
 
 
-def test_values_that_flag_still_holds_are_used():
-    """Pairs of predicates that differ in one shutter, more of them than planes."""
+def test_demands_take_fewer_words_if_flag_keeps_its_value_between_them():
+    """The predicates form pairs that differ in one shutter. There are more pairs than planes."""
     table = np.repeat(book(40, 12, 6), 2, axis=1)
     table[np.arange(12), np.arange(1, 24, 2)] ^= True
     machine = Machine(11, False, None, None, False)

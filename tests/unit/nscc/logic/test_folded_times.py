@@ -42,7 +42,7 @@ def test_bumps_of_limited_length_fold_in_longer_frames(slots, longest):
 
 
 @pytest.mark.parametrize("registers", [5, 7, 9])
-def test_every_number_of_slots_that_has_a_cell_for_each_bump(registers):
+def test_bumps_fold_exactly_if_the_square_has_a_cell_for_each_bump(registers):
     side = 1 << (registers - 1) // 2
     target = chip(registers, masked=False, or_sources=3, where_sources=2)
     for slots in range(side + 1, 2 * side):

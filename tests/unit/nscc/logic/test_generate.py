@@ -214,8 +214,8 @@ def test_equal_shutters_have_no_demands():
     assert solution.planes == ()
 
 
-def test_patience_where_few_steps_do_not_do():
-    """Random rows over many slots: covers that take more steps than a first try allows."""
+def test_random_rows_that_need_more_steps_than_the_first_try_are_solved():
+    """The table has 150 random rows of 40 slots."""
     TABLES["many"] = np.random.default_rng(5).integers(0, 2, (150, 40))
     asked = problem("many", "accumulate")
     del TABLES["many"]
@@ -223,7 +223,7 @@ def test_patience_where_few_steps_do_not_do():
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_covers_hold_and_avoid(seed):
+def test_covers_contain_all_required_codes_and_no_forbidden_ones(seed):
     choose = random.Random(seed)
     everything = (1 << 64) - 1
     planes = [sum((i >> k & 1) << i for i in range(64)) for k in range(6)]

@@ -87,8 +87,9 @@ def test_unneeded_operations_are_removed(predicates, answers, closing, least):
     assert len(found.segments()) == len(predicates)
 
 
-def test_a_plane_turned_in_place_wanders_through_a_free_register():
-    """Turned and turned back, a plane is two pairs of words in place; one word each elsewhere."""
+def test_a_plane_that_is_inverted_in_place_moves_through_a_free_register():
+    """Inverting a plane in place and back takes two pairs of words. Through another register it
+    takes two single words."""
     reads = [ALL ^ A, ALL ^ (A | B), ALL ^ (A | C), ALL ^ A]
     answers = [
         "p0 = NOT p0 | FLAG = WHERE p0",
@@ -101,8 +102,8 @@ def test_a_plane_turned_in_place_wanders_through_a_free_register():
     assert improved(problem, solution)[1] == 7 + REFRESH
 
 
-def test_registers_are_free_for_more_than_the_generator_took():
-    """s := s OR t in place is a pair; with another register it is a word."""
+def test_improvement_uses_registers_that_the_generator_left_free():
+    """`s := s OR t` takes two words in place, but one word if it writes another register."""
     answers = [
         "t0 = NOR p0 p1; s0 = MOV t0; FLAG = WHERE s0",
         "t0 = NOR p0 p2; s0 = OR s0 t0; FLAG = WHERE s0",
@@ -133,9 +134,9 @@ def test_improvement_reads_flag_where_it_is_kept():
     assert words == 3 + REFRESH
 
 
-def test_all_registers_in_use():
-    """Twelve planes and one to compute with: the plane in the masked register costs a word more
-    for every write, which takes away its mask as well."""
+def test_gates_are_improved_if_all_registers_are_in_use():
+    """Twelve registers hold planes and one is free. Each write of the plane in the masked register
+    costs one more word, which also removes the mask."""
     random = np.random.default_rng(1)
     planes = tuple(int(x) for x in random.integers(1, 255, 12))
     turn = " | ".join(f"p{i} = NOT p{i}" for i in range(12))

@@ -34,9 +34,11 @@ def test_a_state_of_any_range_is_counted_before_it_is_made() -> None:
 
 
 @pytest.mark.parametrize(("slots", "last"), [(16, "12"), (12, "12"), (16, "N - 4")])
-def test_a_state_that_does_not_fit_names_the_largest_that_does(slots: int, last: str) -> None:
-    """As a number, its end is replaced, but not the same number of slots; as a formula, the frame
-    gets shorter."""
+def test_the_error_for_a_state_that_does_not_fit_names_the_largest_that_fits(
+    slots: int, last: str
+) -> None:
+    """If the range ends with a number, the suggestion replaces this number and not an equal number
+    of slots. If it ends with a formula, the suggestion shortens the frame."""
     chip = replace(SMALL_WELL, digital_registers=("R0", "R1", "R2", "R3", "R4", "R5", "R12"))
 
     def text(slots: int, last: str) -> str:
@@ -63,8 +65,8 @@ def test_a_state_that_does_not_fit_names_the_largest_that_does(slots: int, last:
 
 
 @pytest.mark.parametrize("slots", [1024, 4096])
-def test_a_look_at_every_boundary_of_a_long_frame_is_counted(slots: int) -> None:
-    """Nodes x slots of a thousand stages: gigabytes, if they were kept."""
+def test_a_look_at_every_boundary_of_a_long_frame_is_refused_in_little_memory(slots: int) -> None:
+    """Keeping all nodes of a thousand stages for every slot would take gigabytes."""
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     said = rejection(
         f"nsl 2\nframe {slots} slots of 100us\nsense b when light > 45% at n >= 1\n"

@@ -193,7 +193,7 @@ def test_too_many_buckets_are_refused(buckets, lowering, required, most):
     assert ("leave --lowering at auto" in " ".join(found.helps)) == (lowering != "auto")
 
 
-def test_a_lowering_that_does_not_serve():
+def test_the_lowering_latch_is_refused_for_shutters_that_open_later():
     text = "frame 8 slots of 1ms\ncode s : 0..7\nopen when n == s"
     found = fault(text, lowering="latch")
     assert found.code == "NS0414"
@@ -250,8 +250,8 @@ def test_the_lowering_of_a_program_that_looks_is_the_requested_one():
         ),
     ],
 )
-def test_programs_that_do_less_than_asked_are_not_advised(version, text):
-    """Neither one bump instead of two buckets, nor bumps instead of planes."""
+def test_suggestions_keep_all_buckets_and_planes_of_the_program(version, text):
+    """The help suggests neither a single bump for two buckets, nor bumps for planes."""
     found = fault("frame 9 slots of 1ms\n" + text, version=version)
     assert found.data["resource"] == "digital registers"
     assert all(way.startswith("`code id : row of book`") for way in found.ways_out)

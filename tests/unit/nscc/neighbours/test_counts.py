@@ -160,7 +160,7 @@ def test_a_film_needs_images_and_light(cell: Path) -> None:
 
 
 @pytest.mark.parametrize("kernel", ["[[1, 1, 1], [1, 0, 1], [1, 1, 1]]", "[[0, 1, 1, 0, -2]]"])
-def test_the_largest_of_neighbours_equals_numpy(kernel: str) -> None:
+def test_the_largest_of_neighbours_equals_the_maximum_filter_of_scipy(kernel: str) -> None:
     text = (
         f"nsl 3 frame 1 slots of 1ms open when true kernel k = {kernel} "
         "image i = -exposure / 2 image up = max(exposure, k) image down = -max(i, k) "
@@ -193,8 +193,8 @@ def test_the_largest_count_of_neighbours_equals_a_maximum_filter() -> None:
     np.testing.assert_allclose(told["image_top"][inside], top[inside], atol=1e-6)
 
 
-def test_counts_that_cancel_or_lie_in_one_place() -> None:
-    """Sums of agreements that are 0 everywhere, and single weights that add up."""
+def test_sums_of_counts_that_cancel_or_come_from_one_weight_are_exact() -> None:
+    """Some sums of agreements are 0 everywhere; others add up single weights."""
     text = HEAD + (
         "kernel a = [[1, -1, 0]] kernel b = [[-1, 1, 0]] kernel c = [[1]] plane p = exposure > 50% "
         "image none = agree(p, a) + agree(p, b) image three = 2 * agree(p, c) + agree(not p, c) "
@@ -246,7 +246,8 @@ def test_a_state_without_next_is_refreshed() -> None:
 
 
 def test_a_state_whose_condition_is_false_keeps_its_value() -> None:
-    """A condition of `next`: the state that does not step keeps its value."""
+    """The statement `next seen = true when bright` has a condition, and `next odd = not odd` has
+    none."""
     text = HEAD + (
         "state seen : bit = 0 kept state odd : bit = 0 kept plane bright = exposure > 50% "
         "next seen = true when bright next odd = not odd read seen, odd"

@@ -184,7 +184,7 @@ def replaced(record: Any, **fields: Any) -> Any:
 
 
 def test_the_proof_notices_wrong_loops() -> None:
-    """A step too many, another register, another sign: each is another program."""
+    """The changes are one step too many, another register, and another sign."""
     container = container_of(
         HEAD + BRIGHT + "image v = exposure repeat 6 (v[0, -1] if m else v) "
         "with plane m = p repeat m[0, 1] read v, p"
@@ -336,7 +336,7 @@ def test_propagation_and_steps_flood_the_same_pixels(pixels: int) -> None:
 
 
 def test_the_proof_notices_wrong_propagations() -> None:
-    """Without a direction, without the mask, with another seed, or once too often."""
+    """The changes are a missing direction, no mask, another seed, and one step too many."""
     container = container_of(HEAD + FLOOD)
     pictures = container.pictures
     assert pictures_fault(container) is None

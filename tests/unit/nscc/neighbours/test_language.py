@@ -304,7 +304,7 @@ def test_chained_comparisons_and_shifts_become_nodes() -> None:
     assert (second.right, second.down) == (-1, 2)
 
 
-def test_nodes_in_files_are_the_same() -> None:
+def test_nodes_of_images_are_read_back_as_they_were_written() -> None:
     text = (
         TWO + KERNEL + "outside 1 plane p = a > b and not all(b > 2%, k) "
         "image i = abs(k(a) - 3 * b / 4) / 4 if p else -(b / 2) read i"

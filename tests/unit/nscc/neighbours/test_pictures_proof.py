@@ -172,7 +172,7 @@ def test_a_proof_that_is_too_large_is_refused_as_an_error_of_the_program(
 
 @pytest.mark.parametrize("name", NAMES)
 @pytest.mark.parametrize("part", [0, *(slow(part) for part in range(1, 5))])
-def test_no_changed_word_passes(name: str, part: int) -> None:
+def test_changed_words_pass_the_proof_only_if_frames_stay_the_same(name: str, part: int) -> None:
     container = container_of(name)
     pictures = container.pictures
     rng = np.random.default_rng(44 + part)
@@ -200,8 +200,8 @@ def test_another_level_of_in_does_not_pass() -> None:
     assert pictures_fault(changed) == "`edge` differs from its expression in the program"
 
 
-def test_bits_beyond_the_array_are_proved() -> None:
-    """`outside` is part of the meaning: the words for 0 do not prove for 1."""
+def test_the_proof_depends_on_the_declared_bits_beyond_the_array() -> None:
+    """The words were compiled for `outside 0`, so the proof fails for `outside 1`."""
     container = container_of("bright_spots")
     pictures = container.pictures
     changed = replace(container, pictures=replace(pictures, outside=1))
@@ -225,7 +225,7 @@ def test_the_largest_of_negative_values_is_proved() -> None:
     assert pictures_fault(nscc.compile(text, level=1).container) is None
 
 
-def test_words_that_overwrite_a_code_bit_are_found() -> None:
+def test_the_proof_reports_words_that_overwrite_a_code_bit() -> None:
     container = container_of("bright_spots")
     assert (
         pictures_fault(replace(container, code_registers=("R5",)))

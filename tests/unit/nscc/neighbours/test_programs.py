@@ -128,7 +128,7 @@ def is_allowed(word: BusWord, forms: WordForms) -> bool:
 
 
 @pytest.mark.parametrize("seed", range(80))
-def test_a_program_does_what_scipy_does(seed: int) -> None:
+def test_the_programs_of_a_kernel_equal_the_correlation_of_scipy(seed: int) -> None:
     forms = PUBLIC if seed < 40 else FORMS[seed % len(FORMS)]
     rng = np.random.default_rng(seed)
     rows = rng.integers(-4, 5, [(3, 3), (1, 5), (5, 3), (1, 1), (7, 1)][seed % 5])
@@ -181,7 +181,7 @@ def test_three_dense_kernels_of_one_exposure_fit() -> None:
 
 
 @pytest.mark.parametrize("line", [line for line in ROWS.split("\n") if line])
-def test_a_row_of_the_table_and_its_turns_run(line: str) -> None:
+def test_every_stored_program_and_its_turned_copies_compute_their_kernels(line: str) -> None:
     program = program_from_text(line)
     taps = kernel_of(program)
     image = np.random.default_rng(1).normal(size=(10, 11))
@@ -290,13 +290,15 @@ def test_the_same_kernel_again_takes_a_copy_at_most() -> None:
     assert words_of([SOBEL_X, SOBEL_X], 1) <= words_of([SOBEL_X], 1) + 2
 
 
-def test_a_large_box_is_two_lines() -> None:
+def test_a_kernel_of_7_by_7_equal_weights_is_computed_by_rows_and_columns() -> None:
     # 49 weights one by one would take more than a word each.
     assert words_of([outer([1] * 7, [1] * 7)], 64) <= 24
 
 
 @pytest.mark.parametrize("kernels", [[SOBEL_X], [SOBEL_X, SOBEL_Y], ANALOGNET2])
-def test_chips_whose_news_does_not_keep_its_value(kernels: list[list[list[int]]]) -> None:
+def test_kernels_take_more_words_if_reading_a_neighbour_changes_news(
+    kernels: list[list[list[int]]],
+) -> None:
     # The proof forgets NEWS when a neighbour reads it.
     assert words_of(kernels, 4, news_read_keeps=False) > words_of(kernels, 4)
 
@@ -313,7 +315,7 @@ def test_chips_whose_news_does_not_keep_its_value(kernels: list[list[list[int]]]
         ([(("B",), ("XN",)), (("NEWS",), ("XE",)), (("C",), ("XE",))], False),
     ],
 )
-def test_reads_of_a_news_that_does_not_keep_its_value(
+def test_reading_news_again_after_a_neighbour_was_read_requires_a_new_write(
     program: list[tuple[tuple[str, ...], tuple[str, ...]]], is_valid: bool
 ) -> None:
     assert reads_news_once(tuple(BusWord(*word) for word in program)) == is_valid

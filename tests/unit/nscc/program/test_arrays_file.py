@@ -76,7 +76,9 @@ def test_statements_of_pixels_take_precedence_over_the_file(tmp_path: Path) -> N
         ("NS0311", np.full((256, 256), 2**64 - 1, "u8")),
     ],
 )
-def test_arrays_that_cannot_be_pixels(tmp_path: Path, code: str, array: np.ndarray) -> None:
+def test_arrays_of_wrong_type_shape_or_range_are_refused_as_pixels(
+    tmp_path: Path, code: str, array: np.ndarray
+) -> None:
     save(tmp_path, a=array, b=np.zeros((256, 256), int))
     assert refused(PIXELS + 'pixels from "f.npz"', tmp_path) == code
 
@@ -130,7 +132,7 @@ def test_broken_files_are_refused(tmp_path: Path, name: str) -> None:
 
 
 @pytest.mark.parametrize("path", ["", ".", "no/such.npz", "a" * 5000])
-def test_paths_that_are_no_file(tmp_path: Path, path: str) -> None:
+def test_paths_without_a_readable_file_are_refused_as_pixels(tmp_path: Path, path: str) -> None:
     assert refused(PIXELS + f'pixels from "{path}"', tmp_path) == "NS0313"
 
 
@@ -166,7 +168,9 @@ def test_codebooks_of_any_integer_type_are_read(
         ("NS0314", np.zeros((2, 8))),
     ],
 )
-def test_arrays_that_cannot_be_books(tmp_path: Path, code: str, rows: np.ndarray) -> None:
+def test_arrays_of_wrong_type_shape_or_values_are_refused_as_codebooks(
+    tmp_path: Path, code: str, rows: np.ndarray
+) -> None:
     save(tmp_path, book=rows)
     assert refused(FRAME + BOOK + READ, tmp_path) == code
 

@@ -111,8 +111,8 @@ def test_a_program_gets_the_advice_of_its_kind(text: str, codes: list[str]) -> N
     assert [d.code for d in program_of(FRAME + text).messages] == codes
 
 
-def test_unused_codes_are_counted() -> None:
-    """`check` says so; nothing is wrong with them, so that nothing else does."""
+def test_unused_codes_are_counted_by_check_without_a_diagnostic() -> None:
+    """Unused codes are valid, so they appear in the summary only."""
     text = FRAME + "code s : 1..8 open when n < s pixels s = "
     for data, codes, said in (
         ("tile [[1, 2, 3]]", "fixed", "3 in use of 8 legal, 3 shutters"),

@@ -167,7 +167,7 @@ def test_parts_that_are_not_reached_have_no_faults(rule: str) -> None:
     "rule",
     ["n / stop > 1 and stop != 0", "true xor n / stop > 1", "min(n / stop, 3) > 1"],
 )
-def test_parts_that_are_reached_have(rule: str) -> None:
+def test_parts_that_are_reached_have_their_faults_reported(rule: str) -> None:
     (found,) = errors(STOP + "open when " + rule)
     assert found.code == "NS0302"
 

@@ -58,7 +58,7 @@ def test_numbers_give_the_lowest_bits() -> None:
 def test_numbers_of_a_file_are_the_lowest_bits_or_refused(
     count: int, value: int, tmp_path: Path
 ) -> None:
-    """A number holds 62 bits: one of more, or below 0, is no pixel's."""
+    """A number gives the lowest 62 bits of a field. Larger and negative numbers are refused."""
     numbers = np.full((ROWS, COLS), 2**62 - 1, np.asarray(value).dtype)
     np.savez(tmp_path / "bits.npz", bits=numbers)
     found = nscc.compile(text(count), target=STREAM, folder=tmp_path).shutters(pixels=True)

@@ -140,8 +140,8 @@ def test_a_changed_word_is_found_by_the_proof(table, chip):
 
 
 @pytest.mark.parametrize("source", ["A", "B", "PIX", "IN", "NEWS"])
-def test_flag_that_hangs_on_light_is_noticed(source):
-    """`where` sees positive values in most frames, and yet not in all."""
+def test_the_proof_notices_a_flag_that_depends_on_light(source):
+    """In most frames `where` sees positive values, but the proof covers all frames."""
     container, kernels = built("always", "scamp5", "edges")
     assert kernels[0][0] == op("all")
     assert not proved(container, 0, 0, op("where", (), [source])).holds
@@ -191,7 +191,8 @@ def test_bits_that_decay_inside_a_frame_are_not_relied_on():
 
 
 def test_the_proof_notices_a_code_that_is_not_restored():
-    """A bit left behind that only a later frame reads: the code must stand where it stood."""
+    """Only the next frame reads the wrong bit, so the proof must check the code registers at the
+    end of the frame."""
     container, kernels = built("stops", "scamp5", "accumulate")
     register = container.code_registers[0]
     last = container.launches[-1].kernel

@@ -141,7 +141,7 @@ def test_light_that_no_bit_can_sort_is_refused(text: str, chip: Target, said: st
     assert said in caught.value.diagnostics[0].message
 
 
-def test_two_ways_a_slot_may_change_from_slot_to_slot() -> None:
+def test_the_destinations_of_light_may_change_from_slot_to_slot() -> None:
     program = built(APART.replace("1..7", "1..6").replace("% 7", "% 6"), DRAINED)
     _, stream = sent(program)
     assert {(int(a), int(b)) for a, b in zip(stream.ones, stream.zeros, strict=True)} == {
@@ -170,7 +170,7 @@ def test_a_container_of_planes_is_read_as_it_was_written() -> None:
             to_bytes(replace(container, stream=wrong))
 
 
-def test_other_codes_make_other_planes() -> None:
+def test_planes_follow_the_codes_that_pixels_get_later() -> None:
     program = nscc.compile(f"nsl 1\n{STOPS}", target=CHIP, codes="open")
     codes = np.arange(66).reshape(6, 11) % 9
     moved = program.with_pixels(stop=codes)
@@ -269,7 +269,8 @@ def test_the_expected_noise_is_that_of_frames() -> None:
 
 
 def test_the_expected_noise_is_a_mean_over_pixels() -> None:
-    """Of squares; three of eleven columns count 3 / 11, not one half as their code of two."""
+    """The noise is a mean of squares. Three of eleven columns have the long code, so its weight is
+    3 / 11."""
     sensor = default_sensor(converter_of(built(STOPS).container)).changed(dark_current_e_per_s=1e6)
 
     def dark_e2(stop: str) -> float:

@@ -161,13 +161,13 @@ def test_an_incomplete_statement_is_reported_at_its_end(text: str) -> None:
         assert error.label.span.end == 6 + len(text)
 
 
-def test_values_of_in_that_are_no_list() -> None:
+def test_a_range_after_in_is_an_error_that_suggests_a_list() -> None:
     error = the_error("nsl 2\nopen when n in 1..3\n")
     assert error.code == "NS0107"
     assert "`n in [1, 2, 3]`" in words_of(error)
 
 
-def test_the_bracket_left_open_is_shown() -> None:
+def test_the_error_for_a_missing_bracket_points_at_the_open_one() -> None:
     text = "nsl 1\nopen when (n < min(2, 3)"
     (related,) = the_error(text).related
     assert related.span.start == text.index("(")

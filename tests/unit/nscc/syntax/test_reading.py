@@ -28,7 +28,7 @@ def test_source_text_keeps_its_line_ends_and_characters(tmp_path: Path) -> None:
     assert source.name == path.as_posix()
 
 
-def test_a_byte_order_mark_is_no_text(tmp_path: Path) -> None:
+def test_a_byte_order_mark_is_left_out_of_the_text(tmp_path: Path) -> None:
     path = tmp_path / "a.nsl"
     path.write_bytes(b"\xef\xbb\xbfnsl 1")
     assert read_source(path).text == "nsl 1"
@@ -41,7 +41,7 @@ def test_files_that_are_not_utf_8_are_refused(tmp_path: Path, data: bytes) -> No
     assert refusal(path) == ("NS0102", 1)
 
 
-def test_the_limit_is_in_bytes(tmp_path: Path) -> None:
+def test_files_above_the_limit_of_bytes_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "a.nsl"
     path.write_bytes(b"nsl 1\n" + b"#" * (MOST_BYTES - 6))
     assert parse(read_source(path))[1] == ()

@@ -132,7 +132,7 @@ def test_words_that_no_line_stands_for_are_printed_as_bits() -> None:
     assert [d.code for d in caught.value.diagnostics] == ["NS0708", "NS0701"]
 
 
-def test_planes_become_codes(tmp_path: Path) -> None:
+def test_planes_of_an_assembly_text_become_the_codes_of_pixels(tmp_path: Path) -> None:
     target = replace(builtin_target("scamp5"), rows=2, cols=3, name="small")
     (tmp_path / "small.toml").write_text(target_toml(target), encoding="utf-8")
     first, second = np.array([[1, 0, 1], [0, 0, 1]]), np.array([[0, 0, 1], [0, 0, 0]], dtype=bool)

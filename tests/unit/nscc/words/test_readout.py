@@ -128,9 +128,11 @@ def test_a_program_that_leaves_no_register_is_converted_as_it_is() -> None:
 
 
 @pytest.mark.parametrize("range_e", [{"full_well_e": 20_000.0}, {"register_max_e": 25_000.0}])
-def test_targets_whose_registers_and_steps_are_other_ones(range_e: dict[str, float]) -> None:
-    """A well that IN meets to half a step, and one that no register holds: what is converted by
-    hand comes back as electrons."""
+def test_codes_computed_by_hand_give_electrons_on_targets_with_other_registers(
+    range_e: dict[str, float],
+) -> None:
+    """On one target a step of IN meets the full well to half a step. On the other target no
+    register holds the full well."""
     target = replace(chip("spread"), in_step_e=30_000 / 127, **range_e)
     well_e, level = target.full_well_e, target.spread_level
     assert (level is None) == ("register_max_e" in range_e)
@@ -143,8 +145,9 @@ def test_targets_whose_registers_and_steps_are_other_ones(range_e: dict[str, flo
     np.testing.assert_allclose(found_e, light_e, atol=0.51 * sensor.electrons_per_lsb)
 
 
-def test_the_words_before_readout_make_their_noise() -> None:
-    """Word after word by hand, each with its error, against frames of the emulator."""
+def test_the_noise_of_the_words_before_readout_equals_a_computation_by_hand() -> None:
+    """The test computes each word with its error and compares mean and deviation with frames of the
+    emulator."""
     target = chip("spread")
     sensor = default_sensor(target)
     container, light = program_and_light(target)

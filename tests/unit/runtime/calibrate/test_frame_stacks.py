@@ -130,7 +130,9 @@ def test_flats_of_a_single_level_are_refused(stacks: tuple[list[Stack], list[Sta
     assert (code, message[:8]) == ("NS0758", "1 level ")
 
 
-def test_flats_that_are_all_clipped(stacks: tuple[list[Stack], list[Stack]]) -> None:
+def test_flats_whose_pixels_are_all_clipped_are_refused(
+    stacks: tuple[list[Stack], list[Stack]],
+) -> None:
     camera = CHIP.made(np.random.default_rng(0))
     white = [replace(camera.stack(0.0, 0.01, 4), codes=np.full((4, 32, 40), 255, np.uint16))] * 3
     code, message = rejected(white, stacks[1])
@@ -152,7 +154,7 @@ def test_exchanged_flats_and_darks_are_refused(stacks: tuple[list[Stack], list[S
     assert "not darker" in message
 
 
-def test_flats_that_are_not_flat() -> None:
+def test_unevenly_lit_flats_are_refused() -> None:
     camera = CHIP.made(np.random.default_rng(0))
     darks = [camera.stack(0.0, time, 6) for time in DARK_TIMES]
     y, x = np.mgrid[0:32, 0:40]
@@ -316,7 +318,7 @@ def test_an_invalid_exposure_time_is_named(time: str, tmp_path: Path) -> None:
     assert f"error[NS0757]: invalid exposure time of 'f.npy@{time}': '{time}'" in found.err
 
 
-def test_files_that_are_no_frames(tmp_path: Path) -> None:
+def test_calibrate_refuses_files_without_valid_frames(tmp_path: Path) -> None:
     for name, said in _bad_files(tmp_path).items():
         for words in (
             ["calibrate", name, "--dark", "ok.npy", "-o", "s.toml"],

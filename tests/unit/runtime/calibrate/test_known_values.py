@@ -46,8 +46,8 @@ def test_measured_values_lie_within_four_standard_errors(name: str) -> None:
     assert found.defects == 0
 
 
-def test_standard_errors_are_honest() -> None:
-    """Over many chips the errors, in standard errors, are spread as normal numbers are."""
+def test_errors_over_many_chips_have_the_spread_of_their_standard_errors() -> None:
+    """The errors, divided by their standard errors, have the mean and spread of normal numbers."""
     chip, count = Chip(shape=(64, 64)), 60
     off = [errors_of(calibrated(*taken(chip, 100 + s, 4, 6), TOP), chip) for s in range(count)]
     for name in off[0]:
@@ -83,8 +83,9 @@ def test_hot_and_dead_pixels_change_nothing() -> None:
     assert max(map(abs, errors_of(found, Chip()).values())) < 4
 
 
-def test_light_that_falls_off_and_drifts_is_no_pattern() -> None:
-    """A tenth of the light from one side to the other, and 2 % from frame to frame."""
+def test_uneven_and_drifting_light_does_not_change_the_measured_values() -> None:
+    """The light falls by a tenth from one side to the other, and changes by 2 % from frame to
+    frame."""
     chip = Chip()
     camera = chip.made(np.random.default_rng(3))
     fall = np.linspace(0.95, 1.05, 96)[:, None] * np.linspace(0.98, 1.02, 96)
@@ -98,8 +99,8 @@ def test_light_that_falls_off_and_drifts_is_no_pattern() -> None:
     assert max(map(abs, off.values())) < 4, off
 
 
-def test_quiet_darks_give_a_bound() -> None:
-    """Below half a code of noise rounding hides how much it is."""
+def test_darks_with_little_noise_give_an_upper_bound_of_the_noise() -> None:
+    """Rounding hides a noise of less than half a code."""
     chip = Chip(read_e=4.0, dsnu_lsb=0.0, dark_e_per_s=0.0)
     found = calibrated(*taken(chip, 2), TOP)
     noise = found.quantities["dark_noise_e"]
@@ -136,7 +137,8 @@ def test_rounding_is_part_of_the_errors(noise_lsb: float) -> None:
 
 
 def test_known_crosstalk_makes_the_gain_more_certain() -> None:
-    """Errors are smaller with it; wrong by a hundredth, it is in the gain."""
+    """A known crosstalk reduces the standard error of the gain. A crosstalk that is wrong by a
+    hundredth changes the gain."""
     chip = Chip(crosstalk=0.01)
     stacks = taken(chip, 3)
     free, known, wrong = (calibrated(*stacks, TOP, crosstalk=c) for c in (None, 0.01, 0.0))
@@ -151,7 +153,7 @@ def test_known_crosstalk_makes_the_gain_more_certain() -> None:
     assert (chosen.value, chosen.status, chosen.se) == (0.01, "given", None)
 
 
-def test_darks_cut_off_at_zero_leave_the_gain() -> None:
+def test_darks_clipped_at_code_0_give_the_gain_but_no_offset_or_noise() -> None:
     chip = Chip(offset_lsb=0.0)
     found = calibrated(*taken(chip, 2), TOP)
     for name in ("dark_noise_e", "offset", "dark_current", "dark_spread", "full_well"):
@@ -182,7 +184,7 @@ def test_an_adc_that_ends_first_gives_a_bound_of_the_full_well() -> None:
     assert raised["full_well_e"].value == pytest.approx(well.value, rel=1e-5)
 
 
-def test_without_times_the_rest_is_found() -> None:
+def test_without_exposure_times_only_quantities_of_time_are_unknown() -> None:
     flats, darks = taken(Chip(), 4)
     bare = [replace(stack, exposure_s=None) for stack in flats]
     one = [replace(darks[0], exposure_s=None)]
@@ -209,7 +211,7 @@ def test_a_bent_response_is_a_linearity_error() -> None:
     assert found.value > 10 * found.se
 
 
-def test_light_that_was_not_constant_gives_no_linearity() -> None:
+def test_the_linearity_error_is_unknown_if_the_light_was_not_constant() -> None:
     flats, darks = taken(Chip(), 4)
     same = [replace(stack, exposure_s=FLAT_TIMES[i % 4]) for i, stack in enumerate(flats)]
     found = calibrated(same, darks, TOP).quantities["linearity_error"]
@@ -217,8 +219,8 @@ def test_light_that_was_not_constant_gives_no_linearity() -> None:
     assert "not constant" in found.remark
 
 
-def test_a_curve_that_is_no_line_is_warned_of() -> None:
-    """The variance of every other level doubled by hand."""
+def test_a_bent_curve_of_variances_gives_a_warning() -> None:
+    """The test adds noise to the frames of every other level."""
     flats, darks = taken(Chip(), 4)
     plain = calibrated(flats, darks, TOP)
     rng = np.random.default_rng(0)

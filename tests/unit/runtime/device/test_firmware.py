@@ -111,7 +111,7 @@ def test_a_refresh_changes_nothing() -> None:
 
 @needs_compiler
 @pytest.mark.parametrize("name", [n for n in builtin_names() if builtin_target(n).has_logic])
-def test_it_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path) -> None:
+def test_the_loader_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path) -> None:
     loader = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
     assert loader.path.exists()
     again = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
@@ -198,7 +198,9 @@ def devkit_loader(
     return program
 
 
-def test_the_scamp5d_layer_does_what_it_is_told(devkit_loader: Path, tmp_path: Path) -> None:
+def test_the_scamp5d_layer_draws_launches_waits_and_sends_as_the_program_says(
+    devkit_loader: Path, tmp_path: Path
+) -> None:
     """What it draws, launches and waits, and what it sends back."""
     target = target_of((256, 256))
     numbers = np.random.default_rng(6)
@@ -284,8 +286,11 @@ def started(program: Path, folder: Path) -> tuple[subprocess.Popen[bytes], int, 
     return process, to_device[1], from_device[0]
 
 
-def test_a_port_that_is_stuck_starves_the_watchdog(devkit_loader: Path, tmp_path: Path) -> None:
-    """The main loop feeds it, and nothing else: the LPC4357 then starts anew after four seconds."""
+def test_the_watchdog_is_not_reset_while_a_port_is_stuck(
+    devkit_loader: Path, tmp_path: Path
+) -> None:
+    """Only the main loop resets the watchdog. Without a reset for four seconds the LPC4357
+    restarts."""
     process, to_device, from_device = started(devkit_loader, tmp_path)
 
     def fed(seconds: float) -> bool:

@@ -28,7 +28,7 @@ def image(core: str, root: Path, tmp_path_factory: pytest.TempPathFactory) -> Im
     return linked(core, root, tmp_path_factory.mktemp(core))
 
 
-def test_every_memory_has_a_tenth_to_spare(image: Image, core: str) -> None:
+def test_the_firmware_leaves_a_tenth_of_every_memory_free(image: Image, core: str) -> None:
     size = image.sections
     assert size[".text"] + size[".data"] <= 0.9 * FLASH
     assert size[".bss"] >= LIBRARY_STORE, "the library's store is not counted"
@@ -41,7 +41,7 @@ def test_the_stack_is_deep_enough(image: Image) -> None:
     assert 500 < need + LIBRARY_STACK <= 0.9 * image.sections[".stack"]
 
 
-def test_nothing_is_done_in_software_that_takes_long(image: Image) -> None:
+def test_the_firmware_calls_no_slow_arithmetic_or_allocation_of_the_library(image: Image) -> None:
     slow = re.compile(r"__aeabi_[df]|__aeabi_u?ldivmod|__(u?div|u?mod)di3|_Z?malloc|__cxa_throw")
     found = [name for name in image.symbols if slow.match(name)]
     assert not found

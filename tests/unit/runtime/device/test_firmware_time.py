@@ -138,7 +138,7 @@ def test_the_line_is_looked_at_every_ten_milliseconds(run: Run, slot_us: float, 
         "slots for less than two seconds",
     ],
 )
-def test_programs_that_the_firmware_accepts_end_in_time(
+def test_the_firmware_refuses_schedules_that_take_too_long_and_ends_all_others(
     run: Run,
     runs: list[tuple[int, float]],
     rows: list[tuple[int, int, int]],

@@ -81,7 +81,7 @@ def test_a_large_program_takes_half_a_second_of_line(large: Upload) -> None:
     assert line.host.resent == 0
 
 
-def test_a_program_that_is_there_is_not_sent_again(large: Upload) -> None:
+def test_a_program_that_the_loader_already_has_is_not_sent_again(large: Upload) -> None:
     line = line_of()
     upload(line, large)
     sent = line.up.bytes
@@ -104,8 +104,8 @@ def test_a_lost_link_is_resumed_where_it_broke(large: Upload, after: int, outage
     )
 
 
-def test_a_dead_line_is_resumed_without_a_signal() -> None:
-    """A pulled cable that the port does not notice: bytes vanish, and then they do not."""
+def test_an_upload_resumes_after_a_line_was_dead_for_three_seconds() -> None:
+    """The port does not notice the pulled cable. Bytes vanish for a time, and then arrive again."""
     example = examples()[1]
     host, loader = new_host(1), python_loader(example)
     line = Simulation(host, loader, baud=1e5)
@@ -124,7 +124,7 @@ def test_a_dead_line_is_resumed_without_a_signal() -> None:
     assert dead[1] < line.now <= dead[1] + 2.0 + 1.5 * whole_s
 
 
-def test_after_a_reboot_everything_is_sent_again() -> None:
+def test_after_a_reboot_of_the_loader_the_host_sends_the_program_again() -> None:
     example = examples()[0]
     host = new_host(1)
     line = Simulation(host, python_loader(example), LineFaults(reboot_after=1900))
@@ -225,7 +225,7 @@ def test_a_frame_that_is_spoiled_inside_the_loader_is_not_accepted() -> None:
     assert caught.value.fault == LoaderFault.DIGEST
 
 
-def test_a_program_that_comes_between_is_stopped_for() -> None:
+def test_the_host_stops_a_frame_that_the_loader_still_exposes_for_another_host() -> None:
     """A loader that still exposes for somebody else is made free."""
     first, second = examples()[:2]
     chip = chip_of(second)
@@ -300,8 +300,9 @@ def test_a_slow_line_only_takes_longer(delay_s: float) -> None:
 
 
 @pytest.mark.parametrize("bytes_a_second", [960, 200])
-def test_a_line_that_is_slower_than_announced(bytes_a_second: int) -> None:
-    """Nobody says --baud: the host finds out by what is lost, and does not drown the line."""
+def test_a_frame_arrives_over_a_line_slower_than_its_stated_speed(bytes_a_second: int) -> None:
+    """The host learns the real speed from lost packets. It takes at most four times the time of the
+    useful bytes, and 20 s."""
     small = target_of((48, 48))
     numbers = np.random.default_rng(1)
     planes = {name: numbers.random((48, 48)) < 0.5 for name in small.digital_registers[1:7]}
@@ -320,8 +321,8 @@ def test_a_line_that_is_slower_than_announced(bytes_a_second: int) -> None:
     assert line.now <= 4 * useful_s + 20
 
 
-def test_another_host_is_named_as_such() -> None:
-    """It says hello whenever the loader has heard of us for a while."""
+def test_a_second_host_on_the_line_is_reported() -> None:
+    """The second host says hello each time that the loader receives bytes of the first one."""
     example = examples()[0]
     loader = python_loader(example)
     heard = loader.receive

@@ -143,7 +143,7 @@ def test_lost_and_cut_packets_are_refused(
     assert not (tmp_path / "f.npz").exists()
 
 
-def test_modules_and_options_that_do_not_fit(
+def test_unusable_host_modules_options_and_packets_are_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     done, _ = run(tmp_path, monkeypatch, [], place="host:no_such_module")

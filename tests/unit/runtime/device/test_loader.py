@@ -209,7 +209,7 @@ def test_repeated_packets_change_nothing(talk: Talk) -> None:
     assert talk.one(PacketKind.CAPTURE, CaptureRequest(9, 1).pack()) == ready
 
 
-def test_only_the_bytes_that_are_due_are_taken(talk: Talk) -> None:
+def test_the_loader_takes_only_the_bytes_that_follow_those_it_has(talk: Talk) -> None:
     upload = EXAMPLE.upload
     talk.one(PacketKind.BEGIN, upload.begin.pack())
     assert talk.failure(PacketKind.DATA, DATA.pack(0) + b"x") == (LoaderFault.WRONG_STATE, 0)
@@ -609,7 +609,7 @@ def test_a_chip_that_fails_is_said_to_have_failed(talk: Talk) -> None:
     assert CaptureReply.unpack(talk.one(PacketKind.CAPTURE, CaptureRequest(6, 1).pack())).ready
 
 
-def test_a_restart_forgets_everything(talk: Talk) -> None:
+def test_a_restart_of_the_loader_ends_the_session_and_forgets_the_program(talk: Talk) -> None:
     talk.send(EXAMPLE.upload.objects)
     before = talk.hello()
     assert (before.state, before.label) == (LoaderState.READY, ZEROS)

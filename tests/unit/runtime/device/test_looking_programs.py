@@ -96,7 +96,7 @@ def film(host: Host, container: Container, count: int, line: Simulation) -> list
 
 
 @pytest.mark.parametrize("name", ["float_pixel", "auto_exposure", "first_light"])
-def test_a_film_is_that_of_the_emulator(
+def test_films_of_looking_programs_on_a_device_equal_those_of_the_emulator(
     name: str, kind: str, tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
     container, light = looking(name, tmp_path)

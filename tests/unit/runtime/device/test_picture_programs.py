@@ -194,7 +194,7 @@ def check_film(
 
 @pytest.mark.parametrize("kind", ["python", "firmware"])
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_a_film_is_that_of_the_emulator(
+def test_films_of_images_and_planes_on_a_device_equal_those_of_the_emulator(
     name: str, kind: str, request: pytest.FixtureRequest
 ) -> None:
     container, film = container_of(PROGRAMS[name]), lights()
@@ -272,7 +272,7 @@ def check_filmed(
 
 @pytest.mark.parametrize("kind", ["python", "firmware"])
 @pytest.mark.parametrize("name", GALLERY)
-def test_films_of_the_gallery_are_those_of_the_emulator(
+def test_films_of_the_examples_on_a_device_equal_those_of_the_emulator(
     name: str, kind: str, root: Path, request: pytest.FixtureRequest
 ) -> None:
     source = Source("p.nsl", (root / f"examples/{name}.nsl").read_text())

@@ -74,8 +74,8 @@ def test_faulty_sessions_end_with_the_right_frame(
         assert right, line.faults
 
 
-def without_a_breath(launches: int) -> Upload:
-    """A program whose words take 21 us a launch, at once one after the other."""
+def program_without_waiting(launches: int) -> Upload:
+    """A program whose launches take 21 us each and follow one another at once."""
     words, slot = np.array([encode(op("nop"))] * 100, "<u4"), 1e-3
     schedule = SCHEDULE_HEAD.pack(1, 0, 0) + COUNT.pack(1) + RUN.pack(1, slot)
     schedule += COUNT.pack(1) + ROW.pack(0, 0, launches)
@@ -90,13 +90,13 @@ def without_a_breath(launches: int) -> Upload:
     )
 
 
-def test_a_frame_without_a_breath_is_cancelled_at_once(
+def test_a_frame_without_any_waiting_is_cancelled_at_once(
     started: Callable[[Example], RunningFirmware],
 ) -> None:
     """The board's own clock measures the time. The whole frame would take more than a second."""
     host = new_host(1)
     line = RealTime(host, started(examples(SLOT_US)[0]))
-    program = without_a_breath(65_535)
+    program = program_without_waiting(65_535)
 
     def work() -> tasks.Task[float]:
         yield from tasks.upload(host, program)
@@ -123,7 +123,7 @@ def test_a_board_that_is_stuck_starts_anew(monkeypatch: pytest.MonkeyPatch) -> N
     with qemu.Emulated(loader, chip, "m4") as board:
         host, packets = new_host(1, patience_s=300.0), Unpacker()
         end = monotonic() + 300
-        upload = without_a_breath(65_535)
+        upload = program_without_waiting(65_535)
         work = uploaded_and_captured(host, upload, 1, Channel.CODES)
         host.start(host.lasting(work), monotonic())
         [line, _] = board.watched()

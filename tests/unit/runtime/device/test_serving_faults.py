@@ -47,7 +47,7 @@ def test_invalid_faults_are_refused(text: str) -> None:
     assert caught.value.status == 2
 
 
-def test_a_near_miss_is_named() -> None:
+def test_a_misspelt_fault_gets_a_suggestion() -> None:
     with pytest.raises(Rejected) as caught:
         parse_faults("corupt=1e-4")
     assert caught.value.diagnostics[0].helps == ("did you mean `corrupt`?",)
@@ -76,7 +76,7 @@ def test_faults_happen_never_at_probability_0_and_always_at_1() -> None:
     assert 0 not in out
 
 
-def test_the_same_seed_does_the_same() -> None:
+def test_equal_seeds_cause_equal_faults() -> None:
     data = bytes(100_000)
     faults = LineFaults(corrupt=1e-3, drop=1e-3, seed=4)
     assert Spoiler(faults, 1).spoiled(data) == Spoiler(faults, 1).spoiled(data)

@@ -72,7 +72,9 @@ def test_errors_of_opening_a_port_are_explained(
     assert code == ("NS0761" if kind == "busy" else "NS0760")
 
 
-def test_a_speed_that_the_port_does_not_have(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_speed_that_the_port_does_not_support_is_refused_with_a_hint_at_baud(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     def refuse(*_: Any, **__: Any) -> None:
         raise ValueError("Failed to set custom baud rate (12345)")
 
@@ -83,7 +85,7 @@ def test_a_speed_that_the_port_does_not_have(monkeypatch: pytest.MonkeyPatch) ->
     assert "--baud" in caught.value.diagnostics[0].helps[0]
 
 
-def test_a_port_that_goes_away_says_so() -> None:
+def test_a_port_that_is_unplugged_raises_port_gone() -> None:
     master, slave = os.openpty()
     port = open_port(os.ttyname(slave), 9600)
     os.write(master, b"there")

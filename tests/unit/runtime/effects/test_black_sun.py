@@ -105,8 +105,8 @@ def test_pixels_that_look_show_the_black_sun(effects: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_its_weights_are_the_words(name: str) -> None:
-    """In dim light, the table predicts exactly what the words leave out."""
+def test_plans_predict_the_error_of_leaving_out_the_black_sun(name: str) -> None:
+    """In dim light the prediction equals the difference of frames with and without the effect."""
     container = case(name, SLOTS, rows=ROWS, cols=COLS)
     plan = nscc_runtime.plan(container, sun(2000.0), sensor=sensor_of(container), tolerance="5e")
     [row] = [each for each in plan.decisions if each.name == "black_sun"]

@@ -93,8 +93,8 @@ def test_stills_and_repeated_frames_give_the_light_of_open_slots(lowering):
     check(container, mixed, shutter)
 
 
-def test_the_emulator_integrates_the_light_that_is_kept():
-    """Always open and never reset in between: the sum, in slot order, of the rounded slots."""
+def test_a_shutter_that_is_always_open_sums_the_rounded_slots_in_their_order():
+    """PIX is never reset in between."""
     shape, slots = (4, 31), 8
     random = np.random.default_rng(5)
     light = Light.of_still(random.random(shape, dtype=np.float32), np.repeat(random.random(4), 2))
@@ -136,7 +136,7 @@ def test_a_program_that_forgets_to_set_a_register_is_far_off(forgotten, light_e)
     assert far.mean() > 0.85
 
 
-def test_inputs_may_be_read_only_and_oddly_laid_out():
+def test_light_in_a_read_only_array_in_fortran_order_gives_the_same_exposure():
     shape, slots = (6, 10), 4
     random = np.random.default_rng(11)
     frames = random.random((slots, *shape), dtype=np.float32)

@@ -79,12 +79,12 @@ def test_digital_words_ignore_the_flag():
     np.testing.assert_array_equal(found, PLANES["R3"])
 
 
-def test_select_and_in_read_nothing():
+def test_select_and_in_read_zero():
     assert not shown([op("MOV", ["R2"], ["SELECT"])], "R2").any()
     assert not run([*CLEAR, op("bus", ["A"], ["IN"])]).any()
 
 
-def test_what_a_frame_starts_with_depends_on_the_seed_alone():
+def test_the_initial_register_contents_depend_on_the_device_seed_alone():
     target = target_of(SHAPE)
     program = container_of(target, PLANES, [[]], [], 1, readouts=[Readout("C", "frame")])
     first, again, other = (expose(program, LIGHT, device_seed=seed) for seed in (1, 1, 2))
@@ -116,7 +116,7 @@ def test_split_pair_and_unknown_word_are_refused():
         expose(bad, LIGHT)
 
 
-def test_misfits_are_refused():
+def test_containers_without_codes_and_light_of_another_size_are_refused():
     container = container_of(target_of(SHAPE), PLANES, [SHOW], [(0, 0)], 1)
     with pytest.raises(Rejected, match="NS0741"):
         expose(replace(container, pixel_codes=None), LIGHT)

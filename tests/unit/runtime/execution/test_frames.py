@@ -53,15 +53,16 @@ LINEAR = (
 
 @pytest.mark.parametrize("effects", LINEAR)
 @pytest.mark.parametrize("name", CASES)
-def test_fixed_effects_are_exact_sums(name: str, effects: str) -> None:
+def test_frames_with_linear_effects_only_equal_the_reference(name: str, effects: str) -> None:
     found, full, scene = both(name, effects, moving_light((8, ROWS, COLS), 300.0))
     assert not len(scene.near)
     np.testing.assert_allclose(found, full, rtol=2e-6, atol=1e-3)
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_leakage_between_rates_is_near(name: str) -> None:
-    """Frames of 4 ms, where registers keep charge for 500 ms: what is more goes by words."""
+def test_leakage_interpolated_between_two_rates_is_near_the_reference(name: str) -> None:
+    """Frames last 4 ms and registers keep their charge for 500 ms. Pixels with more leakage are
+    simulated by words."""
     light = moving_light((8, ROWS, COLS), 300.0)
     found, full, _ = both(name, "leakage", light, leakage_tau_s=0.5)
     np.testing.assert_allclose(found, full, rtol=1e-4, atol=1e-3)
@@ -70,7 +71,7 @@ def test_leakage_between_rates_is_near(name: str) -> None:
     assert (np.abs(plain - full).max() > 5) == (name != "a")
 
 
-def test_motion_is_the_moving_light() -> None:
+def test_frames_of_light_that_moves_inside_slots_equal_the_reference() -> None:
     from nscc_runtime.scenes.timing import with_motion
 
     light = with_motion(moving_light((8, ROWS, COLS), 300.0))
@@ -80,8 +81,8 @@ def test_motion_is_the_moving_light() -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_saturating_pixels_run_through_their_words(name: str) -> None:
-    """Some pixels at their limits: equal to the reference there, but for counts."""
+def test_pixels_near_saturation_equal_the_reference(name: str) -> None:
+    """The test leaves out the effects shot and dark, whose counts are drawn in another way."""
     light = moving_light((8, ROWS, COLS), 300.0)
     light.frames[:, 4, 5] = 20000.0
     found, full, scene = both(
@@ -100,8 +101,10 @@ def test_saturating_pixels_run_through_their_words(name: str) -> None:
 
 @pytest.mark.parametrize("effects", ["all,-shot", "full_well", "register,prnu"])
 @pytest.mark.parametrize("name", CASES)
-def test_no_pixel_that_saturates_is_missed(name: str, effects: str) -> None:
-    """Light around the limits: what the bound lets through loses nothing worth mentioning."""
+def test_no_saturating_pixel_is_missed_among_the_pixels_near_saturation(
+    name: str, effects: str
+) -> None:
+    """The light is near the limits. Pixels that are not marked lose less than one electron."""
     light = moving_light((8, ROWS, COLS), 7000.0)
     container = case(name, rows=ROWS, cols=COLS)
     lossless = ",".join(n for n in (*effects.split(","), "-full_well", "-register"))
@@ -147,7 +150,9 @@ def test_light_that_does_not_fit_is_refused_and_no_number_is_marked() -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_lamps_take_their_neighbours_along_whatever_the_codes_are(name: str) -> None:
+def test_pixels_beside_lamps_that_lose_charge_are_found_near_saturation_for_all_codes(
+    name: str,
+) -> None:
     """Charge of a lamp spills into slots in which its own shutter is closed."""
     container = case(name, 16, rows=ROWS, cols=COLS)
     sensor = sensor_of(container)

@@ -48,7 +48,9 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
         assert again.tobytes() == found.tobytes()
 
 
-def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_sums_of_light_in_several_passes_equal_those_in_one_pass(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     rng = np.random.default_rng(4)
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
@@ -115,8 +117,9 @@ def test_a_lane_that_there_is_not_is_refused() -> None:
 
 
 @pytest.mark.parametrize("spread", [0.0, 1e-320, 0.1, 0.3])
-def test_between_two_rates_leakage_is_that_of_every_pixel(spread: float) -> None:
-    """To a few parts of the square of the spread of rate times age; chips of one rate need one."""
+def test_leakage_interpolated_between_two_rates_is_near_that_of_every_pixel(spread: float) -> None:
+    """The error is a few times the square of the spread of rate times age. Chips with a single rate
+    need no second one."""
     container = case("b edges", rows=40, cols=50)
     sensor = sensor_of(container, leakage_tau_s=1.0, leakage_spread_fraction=spread)
     every = everything()

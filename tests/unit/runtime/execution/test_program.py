@@ -89,8 +89,10 @@ def test_weights_are_kept_and_decay_costs_nothing_where_nothing_decays() -> None
 
 @pytest.mark.parametrize("name", CASES)
 @pytest.mark.parametrize("effect", ["read", "reset", "analog"])
-def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
-    """The covariance of errors of words, against many pixels."""
+def test_the_covariance_of_word_errors_equals_that_of_reference_frames(
+    name: str, effect: str
+) -> None:
+    """The test compares the computed covariance with that of many pixels."""
     rows, cols = 60, 128
     container = case(name, rows=rows, cols=cols)
     quiet = {**QUIET, "analog_noise_lsb": 0.75, "analog_gain": 1.0, "leakage_tau_s": 1e6}
@@ -116,7 +118,7 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_seen_slots_are_those_on_pix_at_a_read(name: str) -> None:
+def test_seen_slots_are_the_slots_whose_light_reaches_a_register(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     made = AnalysedProgram.of(container, sensor_of(container))
     expected = [

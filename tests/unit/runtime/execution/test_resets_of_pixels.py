@@ -46,7 +46,7 @@ def some_reset(name: str) -> Container:
 
 
 @pytest.mark.parametrize("name", ["b accumulate", "d accumulate"])
-def test_planned_frames_are_those_of_the_reference(name: str) -> None:
+def test_planned_frames_equal_the_reference_if_words_reset_only_some_pixels(name: str) -> None:
     container, light = some_reset(name), moving_light((8, *SHAPE), 900.0)
     planned, reference = (
         np.stack(

@@ -132,7 +132,7 @@ def test_the_tone_curve_is_named_in_the_picture() -> None:
         assert picture.text["Description"].startswith("mu-law curve, white ")
 
 
-def test_curves_are_those_of_their_names() -> None:
+def test_tone_curves_have_the_formulas_of_their_names() -> None:
     light = np.array([0.0, 0.002, 0.1, 0.5, 1.0, 3.0]) * 700
     there = np.clip(light / 700, 0, 1)
     linear = fitted("linear", light, 700)(light)
@@ -181,8 +181,11 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return found
 
 
-def test_a_frame_is_a_measurement_of_the_benchmark(folder: Path, run_nscc: RunNscc) -> None:
-    """mask, meas and orig as its tools read them: the sum of masked frames is the measurement."""
+def test_a_frame_in_a_mat_file_is_a_measurement_for_the_benchmark(
+    folder: Path, run_nscc: RunNscc
+) -> None:
+    """The file holds `mask`, `meas` and `orig` with the axes of the benchmark's tools. The sum of
+    the masked frames equals the measurement."""
     line = "run bits.nsl --scene clip.mat --exposure 20000 -o meas.mat"
     assert run_nscc(line.split(), folder).status == 0
     found = loadmat(folder / "meas.mat")
@@ -197,7 +200,9 @@ def test_a_frame_is_a_measurement_of_the_benchmark(folder: Path, run_nscc: RunNs
     assert outcome.status == 0, outcome.err
 
 
-def test_shutters_are_a_mask(folder: Path, run_nscc: RunNscc) -> None:
+def test_the_command_shutters_writes_the_same_mask_to_mat_npy_and_npz(
+    folder: Path, run_nscc: RunNscc
+) -> None:
     for name in ("mask.mat", "mask.npy", "mask.npz"):
         assert run_nscc(["shutters", "bits.nsl", "-o", name], folder).status == 0
     mask = loadmat(folder / "mask.mat")["mask"]

@@ -54,7 +54,7 @@ def clip(container: Container) -> Light:
 
 
 @pytest.mark.parametrize("effects", ["none", "read,comparator_noise", "all,-shot,-dark"])
-def test_frames_are_those_of_the_words(program: Container, effects: str) -> None:
+def test_frames_by_paths_equal_frames_by_words(program: Container, effects: str) -> None:
     light, sensor, chosen = clip(program), default_sensor(program.target), selected(effects)
     assert not lacks(program, sensor, chosen)
     options = {"seed": 3, "device_seed": 4, "count": 2}

@@ -160,7 +160,7 @@ def test_effects_are_the_same_for_the_same_seed() -> None:
     assert not np.array_equal(first.told["image_i"], other.told["image_i"])
 
 
-def test_buckets_that_are_read_are_the_frame() -> None:
+def test_the_frame_has_only_the_buckets_that_the_program_reads() -> None:
     text = (
         "nsl 3 frame 2 slots of 1ms bucket a open when n == 0 bucket b open when n == 1 "
         "image d = b - a read b, d"

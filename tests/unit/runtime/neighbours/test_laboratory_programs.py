@@ -183,7 +183,7 @@ def test_hdr_edges_are_those_of_the_numpy_model() -> None:
         same(capture, "wide", frame, expected, border=3)
 
 
-def test_any_bit_in_a_rectangle_is_reported() -> None:
+def test_the_report_tells_whether_any_pixel_of_the_input_plane_is_above_the_level() -> None:
     light, rng = film_light(4, 3), np.random.default_rng(3)
     boxes = rng.random((FRAMES, SIDE, SIDE)) < 1e-4
     levels = [75.0 + frame * 2 for frame in range(FRAMES)]

@@ -58,7 +58,7 @@ def captured(
 
 
 @pytest.mark.parametrize("array", [(16, 16), (20, 40), (64, 17)])
-def test_parts_that_overlap_give_what_a_large_array_gives(
+def test_overlapping_parts_of_a_picture_give_the_result_of_one_large_array(
     array: tuple[int, int], tmp_path: Path
 ) -> None:
     parts = captured(TEXT, array, PICTURE, tmp_path, fit="tiles")

@@ -63,7 +63,9 @@ def random_word(rng: np.random.Generator) -> list[Op]:
 
 @pytest.mark.parametrize("obeys_flag", [False, True])
 @pytest.mark.parametrize("seed", range(20))
-def test_random_words_do_the_same(seed: int, obeys_flag: bool) -> None:
+def test_the_compiled_loop_executes_random_words_like_the_reference(
+    seed: int, obeys_flag: bool
+) -> None:
     rng, cols = np.random.default_rng(seed), COLS[seed % len(COLS)]
     target = replace(builtin_target("scamp5"), rows=ROWS, cols=cols, where_obeys_flag=obeys_flag)
     text = "nsl 3 frame 1 slots of 1ms open when true image i = exposure / 2 read i"

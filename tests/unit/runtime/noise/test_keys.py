@@ -48,7 +48,7 @@ def test_compiled_hash_is_the_published_one():
         assert uniforms(stream, pixels).tolist() == expected
 
 
-def test_the_ends_lie_inside_and_are_symmetric():
+def test_uniform_numbers_lie_strictly_between_0_and_1_and_are_symmetric():
     assert unit(np.uint64(0)) == 2.0**-53
     assert unit(np.uint64(2**64 - 1)) == 1 - 2.0**-53
     assert unit(np.uint64(2**63)) == 0.5 + 2.0**-53
@@ -84,7 +84,7 @@ def test_neighbours_are_independent(other):
     assert abs(correlation) < 5 / math.sqrt(len(pixels))
 
 
-def test_keys_differ_in_every_part():
+def test_keys_differ_if_seed_effect_source_frame_or_group_differ():
     keys = {
         int(key(seed, effect, source, frame, group))
         for seed in (0, 1, 2**32, 2**64 - 1)

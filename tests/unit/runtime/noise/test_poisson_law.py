@@ -96,7 +96,7 @@ def test_searching_at_the_crossover_never_passes_the_formula_above():
 
 @pytest.mark.parametrize("drawn", BOTH)
 @pytest.mark.parametrize("rate", [0.02, 0.7, 3.0, 9.5, 10.0, 14.0, 16.0, 40.0, 900.0])
-def test_drawn_counts_have_the_distribution(rate, drawn):
+def test_drawn_counts_have_the_poisson_distribution(rate, drawn):
     n = 300_000
     counts = drawn(key(21, 4), np.arange(n), np.full(n, rate))
     assert np.array_equal(counts, np.floor(counts))

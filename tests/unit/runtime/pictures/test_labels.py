@@ -24,8 +24,8 @@ LINES = st.lists(st.lists(PLACES, min_size=1, max_size=6), min_size=1, max_size=
 def test_labels_never_cover_anything(
     lines: list[list[tuple[float, float]]], long: int, wide: float
 ) -> None:
-    """No text or halo on another text, on a mark or on the edge, whatever is drawn; no leader
-    through a text, and no small text on a line."""
+    """No text or halo covers another text, a mark or the edge, whatever is drawn. No leader crosses
+    a text, and no small text lies on a line."""
     with sheet.style():
         figure, [axes] = sheet.panels(1, (wide, 2.5), 1)
         axes.set(xlim=(-0.1, 1.1), ylim=(-0.1, 1.1))

@@ -88,7 +88,7 @@ def test_a_program_whose_answers_never_change_is_drawn() -> None:
     assert sheet.png_of(course_sheet, container, "p.nsl").startswith(b"\x89PNG")
 
 
-def test_view_draws_them(tmp_path: Path) -> None:
+def test_charts_of_looking_programs_are_drawn_on_white_and_dark_ground(tmp_path: Path) -> None:
     program = ROOT / "examples" / "float_pixel.nsl"
     done = invoke(["view", str(program), "-O", "0", "-o", "v.png"], tmp_path)
     assert done.status == 0, done.err

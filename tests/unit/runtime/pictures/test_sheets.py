@@ -247,9 +247,9 @@ LONG = ("many lines", "studies")
 
 
 @pytest.mark.parametrize("name", CHARTS)
-def test_pictures_are_the_recorded_ones_and_no_text_overlaps(name: str, update_cases: bool) -> None:
-    """No text lies on another or leaves the picture; the same picture has the same bytes, and shows
-    what was recorded."""
+def test_charts_equal_the_recorded_ones_and_no_text_overlaps(name: str, update_cases: bool) -> None:
+    """No text leaves the picture or overlaps another text. A chart that is drawn again has the same
+    bytes, whatever the settings of matplotlib."""
     with sheet.style():
         figure = CHARTS[name]()
         figure.draw_without_rendering()
@@ -401,9 +401,9 @@ def test_the_colour_blind_tell_series_apart(chosen: Theme, kind: str) -> None:
 
 
 @pytest.mark.parametrize("chosen", THEMES.values(), ids=THEMES)
-def test_type_is_read_on_its_ground(chosen: Theme) -> None:
-    """Contrasts that the WCAG 2.2 ask for: 4.5 of small type, 3 of what is only to be seen (as
-    boxes have letters in them, series that are fainter have a marker and a name besides)."""
+def test_text_has_enough_contrast_with_its_background(chosen: Theme) -> None:
+    """WCAG 2.2 requires a contrast of 4.5 for small text, and of 3 for other marks. Letters inside
+    coloured boxes have at least 4.0."""
     typed = [chosen.ink, chosen.faint, *map(chosen.type_in, chosen.series)]
     assert min(contrast(colour, chosen.paper) for colour in typed) >= 4.5
     assert min(contrast(chosen.on(colour), colour) for colour in chosen.series) >= 4.0

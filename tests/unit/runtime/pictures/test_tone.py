@@ -29,7 +29,7 @@ def test_reinhard_of_the_dark_shows_light_by_its_white() -> None:
 
 
 @pytest.mark.parametrize("name", ["log", "reinhard", "mu-law", "srgb", "linear"])
-def test_the_dark_without_a_white_is_black(name: str) -> None:
+def test_a_dark_picture_without_a_given_white_is_drawn_black(name: str) -> None:
     assert fitted(name, np.zeros((3, 4)))(np.ones((3, 4))).max() == 0
 
 

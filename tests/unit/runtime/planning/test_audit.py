@@ -45,7 +45,7 @@ def test_the_audit_equals_an_independent_comparison(mid: Setting) -> None:
     assert "more than 1.1 times the tolerance of 5 e" in str(found.breach(plan))
 
 
-def test_a_kept_promise_holds_and_the_slack_is_a_tenth(mid: Setting) -> None:
+def test_an_audit_holds_up_to_an_error_a_tenth_above_the_tolerance(mid: Setting) -> None:
     container, light, sensor = mid
     plan = measured_plan(container, light, sensor, 30.0)
     found = audited(mid, plan)
@@ -64,7 +64,7 @@ def test_all_effects_agree_with_the_loop(mid: Setting) -> None:
     assert found.holds
 
 
-def test_frames_that_differ_from_the_loop_break_the_promise(mid: Setting) -> None:
+def test_an_audit_reports_frames_whose_mean_or_noise_differs_from_the_loop(mid: Setting) -> None:
     plan = plan_of("all", tolerance_e=5.0)
     rng = np.random.default_rng(3)
     loop, own = rng.normal(100.0, 20.0, (2, 1, 8, 20_000))

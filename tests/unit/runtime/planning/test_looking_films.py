@@ -35,7 +35,7 @@ read closed_at
 
 
 @pytest.mark.parametrize("frame_e", [30000.0, 60000.0, 240000.0])
-def test_frames_that_begin_in_other_states_keep_the_promise(frame_e: float) -> None:
+def test_errors_of_later_frames_with_other_states_stay_within_the_tolerance(frame_e: float) -> None:
     # The first frame is full, so that little decides on it; the next ones are open for less.
     program = nscc.compile(_TEXT, target=replace(builtin_target("scamp5"), rows=_SIDE, cols=_SIDE))
     light = np.full((program.slots, _SIDE, _SIDE), frame_e / program.slots)

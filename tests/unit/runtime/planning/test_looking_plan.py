@@ -68,7 +68,7 @@ def run(
 
 @pytest.mark.parametrize("full_wells", [0.05, 2.0])
 @pytest.mark.parametrize("tolerance", [2.0, 40.0])
-def test_the_promise_is_kept_and_foreseen(
+def test_errors_of_plans_of_looking_programs_stay_within_the_tolerance_as_predicted(
     program: Container, full_wells: float, tolerance: float
 ) -> None:
     plan, done = run(program, light(full_wells), "auto", tolerance=tolerance, audit=True)
@@ -87,7 +87,9 @@ def test_the_promise_is_kept_and_foreseen(
     assert plan.slot_loop
 
 
-def test_comparators_are_kept_where_they_turn_pixels(program: Container) -> None:
+def test_plans_keep_comparator_noise_where_it_changes_the_final_states_of_pixels(
+    program: Container,
+) -> None:
     bright, dim = (run(program, light(wells), "auto", tolerance=5.0)[0] for wells in (2.0, 0.01))
     for plan, choice in ((bright, "kept"), (dim, "absent")):
         found = {each.name: each for each in plan.decisions}
@@ -161,7 +163,8 @@ def test_films_of_programs_that_look_share_a_plan(program: Container) -> None:
 def test_a_plan_serves_a_scene_only_where_few_pixels_end_in_other_states(
     program: Container,
 ) -> None:
-    """A wall as bright as a level: what effects change there tips pixels over."""
+    """The light is even. Where it is near a level, the dropped effects change the final states of
+    pixels."""
     plan = replace(plan_of("all,-shot,-prnu", tolerance_e=1e4))
     weight = light(1.0).weight
 

@@ -31,7 +31,9 @@ def found(program: str, name: str, tolerance: str, effects: str = "auto") -> Out
 @pytest.mark.parametrize(
     ("name", "tolerance"), [("mid", "50e"), ("hdr, bright", "5e"), ("flicker", "0.15noise")]
 )
-def test_the_promise_is_kept_and_foreseen(program: str, name: str, tolerance: str) -> None:
+def test_errors_of_plans_stay_within_the_tolerance_as_predicted(
+    program: str, name: str, tolerance: str
+) -> None:
     each = found(program, name, tolerance)
     assert each.kept
     assert not each.needless
@@ -39,7 +41,9 @@ def test_the_promise_is_kept_and_foreseen(program: str, name: str, tolerance: st
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_plans_of_random_programs_scenes_and_sensors_keep_it(seed: int) -> None:
+def test_errors_of_plans_of_random_programs_scenes_and_sensors_stay_within_the_tolerance(
+    seed: int,
+) -> None:
     assert [draw.said for draw in promises(40 + seed, frames=2) if not draw.found.kept] == []
 
 

@@ -108,7 +108,7 @@ def test_the_merge_is_that_of_debevec(tmp_path: Path) -> None:
     np.testing.assert_allclose(made[told], expected[told], rtol=1e-4)
 
 
-def test_pixels_that_are_black_or_white_in_all_photos(tmp_path: Path) -> None:
+def test_pixels_that_are_black_or_white_in_all_photos_get_finite_light(tmp_path: Path) -> None:
     for number, value in enumerate((0, 0, 255)):
         samples = np.array([[0, 255, value]], np.uint8)
         Image.fromarray(samples).save(tmp_path / f"{number}.png")

@@ -165,7 +165,7 @@ def test_pictures_of_16_bits_keep_their_precision(tmp_path: Path) -> None:
         np.testing.assert_allclose(light.total_e(), expected, rtol=1e-6)
 
 
-def test_progress_sees_every_frame(tmp_path: Path) -> None:
+def test_the_progress_function_gets_the_number_of_frames(tmp_path: Path) -> None:
     from PIL import Image
 
     seen: list[tuple[str, int | None]] = []
@@ -279,7 +279,9 @@ def test_values_outside_the_crop_do_not_hide_negative_light(tmp_path: Path, outs
 @pytest.mark.parametrize(
     ("value", "word"), [(np.nan, "NaN"), (np.inf, "large"), (-1.0, "negative")]
 )
-def test_values_that_are_no_light(tmp_path: Path, value: float, word: str) -> None:
+def test_invalid_light_values_are_refused_with_their_count_and_place(
+    tmp_path: Path, value: float, word: str
+) -> None:
     clip = np.ones((3, ROWS, COLS))
     clip[1, 2, 3] = clip[2, 0, 0] = value
     np.savez(tmp_path / "a.npz", light=clip)
@@ -327,7 +329,9 @@ def test_float64_beyond_float32_is_too_large(tmp_path: Path) -> None:
         ({"light": np.ones((0, ROWS, COLS))}, "NS0735"),
     ],
 )
-def test_arrays_that_are_no_scene(tmp_path: Path, arrays: dict[str, Any], code: str) -> None:
+def test_arrays_of_wrong_name_type_or_shape_are_refused_as_scenes(
+    tmp_path: Path, arrays: dict[str, Any], code: str
+) -> None:
     np.savez(tmp_path / "a.npz", **arrays)
     assert rejection(tmp_path / "a.npz").code == code
 
@@ -350,11 +354,13 @@ def test_arrays_that_are_no_scene(tmp_path: Path, arrays: dict[str, Any], code: 
         ("x" * 5000, {}, "NS0730"),
     ],
 )
-def test_names_and_options_that_are_wrong(spec: str, options: dict[str, Any], code: str) -> None:
+def test_wrong_scene_names_and_options_are_refused(
+    spec: str, options: dict[str, Any], code: str
+) -> None:
     assert rejection(spec, **options).code == code
 
 
-def test_options_that_do_not_fit_the_kind(tmp_path: Path) -> None:
+def test_options_that_do_not_suit_the_kind_of_scene_are_refused(tmp_path: Path) -> None:
     write_float(tmp_path / "p.pfm", colours())
     np.savez(tmp_path / "a.npz", light=np.ones((ROWS, COLS)))
     assert rejection(tmp_path / "p.pfm").code == "NS0737"

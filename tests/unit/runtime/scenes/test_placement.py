@@ -152,9 +152,11 @@ pixels stop = tile [[4, 3, 1], [2, 4, 2], [1, 1, 3]]
 """
 
 
-def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNscc) -> None:
-    """Without effects every pixel of the picture has the light of its shutter; codes go on over
-    the edges of arrays as they lie."""
+def test_a_picture_larger_than_the_array_is_exposed_in_pieces_and_in_colours(
+    photo: Path, tmp_path: Path, run_nscc: RunNscc
+) -> None:
+    """Without effects the exposure of every pixel is the light of its open slots. Each piece has
+    the codes of the array."""
     large = np.asarray(Image.open(photo).resize((300, 270)))
     Image.fromarray(large).save(tmp_path / "large.png")
     (tmp_path / "a.nsl").write_text(PROGRAM)
@@ -184,7 +186,7 @@ def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNs
         assert "NS0739" in run_nscc([*line.split(), *wrong.split()], tmp_path).codes
 
 
-def test_grey_scenes_are_exposed_once(tmp_path: Path) -> None:
+def test_grey_scenes_are_exposed_once_although_colours_are_requested(tmp_path: Path) -> None:
     Image.fromarray(RNG.integers(0, 256, (24, 32), np.uint8)).save(tmp_path / "grey.png")
     target = replace(builtin_target("scamp5"), rows=24, cols=32)
     for name in (str(tmp_path / "grey.png"), "builtin:hdr"):
@@ -208,7 +210,7 @@ def test_pictures_of_16_bits_alpha_and_grey_are_scaled(tmp_path: Path) -> None:
     assert np.allclose(opaque.light.total_e(), grey * 5000 / np.median(grey), rtol=1e-5)
 
 
-def test_pieces_lie_beside_and_below_each_other() -> None:
+def test_the_pieces_of_a_picture_are_numbered_by_rows_and_joined_again() -> None:
     picture = np.arange(1, 1 + 2 * 4 * 9, dtype=np.float32).reshape(2, 4, 9)
     placement = Placement("tiles", (4, 8), (4, 8), (2, 3))
     pieces = [piece.dense() for piece in placement.pieces(Light.of_clip(picture))]

@@ -32,7 +32,7 @@ def test_overlaps_agree_with_intervals() -> None:
             assert matrix[n, k] == pytest.approx(max(inside, 0.0), abs=1e-15)
 
 
-def test_slots_as_long_as_frames_hold_exactly_one() -> None:
+def test_a_slot_as_long_as_a_frame_contains_exactly_one_frame() -> None:
     for fps, length_us in ((1000, 1000.0), (10000, 100.0), (30, 1e6 / 30)):
         found = timing.overlaps((length_us,) * 300, timing.check_fps(float(fps)))
         big = found.seconds > 1e-9

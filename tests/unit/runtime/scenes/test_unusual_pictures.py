@@ -59,7 +59,7 @@ def test_clips_survive_tiff(tmp_path: Path) -> None:
     np.testing.assert_array_equal([*open_pages(tmp_path / "c.tiff").read()], clip)
 
 
-def test_thumbnails_are_no_frames(tmp_path: Path) -> None:
+def test_thumbnails_in_a_tiff_are_not_read_as_frames(tmp_path: Path) -> None:
     picture = RNG.integers(0, 256, (ROWS, COLS), np.uint8)
     with tifffile.TiffWriter(tmp_path / "t.tif") as writer:
         writer.write(picture, photometric="minisblack")
@@ -85,7 +85,7 @@ def test_alpha_does_not_darken_a_tiff(tmp_path: Path, dtype: Any, kind: str) -> 
 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
-def test_white_may_be_zero(tmp_path: Path, dtype: Any) -> None:
+def test_tiffs_in_which_0_is_white_are_inverted(tmp_path: Path, dtype: Any) -> None:
     stored = RNG.integers(0, np.iinfo(dtype).max + 1, (ROWS, COLS), dtype)
     tifffile.imwrite(tmp_path / "w.tif", stored, photometric="miniswhite")
     np.testing.assert_array_equal(read_picture(tmp_path / "w.tif"), np.iinfo(dtype).max - stored)
@@ -288,7 +288,7 @@ def png(chunks: dict[bytes, bytes], path: Path) -> None:
         ({b"cICP": bytes([1, 17, 0, 1])}, "srgb", True),
     ],
 )
-def test_curves_that_a_png_names(
+def test_the_chunks_of_a_png_determine_its_transfer_curve(
     tmp_path: Path, chunks: dict[bytes, bytes], transfer: str | None, noted: bool
 ) -> None:
     png(chunks, tmp_path / "p.png")

@@ -108,8 +108,10 @@ def test_subsampled_chroma_gives_one_colour_in_a_flat_frame(tmp_path: Path) -> N
 
 
 @pytest.mark.parametrize(("curve", "name"), [(18, "hlg"), (16, "pq"), (8, "linear"), (1, "srgb")])
-def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
-    """The ramp has 10 bits, from black to white: the light grows from each column to the next."""
+def test_light_of_a_ramp_in_10_bits_increases_up_to_its_end_for_every_curve(
+    tmp_path: Path, curve: int, name: str
+) -> None:
+    """The ramp goes from black to white. The light increases from each column to the next."""
     codes = np.linspace(64, 940, COLS).round().astype("<u2")
     luma = np.tile(codes, (ROWS, 1))
     middle = np.full((ROWS, COLS), 512, "<u2")
@@ -136,9 +138,9 @@ def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
 
 
 @pytest.mark.parametrize("quarters", [1, 2, 3])
-def test_rotation_is_that_of_the_file(tmp_path: Path, quarters: int) -> None:
-    """The matrix of an .mp4's track, as telephones write it: turned by so many quarters with the
-    clock when shown. OpenCV is the witness."""
+def test_videos_are_turned_as_their_file_states(tmp_path: Path, quarters: int) -> None:
+    """The matrix of an .mp4's track states the number of quarter turns with the clock, as
+    telephones write it. OpenCV gives the expected frame."""
     import cv2
 
     luma = np.random.default_rng(0).integers(16, 235, (ROWS, COLS)).astype(np.uint8)

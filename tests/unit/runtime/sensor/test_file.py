@@ -99,7 +99,7 @@ def test_all_errors_of_a_sensor_file_are_reported_together(
     assert codes(file) == found
 
 
-def test_files_that_cannot_be_read_and_bad_changes(tmp_path: Path) -> None:
+def test_unreadable_sensor_files_and_bad_changes_are_refused(tmp_path: Path) -> None:
     assert codes(tmp_path / "none.toml") == ["NS0751"]
     assert codes(tmp_path) == ["NS0751"]
     assert codes(None, "read_noise_e", "=3", "read_noise_e=") == ["NS0755"] * 3

@@ -171,8 +171,9 @@ def test_corrected_clips_reproduce_exact_frames() -> None:
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
-    """Errors are squared differences of logarithms, for the 2 x 2 tile of a noisy sensor."""
+def test_decoded_stills_have_less_error_than_their_start(seed: int) -> None:
+    """The error is the mean squared difference of logarithms, for a 2 x 2 tile and a noisy
+    sensor."""
     generator = np.random.default_rng([8, seed])
     light = made_scenes.still(generator, 96)
     light /= np.quantile(light, 0.7)
@@ -190,8 +191,8 @@ def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
 
 @pytest.mark.parametrize("count", [2, 4, 8])
 @pytest.mark.parametrize("seed", range(2))
-def test_clips_do_not_end_below_their_start(seed: int, count: int) -> None:
-    """This holds for any number of stages, with random bits (seed 0) and with a 2 x 2 tile."""
+def test_decoded_clips_have_a_higher_psnr_than_their_gap_tv_start(seed: int, count: int) -> None:
+    """The bits are random (seed 0) or those of a 2 x 2 tile (seed 1), for 2, 4 and 8 stages."""
     clip, mask = scene(10 + seed, 8, 64)
     if seed:
         first = np.tile(np.array([[0, 2], [4, 6]]), (32, 32))
@@ -516,7 +517,7 @@ def test_a_dark_frame_replaces_the_predicted_bias(laid: int) -> None:
     assert abs(coded_frame(arrays, meta).value_e - light_e).min() > 20
 
 
-def test_a_dark_frame_is_of_the_program(tmp_path: Path) -> None:
+def test_dark_frames_that_are_missing_or_of_another_size_are_refused(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS['stops']}\n")
     for name, scene in (("f", "builtin:hdr"), ("d", "builtin:dark")):
         line = ["run", "p.nsl", "--scene", scene, "--exposure", "30000", "-o", f"{name}.npz"]

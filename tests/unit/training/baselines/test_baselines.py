@@ -85,7 +85,7 @@ def test_merging_grows_windows_until_they_hold_a_measurement(measured: float) ->
 
 @pytest.mark.parametrize("time", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("shape", [(4, 9, 11), (1, 7, 5), (3, 1, 8), (2, 6, 1)])
-def test_total_variation_is_its_plain_version(shape: tuple[int, ...], time: float) -> None:
+def test_total_variation_equals_a_plain_implementation(shape: tuple[int, ...], time: float) -> None:
     clip = np.random.default_rng(1).random(shape).astype(np.float32)
     for iterations in (0, 1, 7):
         found = tv_denoise(clip, 0.1, iterations, time)
@@ -135,7 +135,7 @@ def test_pixels_that_never_open_are_finite() -> None:
         assert np.isfinite(made).all()
 
 
-def test_yardsticks_interpolate_a_plane_exactly() -> None:
+def test_thin_out_and_bilinear_interpolate_a_plane_exactly() -> None:
     y, x = np.mgrid[:17, :17]
     plane = np.stack([0.02 * x + 0.01 * y + 0.1 * t for t in range(3)]).astype(np.float32)
     np.testing.assert_allclose(thin_out(plane), plane, atol=1e-6)
@@ -262,8 +262,9 @@ def scored(folder: Path, name: str, items: dict[str, list[float | str]], **more:
 
 
 def test_a_comparison_over_seeds_draws_scenes_with_all_their_seeds(tmp_path: Path) -> None:
-    """Two scenes: a gains 1 dB in the mean of four seeds, b 3. A draw of two scenes is twice a in
-    a quarter of all draws, twice b in another: the interval is 1 to 3, however many seeds."""
+    """Scene a gains 1 dB in the mean of four seeds, scene b 3 dB. A quarter of all draws of two
+    scenes takes a twice, another quarter takes b twice. The interval is therefore 1 to 3 dB,
+    however many seeds there are."""
     names = []
     for seed, apart in enumerate((-1.0, 0.0, 1.0, 0.0)):
         base = {"a": [10.0 + seed, 20.0], "b": [30.0 - seed]}

@@ -53,7 +53,8 @@ def test_learning_explains_blocks_better() -> None:
 
 
 def test_a_clip_of_atoms_is_reconstructed() -> None:
-    """A single block that is two atoms, from its coded frame: eight times fewer numbers."""
+    """The clip is a single block, the sum of two atoms. Its coded frame has eight times fewer
+    numbers."""
     rng = np.random.default_rng(4)
     frames = 8
     atoms = rng.random((frames * SIDE * SIDE, 20))
@@ -68,7 +69,7 @@ def test_a_clip_of_atoms_is_reconstructed() -> None:
         dictionary_clip(measurement[:4], mask[:, :4], atoms)
 
 
-def test_blocks_reach_the_edge() -> None:
+def test_blocks_cover_the_frame_up_to_its_edges() -> None:
     flat = np.ones((2 * SIDE * SIDE, 1))
     mask = np.ones((2, 13, 18), np.float32)
     found = dictionary_clip(np.full((13, 18), 0.6, np.float32), mask, flat)

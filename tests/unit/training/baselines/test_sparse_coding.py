@@ -36,8 +36,8 @@ def test_filters_have_length_one_and_are_the_same_again() -> None:
     assert torch.equal(filters, made_filters())
 
 
-def test_the_step_is_short_enough() -> None:
-    """The gain bounds the operator: no picture is amplified by more."""
+def test_the_largest_gain_bounds_the_energy_of_the_operator() -> None:
+    """No picture is amplified by more than the gain."""
     filters, mask = made_filters(), torch.ones(1, 1, 24, 24)
     gain = largest_gain(filters, mask)
     generator = torch.Generator().manual_seed(2)
@@ -48,7 +48,7 @@ def test_the_step_is_short_enough() -> None:
         )
 
 
-def test_more_iterations_explain_more() -> None:
+def test_the_error_of_sparse_coding_falls_with_more_iterations() -> None:
     rng = np.random.default_rng(3)
     seen = np.repeat(np.repeat(rng.random((8, 8)), 4, axis=0), 4, axis=1)
     coarse, ones = np.full((32, 32), 0.5), np.ones((32, 32))

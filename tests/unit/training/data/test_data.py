@@ -146,7 +146,7 @@ def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: boo
     assert bool(at_a_pole.any()) != poles
 
 
-def test_steps_differ_and_are_reproducible() -> None:
+def test_training_batches_differ_between_steps_and_are_reproducible() -> None:
     source = Cuts({"a": random_light(40, 50)}, together=2)
     one, two, again = source.train(5), source.train(6), source.train(5)
     assert torch.equal(one.light, again.light)
@@ -254,8 +254,9 @@ def test_clips_of_panoramas_are_encoded_where_values_are_taken_as_light(tmp_path
         assert (three.name, three.sha256) == (one.name, one.sha256)
 
 
-def test_a_photograph_gives_clips_whose_parts_move(tmp_path: Path) -> None:
-    """Clips of a photograph contain only parts of this photograph."""
+def test_clips_made_from_photographs_have_moving_parts(tmp_path: Path) -> None:
+    """A clip shows parts of one photograph only, and loading the data again gives the same
+    clips."""
     import cv2
 
     rng = np.random.default_rng(1)
@@ -354,7 +355,7 @@ def test_a_dark_panorama_and_one_pixel_of_light_stay_finite() -> None:
     assert found.min() >= 0
 
 
-def test_a_file_is_never_on_both_sides(tmp_path: Path) -> None:
+def test_a_file_is_never_in_both_training_and_validation_data(tmp_path: Path) -> None:
     for seed in range(6):
         panorama(tmp_path / f"p{seed}.hdr", seed)
     (tmp_path / "p9.hdr").write_bytes((tmp_path / "p0.hdr").read_bytes())  # under two names
@@ -433,7 +434,7 @@ def test_the_best_state_is_that_of_the_least_loss(
         assert torch.equal(tensor, kept[f"best.decoder.{key}"])
 
 
-def test_zero_patches_together_and_missing_paths_are_refused(tmp_path: Path) -> None:
+def test_the_settings_together_and_paths_must_be_above_0(tmp_path: Path) -> None:
     (tmp_path / "c.toml").write_text("[data]\ntogether = 0\npaths = 0\n")
     found = invoke(["train", "c.toml", "--out", "r"], tmp_path)
     assert (found.status, found.codes) == (2, ["NS0815", "NS0815"])

@@ -142,7 +142,9 @@ def test_invalid_light_of_a_differentiable_capture_is_refused(
 @pytest.mark.parametrize(
     "values", [{"full_well_e": 0.0}, {"electrons_per_lsb": 0.0}, {"full_well_e": np.nan}]
 )
-def test_sensors_that_there_are_not(values: dict[str, float]) -> None:
+def test_sensor_models_refuse_values_that_are_not_finite_and_above_0(
+    values: dict[str, float],
+) -> None:
     with pytest.raises(ValueError, match=r"must be finite and above 0|is a finite number, not nan"):
         SensorModel(**{"full_well_e": 1.0, "electrons_per_lsb": 1.0, **values})
 

@@ -51,8 +51,9 @@ def test_still_decoders_see_the_code_only_if_they_say_so(sees_code: bool) -> Non
     assert torch.equal(found, other) != sees_code
 
 
-def test_sizes_are_those_that_were_promised() -> None:
-    """31, 13 and 51 million parameters as in the paper; at most 0.6 million when small."""
+def test_decoders_have_the_documented_numbers_of_parameters() -> None:
+    """The networks have 31, 13 and 51 million parameters in the size of the paper, and at most 0.6
+    million in the small size."""
     wanted = {("unet2d", "still"): 31e6, ("unet3d", "clip"): 13e6, ("fcnet", "clip"): 51e6}
     for (name, kind), count in wanted.items():
         task = STILL if kind == "still" else CLIP
@@ -101,8 +102,8 @@ def test_operations_are_counted() -> None:
     assert flops(decoder, 16, 256, 256) == pytest.approx(34e9, rel=0.1)
 
 
-def test_a_unet_is_its_convolutions() -> None:
-    """One level: two convolutions and a mixing, written out."""
+def test_a_unet_of_one_level_equals_its_convolutions_written_out() -> None:
+    """The network has two convolutions and a mixing layer."""
     network = UNet(2, 3, (4,), 2).double()
     x = torch.rand(1, 2, 6, 5, dtype=torch.float64)
     first, _, second, _ = network.down[0]
@@ -157,8 +158,9 @@ def test_blocks_are_taken_and_put_as_torch_does(
 
 
 @pytest.mark.parametrize("overlapping", [(True, True), (False, True), (False, False)])
-def test_blocks_have_true_gradients(overlapping: tuple[bool, bool]) -> None:
-    """Gradients of the frame and the layers are checked for sizes that whole blocks do not fill."""
+def test_gradients_of_blocks_equal_finite_differences(overlapping: tuple[bool, bool]) -> None:
+    """The gradients are those of the frame and of one layer's weights. Whole blocks do not fill the
+    frame."""
     net = BlockNet((3,), DecoderTask("clip", 2, (2, 1)), "small").double()
     net.layers[1] = net.layers[3] = net.layers[5] = torch.nn.Tanh()
     net.overlapping = overlapping

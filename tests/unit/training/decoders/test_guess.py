@@ -38,8 +38,9 @@ def test_the_weighted_average_of_a_constant_is_the_constant(
     assert (found - 0.37).abs().max() < 1e-12
 
 
-def test_heavy_weights_leave_wider_surroundings_out() -> None:
-    """Then it is the mean of 3 x 3 pixels, written out: the own one counts eight times."""
+def test_heavy_weights_limit_averages_to_3_by_3_pixels() -> None:
+    """The expected mean of 3 x 3 pixels is written out. Its factors are 8 at the pixel, 1/2 beside
+    it and 1/4 at the corners."""
     values, weights = drawn(1, 1, 6, 9).numpy()[0, 0], 1e7 * (1 + drawn(6, 9, seed=1).numpy())
     wanted = np.empty_like(values)
     near = {(0, 0): 8.0, (0, 1): 0.5, (1, 0): 0.5, (1, 1): 0.25}
@@ -56,7 +57,9 @@ def test_heavy_weights_leave_wider_surroundings_out() -> None:
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_an_average_is_between_what_was_measured(size: tuple[int, int]) -> None:
+def test_an_average_is_between_the_least_and_the_largest_measured_value(
+    size: tuple[int, int],
+) -> None:
     values = drawn(1, 2, *size)
     weights = drawn(1, 2, *size, seed=1) * (drawn(1, 2, *size, seed=2) < 0.2)
     weights[..., -1, -1] = 1.0
@@ -70,7 +73,7 @@ def test_an_average_is_between_what_was_measured(size: tuple[int, int]) -> None:
     assert torch.allclose(averaged(shouting, weights), found)
 
 
-def test_a_lonely_measurement_reaches_everywhere() -> None:
+def test_a_single_measurement_is_the_average_at_every_pixel() -> None:
     weights = torch.zeros(1, 1, 37, 50)
     weights[0, 0, 30, 2] = 5.0
     values = torch.zeros(1, 1, 37, 50)
@@ -78,7 +81,7 @@ def test_a_lonely_measurement_reaches_everywhere() -> None:
     assert (averaged(values, weights) - 0.8).abs().max() < 1e-5
 
 
-def test_averages_have_true_gradients() -> None:
+def test_gradients_of_averages_equal_finite_differences() -> None:
     values = drawn(1, 2, 5, 3).requires_grad_()
     weights = (0.05 + drawn(1, 2, 5, 3, seed=1)).requires_grad_()
     assert torch.autograd.gradcheck(averaged, (values, weights))
@@ -95,7 +98,9 @@ def test_the_guess_of_constant_light_is_exact_for_any_still_code(light: float) -
     assert (found / light - 1).abs().max() < 1e-4
 
 
-def test_the_saturated_take_their_neighbours_light_and_no_less_than_saturates_them() -> None:
+def test_guesses_of_saturated_pixels_are_their_neighbours_light_or_the_least_that_saturates() -> (
+    None
+):
     share = torch.full((1, 9, 9), 1 / 16)
     share[0, 4, 4] = 0.5
     # The pixel saturates at a light of 1 / 0.5 = 2.
@@ -118,7 +123,7 @@ def test_a_pixel_that_never_opens_takes_its_neighbours_light() -> None:
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("level", [0.0, 1.0, -0.02])
 @pytest.mark.parametrize("opened", [0.0, 1 / 256, 1.0])
-def test_frames_without_any_news_stay_finite(
+def test_guesses_from_constant_frames_and_shutters_are_finite(
     size: tuple[int, int], level: float, opened: float
 ) -> None:
     frame = torch.full((2, *size), level, requires_grad=True)
@@ -164,8 +169,9 @@ def test_the_guess_of_a_constant_clip_is_exact_for_any_code(size: tuple[int, int
     assert (clip_guess(volume, shutters) - 0.3).abs().max() < 1e-5
 
 
-def test_a_slot_belongs_to_those_who_were_open_in_it_alone() -> None:
-    """Half the pixels are open in the first slot alone, half in the second: both come back."""
+def test_the_guess_of_a_slot_uses_only_the_pixels_that_were_open_in_it() -> None:
+    """Half of the pixels are open in the first slot only, half in the second; the light of both
+    slots is recovered."""
     rows, cols = np.mgrid[:12, :13]
     first = torch.from_numpy((rows + cols) % 2 == 0).float()
     shutters = torch.stack([first, 1 - first])
@@ -210,7 +216,7 @@ def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d"])
-def test_a_gate_says_how_much_of_the_guess_stays(name: str) -> None:
+def test_the_last_layer_scales_the_guess_and_adds_to_it(name: str) -> None:
     decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
     guess = clip_guess(lifted(5 * frame, shutters)[0], shutters)
@@ -223,8 +229,9 @@ def test_a_gate_says_how_much_of_the_guess_stays(name: str) -> None:
             torch.testing.assert_close(decoder(frame, shutters), wanted, rtol=1e-6, atol=1e-6)
 
 
-def test_a_guess_does_not_round_with_the_network() -> None:
-    """bf16 is of the network: light comes back from its first guess as exactly as before."""
+def test_first_guesses_are_not_rounded_to_bf16_under_autocast() -> None:
+    """An untrained small decoder returns its first guess. Under autocast to bf16 this guess stays
+    the same to 1e-5."""
     decoder = make_decoder("unet2d", "small", DecoderTask("still", 16, (4, 4)))
     shutters = (torch.arange(16).reshape(-1, 1, 1) < torch.tensor([[1, 4], [16, 2]])).float()
     frame = noisy_frame(13, 10)
@@ -233,8 +240,8 @@ def test_a_guess_does_not_round_with_the_network() -> None:
         torch.testing.assert_close(decoder(frame, shutters), exact, rtol=1e-5, atol=1e-6)
 
 
-def test_only_decoders_that_guess_do(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Without `guesses` they neither add nor see it: its value changes nothing."""
+def test_only_decoders_with_guess_use_the_first_guess(monkeypatch: pytest.MonkeyPatch) -> None:
+    """If a decoder has no guess, doubling the guess changes nothing."""
     unet_scale = [1.0]
     for name in ("still_guess", "clip_guess"):
         was = getattr(unet, name)
@@ -269,8 +276,9 @@ def test_networks_of_the_papers_size_start_without_a_guess(
     assert decoder.guesses is False
 
 
-def test_a_first_guess_may_be_chosen() -> None:
-    """Whatever the size; not for what has none, nor without the code that it is made of."""
+def test_the_setting_guess_adds_or_removes_the_first_guess() -> None:
+    """It works in every size. Decoders without a first guess refuse it, and so do decoders that do
+    not see the code."""
     still = DecoderTask("still", 5, (4, 4), guess=True)
     with torch.device("meta"):
         assert make_decoder("unet2d", "paper", still).network.down[0][0].in_channels == 4

@@ -143,8 +143,8 @@ def test_gradients_reach_everything_and_are_finite(name: str) -> None:
     assert shutters.grad.abs().max() > 0
 
 
-def test_gradients_through_the_projection_are_true() -> None:
-    """The gradient of the start, without the network, equals finite differences."""
+def test_gradients_through_the_projection_equal_finite_differences() -> None:
+    """The network is replaced by zeros, so the gradient is that of the projection of the start."""
     decoder = make_decoder("unrolled", "small", DecoderTask("clip", 3, (2, 2))).double()
     generator = torch.Generator().manual_seed(4)
     frame = torch.rand(1, 3, 4, generator=generator, dtype=torch.float64).requires_grad_()
@@ -156,7 +156,7 @@ def test_gradients_through_the_projection_are_true() -> None:
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_projections_do_not_round_with_the_network(name: str) -> None:
+def test_projections_are_not_rounded_to_bf16_under_autocast(name: str) -> None:
     decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     exact = decoder(frame, shutters)

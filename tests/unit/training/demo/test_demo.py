@@ -148,7 +148,7 @@ def test_several_readouts_need_a_decoder(folder: Path, run_nscc: RunNscc) -> Non
     assert "leave out --merge" in outcome.err
 
 
-def test_a_photo_has_one_readout(folder: Path, run_nscc: RunNscc) -> None:
+def test_demo_refuses_several_readouts_of_a_photo(folder: Path, run_nscc: RunNscc) -> None:
     outcome = run_nscc(["demo", "photo.jpg", "--readouts", "2"], folder)
     assert (outcome.status, outcome.codes) == (2, ["NS0821"])
     assert "leave --readouts out" in outcome.err
@@ -179,7 +179,7 @@ def test_run_like_uses_the_program_and_exposure_of_a_run(folder: Path, run_nscc:
         assert (path / "decoder.safetensors").is_file(), name
 
 
-def test_the_liveliest_part_of_a_clip_is_found() -> None:
+def test_demo_chooses_the_part_of_a_clip_with_the_most_motion_and_no_cut() -> None:
     frames = np.zeros((30, 8, 8), np.float32)
     for k in range(30):
         frames[k, :, k % 8] = 1 if 10 <= k < 18 else 0.1

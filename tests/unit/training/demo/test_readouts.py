@@ -64,8 +64,9 @@ def test_the_programs_have_so_many_readouts(count: int, name: str) -> None:
     assert coded.sum(axis=(0, 2, 3)).min() > 0 or count > 2
 
 
-def test_still_light_is_the_mean_of_all_readouts_by_precision() -> None:
-    """Where a clip knows nothing of a still scene, beside the sum written down."""
+def test_the_joined_light_of_a_still_scene_is_weighted_by_the_precision_of_readouts() -> None:
+    """The given clip is grey and contains nothing of the scene. The expected mean is computed by
+    hand."""
     masks = masks_of("three_readouts", 32)
     rng = np.random.default_rng(1)
     scene = rng.uniform(0.2, 0.8, (32, 32)).astype(np.float32)

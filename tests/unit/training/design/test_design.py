@@ -119,7 +119,7 @@ def test_designed_words_reach_the_expected_error() -> None:
     assert measured == pytest.approx(-10 * math.log10(made.expected.errors["mu"]), abs=0.5)
 
 
-def test_best_tile_is_the_best_of_all() -> None:
+def test_the_designed_tile_has_the_least_error_of_all_tiles() -> None:
     """The expected tile comes from a loop over tiles, pixels and their neighbours, with a fine sum
     over the noise."""
     chip = DesignChip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
@@ -191,7 +191,7 @@ def test_equal_scenes_give_equal_designs() -> None:
     assert len(texts) == len(tiles) == 1
 
 
-def test_several_scenes_count_the_same() -> None:
+def test_scenes_of_different_sizes_have_equal_weights_in_the_histogram() -> None:
     """A large scene does not outvote a small one."""
     small, large = scene(16), scene(64, seed=1)
     both = histogram([small, large])

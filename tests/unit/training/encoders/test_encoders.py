@@ -166,7 +166,7 @@ def test_codes_that_do_not_compile_give_the_error_of_the_compiler() -> None:
         compiled(program_of(encoder, Chip(slot_us=0.3)), Chip(slot_us=0.3))
 
 
-def test_codes_stay_within_require() -> None:
+def test_codes_and_gradients_respect_the_statement_require() -> None:
     chip = Chip(require="(stop - start) % 3 == 0")
     spec = ShutterSpec("d", 12, (4, 4))
     legal = legal_codes(spec, chip)
@@ -262,7 +262,9 @@ def test_projection_keeps_parameters_where_gradients_live(
 
 @pytest.mark.parametrize("relaxation", ["sigmoid", "gumbel"])
 @pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
-def test_a_cold_relaxation_is_the_hard_shutter(spec: ShutterSpec, relaxation: str) -> None:
+def test_a_relaxation_at_a_low_temperature_equals_the_hard_shutters(
+    spec: ShutterSpec, relaxation: str
+) -> None:
     encoder = make_encoder(spec, "random", 4, relaxation)
     encoder.temperature = 1e-3
     soft = encoder(None).detach()
@@ -279,7 +281,7 @@ def test_the_gradient_of_a_stop_is_the_light_of_the_slots_beside_it() -> None:
     np.testing.assert_allclose(encoder.stop.grad, np.log(2) * np.array([[3 * 3.5, 5 * 5.5]]))
 
 
-def test_a_codebook_with_a_row_for_each_place_is_as_free_as_class_e() -> None:
+def test_a_codebook_with_a_row_for_each_place_represents_any_shutters() -> None:
     wish = np.random.default_rng(6).random((9, 4, 4)) < 0.5
     book = wish.reshape(9, 16).T.astype(np.int64)
     encoder = make_encoder(ShutterSpec("codebook", 9, (4, 4), rows=16), "uniform")

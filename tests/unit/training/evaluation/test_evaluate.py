@@ -65,7 +65,7 @@ def test_a_still_run_is_evaluated_on_crops(tmp_path: Path) -> None:
     assert short.codes == ["NS0821"]
 
 
-def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
+def test_a_clip_run_is_evaluated_under_video_v1_and_refused_under_sci8(tmp_path: Path) -> None:
     decoder, data = {"name": "fcnet"}, {"protocol": "video-v1"}
     trained(
         tmp_path / "r16",
@@ -344,7 +344,7 @@ def test_a_run_refuses_to_resume_with_other_files(
     assert (out / KEPT[which]).read_text() == given[which] + "# changed\n"
 
 
-def test_files_of_an_earlier_run_in_the_folder_are_not_the_runs(
+def test_a_run_does_not_use_target_and_sensor_files_of_an_earlier_run_in_its_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -456,8 +456,8 @@ def test_an_interrupted_evaluation_resumes(tmp_path: Path, monkeypatch: pytest.M
 
 
 def test_a_damaged_file_is_named_and_the_others_are_scored(tmp_path: Path) -> None:
-    """The means are those of a folder without it, and the exit status says that a file is missing;
-    of two damaged files nothing remains to score."""
+    """The means are those of a folder without the damaged file, and the exit status says that a
+    file is missing. If both files are damaged, nothing remains to score."""
     for name in ("whole", "damaged"):
         (tmp_path / name).mkdir()
         for k in range(2):
@@ -543,7 +543,7 @@ def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path
     assert best["best-uniform-mu"] > best["best-uniform"]
 
 
-def test_crops_are_exposed_as_the_protocol_says() -> None:
+def test_crops_are_exposed_so_that_the_stated_fraction_saturates() -> None:
     protocol = load_protocol("hdr-v1")
     rng = np.random.default_rng(2)
     light = np.exp(rng.normal(0, 2, (256, 256)))
@@ -555,7 +555,7 @@ def test_crops_are_exposed_as_the_protocol_says() -> None:
         assert isinstance(exposed_crop(Path("x.hdr"), (0, 0), bad, protocol), Unusable)
 
 
-def test_encoding_is_the_reverse_of_the_scenes() -> None:
+def test_encoding_with_the_srgb_curve_reverses_the_linearisation_of_scenes() -> None:
     from nscc_runtime.scenes.colour import srgb_to_linear
 
     values = np.linspace(0, 1, 256)
@@ -563,8 +563,9 @@ def test_encoding_is_the_reverse_of_the_scenes() -> None:
     assert encoded(np.array([-1.0, 0.25, 7.0]), False).tolist() == [0.0, 0.25, 1.0]
 
 
-def test_products_of_files_that_differ_in_their_ending(tmp_path: Path) -> None:
-    """`one.mat` and `one.mat` of another case: neither is lost. Others keep their short names."""
+def test_files_that_differ_only_in_their_ending_have_separate_products(tmp_path: Path) -> None:
+    """The products of `one.mat` and `one.MAT` have the ending in their names. Products of other
+    files keep short names."""
     (tmp_path / "d").mkdir()
     rng = np.random.default_rng(2)
     clips = {name: rng.integers(1, 256, (256, 256, 16), np.uint8) for name in "abc"}

@@ -86,7 +86,7 @@ def tiles(protocol_name: str, name: str, seed: int = 0) -> NDArray[np.float64]:
 
 
 @pytest.mark.parametrize("seed", [0, 1])
-def test_two_buckets_share_out_all_light(seed: int) -> None:
+def test_the_two_buckets_of_a_tile_are_complementary(seed: int) -> None:
     both = tiles("two-bucket-v1", "two-bucket", seed)
     assert both.shape == (2, 16, 8, 8)
     assert np.array_equal(both.sum(axis=0), np.ones((16, 8, 8)))

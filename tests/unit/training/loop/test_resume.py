@@ -70,7 +70,7 @@ def put_back_checkpoint(values: dict[str, Any], out: Path) -> None:
 
 
 @pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
-def test_a_run_interrupted_before_its_products_ends_as_if_it_had_not(
+def test_a_run_interrupted_before_its_products_writes_them_when_it_resumes(
     values: dict[str, Any], tmp_path: Path
 ) -> None:
     relaxed = changed(values, "shutter", relaxation="sigmoid")
@@ -171,7 +171,9 @@ def test_a_run_refuses_to_resume_with_other_scenes(
     assert (tmp_path / "run" / "split.json").read_bytes() == split
 
 
-def test_files_of_two_runs_are_no_run(tmp_path: Path) -> None:
+def test_a_folder_with_files_of_two_runs_and_an_unfinished_run_are_not_loaded(
+    tmp_path: Path,
+) -> None:
     from nscc_training.run_folder import load_run
 
     run(STILL, tmp_path / "r")
@@ -242,7 +244,7 @@ def test_a_finished_run_resumes_with_more_steps_but_not_with_fewer(tmp_path: Pat
         run(changed(STILL, "train", steps=steps + 4, rate=0.5), tmp_path / "r")
 
 
-def test_never_begins_anew_and_another_configuration_is_refused(tmp_path: Path) -> None:
+def test_other_configurations_are_refused_unless_resume_is_never(tmp_path: Path) -> None:
     run(STILL, tmp_path / "r", stop_after=2)
     with pytest.raises(Rejected, match="NS0816"):
         run(changed(STILL, "train", rate=0.002), tmp_path / "r")

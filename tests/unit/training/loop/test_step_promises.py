@@ -100,7 +100,7 @@ def stepped(values: dict[str, Any], tmp_path: Path) -> Counter[str]:
 
 
 @pytest.mark.parametrize("name", RUNS)
-def test_nothing_of_a_step_leaves_its_device(
+def test_a_training_step_moves_no_tensor_off_its_device(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The operators of other devices replace the compiled loop of the CPU."""

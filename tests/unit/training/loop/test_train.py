@@ -142,7 +142,7 @@ def test_patches_larger_than_the_array_are_emulated_as_far_as_it_reaches(tmp_pat
     assert stages["emulated"] == pytest.approx(stages["hard"], abs=1.0)
 
 
-def test_codes_that_are_not_learned_stay(tmp_path: Path) -> None:
+def test_codes_that_are_not_learned_keep_their_start(tmp_path: Path) -> None:
     run(changed(STILL, "shutter", learn=False, init="quad"), tmp_path / "r")
     stop = np.load(tmp_path / "r" / "codes.npz")["stop"]
     assert stop.tolist() == [[16, 4, 16, 4], [1, 1, 1, 1]] * 2
@@ -153,7 +153,7 @@ def test_codes_that_are_not_learned_stay(tmp_path: Path) -> None:
     assert np.array_equal(np.load(tmp_path / "again" / "codes.npz")["stop"], stop)
 
 
-def test_codes_do_learn(tmp_path: Path) -> None:
+def test_learned_codes_differ_from_codes_that_are_not_learned(tmp_path: Path) -> None:
     run(STILL, tmp_path / "r")
     run(changed(STILL, "shutter", learn=False), tmp_path / "frozen")
     learned, frozen = (np.load(tmp_path / k / "codes.npz")["stop"] for k in ("r", "frozen"))
@@ -179,7 +179,9 @@ def test_values_that_are_not_finite_stop_before_the_step(
     assert not (tmp_path / "r" / "checkpoint.safetensors").exists()
 
 
-def test_own_data_are_imported_by_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_data_of_the_user_are_imported_by_path_and_checked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "data_of_tests.py").write_text(
         "import numpy as np\n"
         "def scenes(kind, part, slots, seed):\n"
@@ -202,15 +204,15 @@ def test_own_data_are_imported_by_path(tmp_path: Path, monkeypatch: pytest.Monke
         run(same, tmp_path / "no")
 
 
-def test_bf16_leaves_the_sensor_alone(tmp_path: Path) -> None:
+def test_training_in_bf16_stores_weights_in_float32(tmp_path: Path) -> None:
     run(changed(STILL, "train", dtype="bf16"), tmp_path / "r")
     weights = load_file(tmp_path / "r" / "decoder.safetensors")
     assert {w.dtype for w in weights.values()} == {torch.float32}
 
 
 def test_two_processes_learn_the_same_parameters(tmp_path: Path) -> None:
-    """Both hold the same parameters after every step, only one writes, and neither ends while
-    something still holds their group, whose threads an ending interpreter would abort under."""
+    """Both processes have the same parameters after every step, and only one writes. Neither ends
+    while an object still holds their group: its threads would abort when the interpreter ends."""
     (tmp_path / "c.toml").write_text(config_toml(settings_of(STILL)))
     root = ROOT
     paths = os.pathsep.join(str(root / part) for part in (".", "cli", "runtime", "training"))
@@ -367,8 +369,8 @@ def test_rates_rise_in_the_first_steps() -> None:
 
 
 def test_a_run_learns_from_each_start_and_then_settles() -> None:
-    """Three starts in the first 60 of 100 steps, each with a cycle of rates and of noise, and its
-    own steps of `warm_up`; then the decoder alone."""
+    """The first 60 of 100 steps contain three starts. Each has a cycle of rates and of noise, and
+    its own steps of `warm_up`. Then only the decoder learns."""
     values = {"settle": 0.4, "restarts": 2, "warm_up": 0.15, "noise": 1.0}
     settings = settings_of({"train": {"steps": 100}, "shutter": values})
     assert settling_step(settings) == 60

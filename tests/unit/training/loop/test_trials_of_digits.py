@@ -200,8 +200,9 @@ def test_a_decision_moved_by_the_mean_of_the_draws_that_make_it() -> None:
     assert not moved[3].any()
 
 
-def test_trials_scatter_less_than_the_draws_would() -> None:
-    """The same trials, with how far each was drawn instead of the mean."""
+def test_gradients_of_trials_scatter_less_than_with_the_single_draws() -> None:
+    """Both gradients use the same trials; one replaces the mean movement of a code by the single
+    draw."""
     parts = parts_of(Share(), slots=8, tile=[20, 20], init="random", **{"class": "e"})
     batch = batch_of(parts, 0.5, 0.3)
     squares = np.zeros(2)
@@ -218,7 +219,8 @@ def test_trials_scatter_less_than_the_draws_would() -> None:
 
 @pytest.mark.parametrize("kind", ["e", "codebook"])
 def test_digits_leave_saturation_where_straight_through_does_not(kind: str) -> None:
-    """Four full wells a frame of eight slots: two slots fill the well. From always open."""
+    """The light is four full wells in a frame of eight slots, so that two slots fill the well. All
+    shutters start open."""
 
     def learned(relaxation: str) -> float:
         parts = parts_of(
@@ -301,8 +303,8 @@ def test_the_gradient_of_a_digit_is_limited_to_3_by_3_pixels(kind: str) -> None:
     assert len(rows) == 9
 
 
-def test_hard_shutters_are_in_the_middle_of_a_trial() -> None:
-    """With little noise, most pixels show the codes themselves."""
+def test_shutters_of_a_trial_with_little_noise_mostly_equal_those_of_the_codes() -> None:
+    """Between 1 and 10 % of the bits differ."""
     for kind in ("e", "codebook"):
         parts = parts_of(Share(), slots=8, rows=6, tile=[4, 4], init="random", **{"class": kind})
         trial = trial_of(parts.encoder, 20, 20, (1,), (2,))

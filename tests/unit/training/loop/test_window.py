@@ -9,14 +9,14 @@ torch = pytest.importorskip("torch")
 from nscc_training.loop.steps import window  # noqa: E402
 
 
-def test_a_tile_is_taken_from_its_corner() -> None:
+def test_a_patch_of_at_least_the_tiles_size_gets_the_whole_tile() -> None:
     tile = torch.arange(2 * 4 * 4).reshape(2, 4, 4)
     assert window(tile, 8, 8, (1,)) is tile
     assert window(tile, 4, 4, (1,)) is tile
 
 
 @pytest.mark.parametrize(("rows", "cols"), [(9, 5), (4, 9), (9, 9)])
-def test_every_part_of_an_array_is_met(rows: int, cols: int) -> None:
+def test_windows_of_a_larger_array_begin_at_every_possible_corner(rows: int, cols: int) -> None:
     shutters = torch.arange(rows * cols).reshape(1, rows, cols)
     height, width = min(rows, 4), min(cols, 5)
     corners = set()

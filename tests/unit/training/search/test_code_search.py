@@ -42,7 +42,7 @@ def opened(kind: str, start: str, seed: int = 0) -> np.ndarray:
 
 
 @pytest.mark.parametrize("kind", ["c", "d", "e", "codebook"])
-def test_two_phases_are_the_pattern_and_the_pattern_later(kind: str) -> None:
+def test_a_two_phase_start_is_the_quad_pattern_beside_its_copy_in_later_slots(kind: str) -> None:
     quad, both = opened("c", "quad"), opened(kind, "two-phase")
     assert np.array_equal(both[:, :2, :2], quad[:, :2, :2])
     assert np.array_equal(both[:, 2:, 2:4], quad[:, :2, :2])
@@ -80,7 +80,9 @@ def test_staggered_bumps_begin_at_moments_evenly_spread() -> None:
         (ShutterSpec("codebook", 16, (4, 4), rows=8), "cyclic", "16 shutters do not fit"),
     ],
 )
-def test_starts_that_a_class_has_not(spec: ShutterSpec, name: str, reason: str) -> None:
+def test_starts_that_a_class_of_shutters_lacks_are_refused_with_the_reason(
+    spec: ShutterSpec, name: str, reason: str
+) -> None:
     assert name in ORDERED
     with pytest.raises(ValueError, match=reason):
         make_encoder(spec, name)
@@ -112,7 +114,7 @@ def test_faster_motion_prefers_more_moments() -> None:
 
 
 @pytest.mark.parametrize("kind", [*MOVING])
-def test_moves_stay_legal_and_are_of_many_places(kind: str) -> None:
+def test_moves_of_the_search_give_legal_codes_and_change_few_or_many_places(kind: str) -> None:
     spec = SPECS[kind]
     encoder = make_encoder(spec, "random", 3)
     codes = encoder.codes()
@@ -131,7 +133,7 @@ def test_moves_stay_legal_and_are_of_many_places(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", [*MOVING])
-def test_an_arrangement_gives_every_shutter_a_place(kind: str) -> None:
+def test_rearranging_codes_keeps_all_shutters_and_moves_the_requested_number(kind: str) -> None:
     spec = SPECS[kind]
     encoder = make_encoder(spec, "random", 3)
     codes = encoder.codes()
@@ -168,7 +170,7 @@ def test_a_tile_of_copies_has_its_block_later_every_time(kind: str) -> None:
     assert many > 20
 
 
-def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
+def test_repeating_a_start_of_class_b_draws_stops_that_are_powers_of_two() -> None:
     spec = ShutterSpec("b", 256, (4, 8))
     stops = np.full(spec.tile, 256)
     found = [repeated(spec, {"stop": stops}, np.random.default_rng(k))["stop"] for k in range(40)]
@@ -182,9 +184,9 @@ def no_gradient(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(searching, "expected_gain", lambda *_: torch.zeros(()))
 
 
-def test_gains_of_single_slots_are_those_that_are_measured() -> None:
-    """The closed form has the sign and the size of the change of the loss when one place opens or
-    closes in one slot, for a decoder that is linear in the frame."""
+def test_gains_of_single_slots_in_the_closed_form_equal_measured_changes_of_the_loss() -> None:
+    """One place opens or closes in one slot, and the decoder is linear in the frame. The closed
+    form has the sign and size of the change of the loss."""
     parts = make_setup(
         settings_of(
             {
@@ -347,7 +349,7 @@ def moving(speed: float, seed: int = 0) -> np.ndarray:
     return np.asarray(1000 * (1 + 0.3 * clip / clip.std()).clip(min=0))
 
 
-def test_speeds_are_those_of_the_scene() -> None:
+def test_speeds_and_textures_measured_in_a_clip_are_those_of_its_scene() -> None:
     for speed in (3.0, 16.0, 48.0):
         assert np.median(speeds_of(moving(speed))) == pytest.approx(speed, rel=0.15)
     still = np.broadcast_to(moving(0)[:1], (16, 64, 96))
@@ -358,7 +360,7 @@ def test_speeds_are_those_of_the_scene() -> None:
     assert texture_of(np.ones((1, 1))) == (1.0, 0.1)
 
 
-def test_the_design_follows_the_motion() -> None:
+def test_a_design_for_slow_motion_differs_from_one_for_fast_motion() -> None:
     slow, fast = (
         design_motion("scene", [moving(speed)], Frame(slots=16, level=0)) for speed in (2.0, 96.0)
     )
@@ -374,7 +376,7 @@ def test_the_design_follows_the_motion() -> None:
         design_motion("fast", frame=Frame(slots=16, level=0), most_words=0.5)
 
 
-def test_the_command_says_what_it_chose(tmp_path: Path) -> None:
+def test_design_for_a_motion_prints_its_code_and_writes_a_valid_program(tmp_path: Path) -> None:
     done = invoke(["design", "--motion", "slow", "-O", "1"], tmp_path)
     assert done.status == 0, done.err
     assert "code      quad" in done.out

@@ -101,7 +101,7 @@ def test_rows_without_noise_are_those_of_the_engine_before(
     assert rows == list(csv.DictReader(io.StringIO((ROWS / "programs.csv").read_text())))
 
 
-def test_programs_that_do_not_fit_are_rows(tmp_path: Path) -> None:
+def test_programs_that_do_not_fit_are_table_rows_with_their_error(tmp_path: Path) -> None:
     written(tmp_path, GRID + BITS)
     rows = swept(tmp_path)
     assert [row["code"] for row in rows] == ["", "", "", "", "NS0412"]
@@ -407,7 +407,7 @@ decoder.init = "run:class-b/first/seed1"
 """
 
 
-def test_a_part_takes_the_keys_of_another(tmp_path: Path) -> None:
+def test_a_part_of_a_grid_inherits_the_keys_of_the_part_that_it_names(tmp_path: Path) -> None:
     points = read_grid(written(tmp_path, RUNS)).points
     assert [point.name for point in points] == [
         "class-b/first/seed0",
@@ -431,7 +431,7 @@ def test_each_seed_names_the_run_of_its_own_seed(tmp_path: Path) -> None:
     }
 
 
-def test_a_run_begins_with_another_of_the_grid(tmp_path: Path) -> None:
+def test_a_run_of_a_grid_starts_from_the_result_of_another_run(tmp_path: Path) -> None:
     pytest.importorskip("torch")
     written(tmp_path, RUNS)
     rows = swept(tmp_path)
@@ -481,7 +481,9 @@ def test_wrong_links_between_settings_are_refused(tmp_path: Path, changed: str, 
     assert not (tmp_path / "out").exists()
 
 
-def test_data_are_several_folders_or_some_of_a_folder(tmp_path: Path) -> None:
+def test_a_data_setting_joins_folders_with_plus_and_selects_files_with_a_hash(
+    tmp_path: Path,
+) -> None:
     for name in ("a/0.png", "a/1.png", "a/2.jpg", "a/3.png", "b/4.png", "c/x/5.png", "c/y/6.png"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).touch()
@@ -585,7 +587,7 @@ def test_a_dry_run_counts_points_and_parquet_equals_the_table(tmp_path: Path) ->
     assert again.out == "5 points: 5 known, 0 to compute\n"
 
 
-def test_means_are_of_the_items_that_have_a_score() -> None:
+def test_means_leave_out_items_without_a_finite_score() -> None:
     from nscc_training.sweep.evaluating import means_of
 
     items = [
@@ -597,8 +599,8 @@ def test_means_are_of_the_items_that_have_a_score() -> None:
     assert means_of([{"file": "a", "crop": None, "frame": 0, "dark_psnr_db": None}]) == {}
 
 
-def test_links_are_named_by_several_processes_at_once(tmp_path: Path) -> None:
-    """And a link of another grid goes."""
+def test_several_threads_can_name_the_links_of_a_sweep_at_once(tmp_path: Path) -> None:
+    """Links that belong to another grid are removed."""
     names = [f"point{number}" for number in range(30)]
     keys = {GridPoint("part", "design", name, {}): f"{name:x<20}" for name in names}
     (tmp_path / "points").mkdir()

@@ -71,7 +71,7 @@ def captures_of(point: StudyPoint) -> list[CapturedScene]:
     return [*point.figures.args[0]]
 
 
-def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
+def test_the_study_has_every_clip_method_that_sees_the_capture() -> None:
     methods = [method for method, *_ in decoder.untrained("clips")]
     assert set(methods) == {name for name, each in CLIPS.items() if each.sees == "capture"}
     assert [way[1] for way in decoder.untrained("clips") if way[0] == "gap-tv"] == [
@@ -83,7 +83,7 @@ def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
     ]
 
 
-def test_points_are_scores_of_the_captures(quick: None) -> None:
+def test_scores_of_the_method_adjoint_equal_those_computed_from_the_captures(quick: None) -> None:
     study = decoder_study([], replace(TINY, repeats=2))
     [asked] = [each for each in study.points if each.method == "adjoint"]
     points = measure(replace(study, points=[asked])).points
@@ -112,7 +112,7 @@ def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
     assert len(found.points) == 2 * len(tight.points)
 
 
-def test_scores_do_not_depend_on_the_day(quick: None) -> None:
+def test_scores_depend_on_the_seed_alone(quick: None) -> None:
     first, second, other = (
         [
             (p.case, p.method, p.setting, p.error)
@@ -135,8 +135,10 @@ def test_a_part_of_a_frame_is_decoded_by_its_own_shutters(clip_run: Path) -> Non
     assert not np.allclose(made[0], made[2])
 
 
-def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path) -> None:
-    """Runs of one code share captures, others have a case of their own."""
+def test_runs_with_equal_codes_share_captures_in_the_study(
+    quick: None, clip_run: Path, tmp_path: Path
+) -> None:
+    """A run with another code has a case of its own."""
     made = [
         trained(tmp_path / "f", "fcnet", "video-v1", 4),
         clip_run,
@@ -154,7 +156,7 @@ def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path)
     assert all(np.isfinite(p.error) for p in measure(study).points)
 
 
-def test_a_network_is_the_runs_own(clip_run: Path) -> None:
+def test_the_study_decodes_with_the_network_of_the_run(clip_run: Path) -> None:
     folder = load_run(clip_run)
     points = decoder_points([folder], replace(TINY, count=1))
     exact, rough = (each for each in points if each.method == "unet3d small")
@@ -167,8 +169,8 @@ def test_a_network_is_the_runs_own(clip_run: Path) -> None:
     assert 0 < error < 0.1 * np.abs(exact.run()[0]).max() + 10
 
 
-def test_blocks_apart_are_the_blocks_by_themselves() -> None:
-    """Without overlap a block's pictures are the network's own; a pixel has one block."""
+def test_without_overlap_each_block_has_the_result_of_the_network_alone() -> None:
+    """Each pixel then belongs to one block."""
     torch.manual_seed(1)
     net = BlockNet((8,), DecoderTask("clip", 3, (2, 2)), "small")
     frame = torch.rand(1, 10, 7)

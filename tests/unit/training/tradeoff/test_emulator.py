@@ -94,7 +94,7 @@ def rms(away: np.ndarray) -> float:
     return float(np.sqrt(np.mean(away.astype(np.float64) ** 2)))
 
 
-def test_errors_are_those_of_the_frames(program: AnalysedProgram) -> None:
+def test_errors_of_the_study_equal_those_computed_from_the_frames(program: AnalysedProgram) -> None:
     light = clip()
     settings = EmulatorStudySettings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
     scenes = [NamedLight("a", light), NamedLight("b", clip(30.0))]
@@ -193,7 +193,9 @@ def test_each_bucket_has_its_own_shutter(folder: Path) -> None:
         np.testing.assert_allclose(values, (light.frames * here).sum(axis=0), rtol=1e-5, atol=1e-3)
 
 
-def test_light_that_numpy_cannot_draw(program: AnalysedProgram) -> None:
+def test_a_study_with_light_too_bright_for_numpy_leaves_out_the_method_that_draws_with_it(
+    program: AnalysedProgram,
+) -> None:
     settings = EmulatorStudySettings((5.0,), repeats=1)
     [study] = measure(program, [NamedLight("bright", clip(1e25))], settings)
     [refused] = study.refused

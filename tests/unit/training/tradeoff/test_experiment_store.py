@@ -89,7 +89,9 @@ def test_without_a_file_everything_is_measured() -> None:
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), None])
-def test_bad_numbers_are_not_kept(tmp_path: Path, bad: object) -> None:
+def test_measurements_that_are_not_finite_numbers_are_not_stored(
+    tmp_path: Path, bad: object
+) -> None:
     with ExperimentStore(tmp_path / "s", "e") as store, pytest.raises(ValueError):  # noqa: PT011
         store.keep("a", bad)
     assert values(tmp_path / "s", "e") == {}

@@ -347,7 +347,7 @@ def test_a_chip_that_is_sent_planes_has_no_plans(folder: Path) -> None:
     assert (refused.status, refused.codes) == (2, ["NS0750"])
 
 
-def test_other_names_are_no_program(folder: Path) -> None:
+def test_misspelt_names_of_studies_and_runs_get_suggestions(folder: Path) -> None:
     done = invoke(["tradeoff", "emulater"], folder)
     assert (done.status, done.codes) == (2, ["NS0781"])
     assert "nscc tradeoff emulator" in done.err

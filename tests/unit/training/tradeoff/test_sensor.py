@@ -49,8 +49,8 @@ def test_the_study_has_every_configuration_once() -> None:
     assert len(found) == len(set(found)) == (2 * 2 + 1) * 2 * 2
 
 
-def test_slots_are_those_of_the_report(tmp_path: Path) -> None:
-    """Class b with open codes: the report of the same program says the same slot."""
+def test_slot_times_of_the_study_equal_those_of_the_report(tmp_path: Path) -> None:
+    """The program is of class b with open codes."""
     asked = settings(classes=("b",), slots=(8,), codes=("open",), lowerings=("latch",))
     [clip, still] = measure(asked).points
     (tmp_path / "p.nsl").write_text(
@@ -79,8 +79,8 @@ def test_slots_are_those_of_the_report(tmp_path: Path) -> None:
     assert (clip.case, still.case) == ("clips", "stills")
 
 
-def test_without_effects_only_the_shutters_count() -> None:
-    """The same shutters in other words give the same frame, with effects another one."""
+def test_without_effects_words_with_equal_shutters_have_equal_errors() -> None:
+    """Two lowerings of the same shutters differ in time. Effects change the errors."""
     ways = {"classes": ("b",), "slots": (8,), "lowerings": ("accumulate", "edges")}
     points = measure(settings(**ways)).points
     clips = [p for p in points if p.case == "clips"]
@@ -90,7 +90,7 @@ def test_without_effects_only_the_shutters_count() -> None:
     assert all(p.error < clips[0].error for p in real)
 
 
-def test_programs_that_do_not_fit_are_rows() -> None:
+def test_programs_that_do_not_fit_are_listed_with_their_error() -> None:
     asked = settings(
         classes=("e",), slots=(16,), stop_slots=(8,), codes=("open",), lowerings=("latch", "edges")
     )
@@ -231,7 +231,8 @@ def test_an_unknown_target_of_a_tradeoff_is_refused(tmp_path: Path) -> None:
 
 
 def test_the_study_takes_a_target_file(tmp_path: Path) -> None:
-    """Fewer registers refuse what the other chip takes; an array need not be square."""
+    """A target with fewer registers refuses a program that fits SCAMP-5. Its array need not be
+    square."""
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
     changes = {
         "digital": 'digital = ["R0", "R1", "R2", "R12"]',

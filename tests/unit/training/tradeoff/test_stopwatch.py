@@ -45,7 +45,7 @@ def test_long_runs_are_done_once_more_for_their_kind_and_not_for_each_setting() 
     assert len(method.ran) == 2 * 2 + 1
 
 
-def test_a_smaller_run_comes_before_a_long_one() -> None:
+def test_a_short_warm_up_run_comes_before_a_long_measurement() -> None:
     method = Method()
     _, taken_ms = method.watch.ms("m", "s", method(4000.0), method(1.0))
     assert taken_ms == pytest.approx(4000.0)

@@ -97,7 +97,7 @@ def test_csv_has_the_columns_of_the_contract() -> None:
     assert tuple(rows[0]) == COLUMNS
 
 
-def test_table_names_a_case_once() -> None:
+def test_the_table_of_a_study_names_each_case_only_in_its_first_row() -> None:
     points = [
         point("b 64", "-O1", 10, 1.0, bound=7),
         point("b 64", "-O2", 9, 2.5),

@@ -37,7 +37,9 @@ def measured(text: str, lowering: Lowering, count: Count, level: int = 1) -> Stu
     return measure(synthesis_study([program(text)], settings))
 
 
-def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_points_of_the_study_have_the_results_of_the_compiler_without_its_cache(
+    tmp_path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path / "cache"))
     programs = [program(STOPS, "b"), program(BUMPS, "d")]
     study = synthesis_study(programs, SynthesisStudySettings((0, 1)))
@@ -71,10 +73,11 @@ def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.Monkey
         assert point.error == compiled.lowered.schedule.words_total
 
 
-def test_bounds_are_those_of_the_logic_and_the_plan() -> None:
-    """b with stops 0..N-1: 2 (N - 1) - 13 operations. A slot with light in it takes five analog
-    words (bus, bus; rpix, rpix, nop), the first boundary two buses for A, three words to reset, two
-    for the reference; nobody is open in the last slot, and nobody reads at boundary 0."""
+def test_bounds_of_words_equal_those_counted_by_hand() -> None:
+    """Class b with stops 0..N-1 needs at least 2 (N - 1) - 13 operations. A slot with light takes
+    five analog words: bus, bus, rpix, rpix, nop. The first boundary takes two buses for A, three
+    words to reset and two for the reference. No pixel is open in the last slot, and none is read at
+    boundary 0."""
     slots = 20
     text = STOPS.replace("frame 8", f"frame {slots}").replace("0..7", f"0..{slots - 1}")
     [logic] = measured(text, "accumulate", "logic").points
