@@ -1,6 +1,7 @@
 # make demo       set up, compile every example, expose a still and a clip, say where the pictures are
 # make test       set up the test environment (torch included); lint, types and tests
 # make quick      lint and the tests of the compiler's front and of the house: within a minute
+# make test-long  the tests that `make test` leaves out because each takes a second or more
 # make test-pages what docs, messages and README show, run as it stands
 # make test-site  the site that `make docs` built, in a browser
 # make test-slow  the tests that take minutes
@@ -30,7 +31,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-pages test-site test-slow bench docs linkcheck mutants pictures figures vsix editor lint format types clean
+.PHONY: help demo test quick test-long test-pages test-site test-slow bench docs linkcheck mutants pictures figures vsix editor lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -106,7 +107,10 @@ format: $(VENV)/.test-installed
 PYTEST = OMP_NUM_THREADS=1 $(BIN)/pytest --numprocesses auto --dist loadgroup
 
 test: lint types $(VENV)/.compiled
-	$(PYTEST)
+	$(PYTEST) -m "not long and not pages and not site and not slow"
+
+test-long: $(VENV)/.test-installed $(VENV)/.compiled
+	$(PYTEST) -m "long and not pages and not site and not slow"
 
 # What breaks most often and is told soonest: language, messages, words, layout of the packages.
 QUICK := tests/e2e/test_cases.py tests/e2e/test_imports.py \

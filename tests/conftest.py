@@ -42,6 +42,57 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         action="store_true",
         help="Record again the expected texts and figures in tests/cases and tests/data.",
     )
+    parser.addoption(
+        "--record-long",
+        action="store_true",
+        help="Write the functions whose tests take long to tests/data/long_tests.txt.",
+    )
+
+
+# One function a line; `pytest --record-long` writes them after a run of all tests.
+LONG_TESTS = ROOT / "tests/data/long_tests.txt"
+_LONG_CASE_S, _LONG_FUNCTION_S = 1.0, 10.0
+
+
+def _function_of(nodeid: str) -> str:
+    """The test function of a test's id, without the case in square brackets."""
+    return nodeid.split("[")[0]
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Tests of the functions in `LONG_TESTS` get the marker `long`."""
+    functions = set(LONG_TESTS.read_text(encoding="utf-8").split())
+    for item in items:
+        if _function_of(item.nodeid) in functions:
+            item.add_marker("long")
+
+
+class _LongTests:
+    """Adds up the seconds that each test takes, in the process that reports, and writes the
+    functions whose tests take 1 s each on average, or 10 s together."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0) + report.duration
+
+    def pytest_sessionfinish(self) -> None:
+        cases: dict[str, list[float]] = {}
+        for nodeid, seconds in self.seconds.items():
+            cases.setdefault(_function_of(nodeid), []).append(seconds)
+        long_tests = sorted(
+            function
+            for function, times in cases.items()
+            if sum(times) >= min(_LONG_CASE_S * len(times), _LONG_FUNCTION_S)
+        )
+        LONG_TESTS.write_text("".join(f"{line}\n" for line in long_tests), encoding="utf-8")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Times are recorded by the process that reports, not by the workers."""
+    if config.getoption("--record-long") and "PYTEST_XDIST_WORKER" not in os.environ:
+        config.pluginmanager.register(_LongTests())
 
 
 @pytest.hookimpl(wrapper=True)
