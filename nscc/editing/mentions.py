@@ -41,7 +41,7 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
         (old.name, old.kind)
     }
     if (name, old.kind) in other_names:
-        raise CannotRename(f"`{name}` has another meaning in this program")
+        raise CannotRename(f"`{name}` has another meaning in this program: choose another name")
     return tuple(mention.span for mention in alike(document, old))
 
 

@@ -397,8 +397,8 @@ class Search:
         """Return the cascade whose end, (words, way), was found for the predicate `on`, with the
         planes (contents of code registers) that each link reads; None if `end` is None.
 
-        `on` is a set of points, (words of 64 points,). The links are the last executed first. A
-        predicate is a set of shutters."""
+        `on`, uint64 (W,), has one bit for each point (shutters that no demand tells apart). The
+        links are the last executed first. A predicate is a set of shutters."""
         if end is None:
             return None
         words, way = end

@@ -35,10 +35,10 @@ class SteeredRead(Record):
 
 
 def steered_read(node: p.Condition) -> SteeredRead | None:
-    """Return a condition as one steered read.
+    """Return a condition as one steered read: R1 to R4 choose the neighbours whose bits are ORed.
 
-    Return None if it reads no neighbour under a condition, if it reads bits of several planes, or
-    if a guard reads neighbours itself."""
+    Return None if it reads no nearest neighbour, or one without a condition, if it reads bits of
+    several planes, or if a guard reads neighbours itself."""
     guards: dict[str, p.Condition] = {}
     sources, rest = [], []
     for conditions, term in _terms(node):

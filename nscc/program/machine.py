@@ -68,7 +68,9 @@ class MachineBuilder:
                 s.name for s in looking.senses if s.name in used and set(s.at) != set(self.looks)
             }
         self.remembered = [sense for sense in looking.senses if sense.name in in_rules]
+        # Columns of a node before its answers: the code's index and the states.
         self.width = 1 + len(looking.states)
+        # Counted while the machine is built, for the limits MOST_TRANSITIONS and MOST_CELLS.
         self.transitions = 0
         self.cells = 0
 

@@ -185,9 +185,10 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     without these."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
-    code = _CODE.split(text, 1)[0] if is_instruction else text
-    count = code.count(",") if is_instruction else 0
-    if count + len(code.split(maxsplit=_MOST_PIECES)) > _MOST_PIECES:
+    # Long lines are refused before the grammar reads them. An instruction ends at ; or #.
+    before_comment = _CODE.split(text, 1)[0] if is_instruction else text
+    count = before_comment.count(",") if is_instruction else 0
+    if count + len(before_comment.split(maxsplit=_MOST_PIECES)) > _MOST_PIECES:
         helps = ("divide it into several lines, or write a range such as `0..63`",)
         faults.add("NS0714", f"a line has at most {_MOST_PIECES} parts", head.span, helps=helps)
         return None
@@ -199,7 +200,7 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
         match = None if ends else _PIECE.match(text, fault_at)
         misplaced = "" if ends else match[0] if match else text[fault_at]
         span = head.span if ends else Span(begin + fault_at, begin + fault_at + len(misplaced))
-        _misplaced(misplaced, span, head, code, faults)
+        _misplaced(misplaced, span, head, before_comment, faults)
         return None
     tokens = []
     for piece, start, end in pieces:
@@ -207,7 +208,7 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
         quoted = piece.startswith('"') and not is_instruction
         value = read_string(piece) if quoted else piece
         if value is None:
-            _misplaced(piece, span, head, code, faults)
+            _misplaced(piece, span, head, before_comment, faults)
             return None
         tokens.append(Token(value, span))
     # The grammar returns the name of an instruction as a piece, but not that of a directive.

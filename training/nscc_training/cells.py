@@ -183,7 +183,9 @@ class PixelCell(nn.Module):
         (batch, states, rows, cols) is +1 before the first frame. `noise_counts` is the standard
         deviation of each comparison; there is no noise without a generator."""
         threshold: Tensor = self.threshold
-        if self.is_binary:  # comparisons lie half-way between attainable counts
+        # Attainable counts are 2 apart: + 1 is half-way to the next. The gradient goes to
+        # `self.threshold`.
+        if self.is_binary:
             threshold = replaced(threshold, self.thresholds().to(threshold) + 1)
         margins = self.counts(torch.cat([bits, state], 1)) - threshold.reshape(-1, 1, 1).to(bits)
         if generator is not None and noise_counts:

@@ -256,7 +256,11 @@ def cell_of_state(path: Path, state: dict[str, Tensor]) -> PixelCell:
     )
     if not fits:
         shapes = f"`weight` has the shape {_shape(weight)}, `threshold` {_shape(threshold)}"
-        raise refused(path, f"{shapes}; a cell has {_SHAPES}, with 1 or 2 states")
+        limits = (
+            f"1 to {MOST_STATES} states, 1 to {MOST_OUTPUTS} outputs and at most "
+            f"{MOST_KERNEL} x {MOST_KERNEL} weights"
+        )
+        raise refused(path, f"{shapes}; a cell has {_SHAPES}, with {limits}")
     settings: NamedValues = {}
     for name, default in _SETTINGS.items():
         value = state.get(name, torch.tensor(default))

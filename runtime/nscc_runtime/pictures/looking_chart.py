@@ -220,8 +220,8 @@ def _shown(container: Container) -> list[tuple[str, Courses]]:
 
 def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     """Draw into `axes` when pixels are open (across) in each light (up), as `courses` says. The
-    colour stands for the total open time, or for the bucket if there are several. Dots are answers
-    that turn; short strokes are resets."""
+    colour stands for the total open time, or for the bucket if there are several. Dots mark the
+    lights at which the answer of a look changes; short strokes are resets after slot 0."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 

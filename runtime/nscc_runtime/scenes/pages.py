@@ -92,14 +92,16 @@ def check_sizes(path: Path, pages: Pages, large: bool) -> None:
     With `large`, a file of a single picture of 8 bits per sample may have MOST_LARGE_PIXELS."""
     rows, cols = max(pages.sizes, key=prod)
     admits_more = large and pages.has_8_bits and pages.count == 1
-    if rows * cols > (MOST_LARGE_PIXELS if admits_more else MOST_PIXELS):
+    most = MOST_LARGE_PIXELS if admits_more else MOST_PIXELS
+    if rows * cols > most:
+        help_text = "reduce or crop the picture"
+        if large and not admits_more:
+            allowed = f"{MOST_LARGE_PIXELS:,} pixels"
+            help_text += f"; a single picture with 8 bits per sample may have {allowed}"
         raise rejected(
             "NS0734",
-            f"'{path}' has {rows:,} x {cols:,} pixels, but at most {MOST_PIXELS:,} are allowed",
-            helps=(
-                "reduce or crop the picture; a single picture with 8 bits per sample may "
-                f"have {MOST_LARGE_PIXELS:,} pixels",
-            ),
+            f"'{path}' has {rows:,} x {cols:,} pixels, but at most {most:,} are allowed",
+            helps=(help_text,),
         )
 
 

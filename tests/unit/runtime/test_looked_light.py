@@ -102,6 +102,8 @@ def test_a_saturated_pixel_has_a_lower_bound_and_infinite_deviation(program: Con
 
 
 def test_buckets_merge_by_their_precision() -> None:
+    """Where all buckets are full (infinite deviation), the largest value counts; where all are
+    unknown (NaN), the light is 0."""
     light = np.array([[[10.0, 10.0, 5.0, np.nan]], [[20.0, 30.0, 7.0, np.nan]]])
     deviation = np.array([[[1.0, 1.0, np.inf, np.nan]], [[1.0, np.inf, np.inf, np.nan]]])
     assert merged_image(light, deviation).tolist() == [[15.0, 10.0, 7.0, 0.0]]

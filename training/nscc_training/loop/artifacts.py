@@ -239,8 +239,8 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> JsonO
     with this decoder.
 
     `rank` and `condition` are those of the matrix of different shutters. `unused_share` is the
-    fraction of rows of a codebook that no pixel uses. Pixels that look have their boundaries (`at`)
-    and levels (`steps`) instead."""
+    fraction of rows of a codebook that no pixel uses. For pixels that look, a place is a look; its
+    boundary (`at`) and level (`steps`) replace these three entries and the score."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

@@ -79,7 +79,7 @@ def test_another_grammar_has_other_tables(
     assert len(made) == 2
 
 
-def test_another_lark_has_other_tables(
+def test_another_version_of_lark_makes_the_tables_again(
     folder: Path, made: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     grammar.parser()

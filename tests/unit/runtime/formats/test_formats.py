@@ -150,7 +150,8 @@ def test_tone_curves_have_the_formulas_of_their_names() -> None:
         assert not fitted(name, np.zeros((4, 4)))(np.zeros((4, 4))).any()
 
 
-def test_other_endings_are_refused() -> None:
+def test_endings_that_are_unknown_or_do_not_suit_the_content_are_refused() -> None:
+    """Upper-case endings are accepted, and so is /dev/stdout, which counts as .npz."""
     for name in ("a.jpg", "a.npz.txt", "a.h5"):
         with pytest.raises(Rejected) as raised:
             check_ending(Path(name), endings(), "a frame")

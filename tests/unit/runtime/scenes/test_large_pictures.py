@@ -106,6 +106,7 @@ def test_large_pictures_that_are_not_reduced_are_refused(tmp_path: Path, limits:
     write(clip, "RGB", save_all=True, append_images=[Image.new("RGB", (COLS, ROWS), "red")])
     larger = tmp_path / "larger.png"
     Image.new("RGB", (COLS, ROWS + 1)).save(larger)
-    for path in (deep, clip, larger):
-        with pytest.raises(Rejected, match="NS0734"):
+    for path, most in ((deep, pages.MOST_PIXELS), (clip, pages.MOST_PIXELS), (larger, ROWS * COLS)):
+        with pytest.raises(Rejected, match="NS0734") as raised:
             light(path, "scale")
+        assert f"at most {most:,} are allowed" in str(raised.value)

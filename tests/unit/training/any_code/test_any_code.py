@@ -558,7 +558,8 @@ def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:
 
 
 def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
-    """Runs without any step write the weights that they began with."""
+    """A new decoder starts with the shipped weights; from runs without any step, `write_shipped`
+    writes equal ones."""
     from safetensors.torch import load_file, save_file
 
     from nscc_training.any_code.decode import WEIGHTS, AnyCode, write_shipped
