@@ -44,7 +44,7 @@ def load_container(
         return read_container(path), ()
     compiled = compile_file(path, options)
     if compiled.container is None:  # undecided programs pass here
-        raise ValueError(f"{path}: there are no words")
+        raise ValueError(f"{path}: no words were found, so it is unknown whether the program fits")
     return compiled.container, compiled.diagnostics
 
 

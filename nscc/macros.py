@@ -114,7 +114,9 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
             register_of = f"a{'n' if analog else ''} {kind} register ({_listed(writable)})"
             raise OperandError(f"{row.name} writes {register_of}, not {register}", index)
         if register in destinations[:index]:
-            raise OperandError(f"{row.name} names {register} twice as a destination", index)
+            raise OperandError(
+                f"{row.name} names {register} twice as a destination: name different ones", index
+            )
     for index, register in enumerate(sources, start=len(destinations)):
         if register not in readable:
             reads = f"{row.name} reads {kind} sources ({_listed(readable)})"
@@ -194,7 +196,7 @@ def _or_nor(kind: str, x: Sequence[str]) -> Ops:
         return (_word(BY_NAME[kind], x[:1], sources),)
     for index, register in enumerate(sources, start=1):
         if register in sources[: index - 1]:
-            raise OperandError(f"{kind} names {register} twice as a source", index)
+            raise OperandError(f"{kind} names {register} twice as a source: name it once", index)
     other_sources = [register for register in sources if register != destination]
     return _in_place(kind, (destination, *other_sources))
 

@@ -192,7 +192,9 @@ class Compiled(Record):
     def built(self) -> Container:
         """The container. Raises ValueError if it is unknown whether the program fits."""
         if self.container is None:
-            raise ValueError("no words were found")
+            raise ValueError(
+                "no words were found, so it is unknown whether the program fits the chip"
+            )
         return self.container
 
     @property
@@ -207,7 +209,9 @@ class Compiled(Record):
 
         Raises ValueError if it is unknown whether the program fits."""
         if self.layout is None:
-            raise ValueError("nothing was laid out")
+            raise ValueError(
+                "the shortest slot is unknown, because it is unknown whether the program fits"
+            )
         return float(self.layout.shortest_slot_us)
 
     def __repr__(self) -> str:

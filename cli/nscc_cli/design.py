@@ -104,7 +104,9 @@ def _file_name(wanted: DesignSettings) -> str:
     if wanted.criterion and wanted.motion:
         raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
     if wanted.criterion and wanted.search:
-        raise click.UsageError("--search counts PSNR: leave --criterion out")
+        raise click.UsageError(
+            "--search compares codes by their PSNR: leave --criterion or --search out"
+        )
     if wanted.motion is None:
         refuse_ignored("it limits the codes of --motion", "max_words")
     return chosen[0]

@@ -168,7 +168,9 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
     if options["out"] is not None and (options["count"] or options["every"]):
-        raise click.UsageError("--count and --every go with --to FOLDER")
+        raise click.UsageError(
+            "--count and --every apply to many frames: replace -o by --to FOLDER"
+        )
     # Without a program, the device exposes with the one that it holds, and the settings are
     # empty.
     if program is not None and options["target"] and program.suffix.lower() == ".icw":

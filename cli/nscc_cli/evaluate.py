@@ -136,7 +136,7 @@ def of(
     data, protocol = options["data"], options["protocol"]
     # Both --data and --protocol, or --split alone.
     if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
-        raise click.UsageError("name --data and --protocol, or else --split val")
+        raise click.UsageError("name --data and --protocol, both, or --split val alone")
     wanted = settings_from(EvaluationSettings, options, subject=subject)
     if split is not None:
         from nscc_training.evaluation.runs import evaluate_validation
@@ -208,7 +208,9 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     Further pairs are other seeds of the same two methods. The confidence interval is over scenes,
     with all seeds together."""
     if len(results) % 2:
-        raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
+        raise click.UsageError(
+            f"the number of results is odd, {len(results)}: name A.json B.json for each seed"
+        )
     from nscc_training.evaluation import results as saved
 
     read = [saved.read_result(path) for path in results]

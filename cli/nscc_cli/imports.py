@@ -174,9 +174,9 @@ def import_frame(
         if mark and (name in known or not Path(file).exists())
     ]
     if pairs and len(pairs) < len(files):
-        raise click.UsageError("give all files as NAME=FILE, or none")
+        raise click.UsageError("only some files have a NAME: give all files as NAME=FILE, or none")
     if len(dict(pairs)) < len(pairs):
-        raise click.UsageError("a NAME is given twice")
+        raise click.UsageError("a NAME is given twice: name each readout once, as NAME=FILE")
     orientation = Orientation(crop, flip or "none", transpose)  # type: ignore[arg-type]  # Choice
     named = dict(pairs) if pairs else [Path(file) for file in files]
     reads(*(named.values() if isinstance(named, dict) else named))

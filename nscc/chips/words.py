@@ -72,7 +72,9 @@ class OwnWords(Kind):
             row = _row(table, f"word {number}")
             for operation in (*OPERATIONS, *operations):
                 if _may_have_same_bits(row, operation):
-                    raise ValueError(f"{row.name} and {operation.name} can be the same word")
+                    raise ValueError(
+                        f"{row.name} and {operation.name} can have the same bits: change one"
+                    )
             if row.name in (*MNEMONICS, *BY_NAME, *(operation.name for operation in operations)):
                 raise ValueError(f"the word {row.name} exists already")
             operations.append(row)

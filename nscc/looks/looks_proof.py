@@ -180,7 +180,7 @@ class LookingReplay(ReplayPixels):
         `word` tests is not a signal minus its level or the negative of that, or if FLAG excludes
         some pixels from the comparison."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
-            raise ReplayError(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
+            raise ReplayError(f"FLAG is 0 in some pixels at `{word}`, at boundary {self._boundary}")
         total = self.total(word)
         comparisons = self.machine.at(self._boundary)
         for number in self.pending:
@@ -193,8 +193,8 @@ class LookingReplay(ReplayPixels):
                     self.pending.remove(number)
                     return self._follow_both(number, above)
         raise ReplayError(
-            f"`{word}` compares a sum that is not a signal and its level, at boundary "
-            f"{self._boundary}"
+            f"`{word}` tests a sum that is not a signal of the program minus its level, at "
+            f"boundary {self._boundary}"
         )
 
     def _is_signal_minus_level(self, value: Floats, signal: int, level_e: float) -> bool:

@@ -117,7 +117,7 @@ def _check_steps(
     for value in loop.values:
         node = meaning.pictures.repeated[value.name]
         if node.times != loop.times:
-            raise PictureReplayError(f"`{value.name}` has another number of steps")
+            raise PictureReplayError(f"`{value.name}` has another number of steps than its loop")
         compare(value, expected(node))
 
 
@@ -463,7 +463,9 @@ class PictureReplay:
         Raises PictureReplayError unless R1 to R4 choose all four directions in every pixel."""
         true_bit, bits = self.forms.diagrams.one, self.digital[name]
         if any(self.digital[each][at] != true_bit for each in STEERING for at in bits):
-            raise PictureReplayError("a propagation does not have all four directions")
+            raise PictureReplayError(
+                "a propagation needs all four directions, but one of R1 to R4 is 0"
+            )
         mask = self.digital[self.container.target.mask_register or ""]
         self.digital[name] = {at: self.forms.propagated(bits[at], mask[at], at) for at in bits}
 

@@ -292,7 +292,9 @@ def packed_shutters(container: Container, shutters: Bools) -> tuple[Bytes, Ints]
     lowest bit. The second is (buckets, rows, cols, N). Raises ValueError for a container without
     pixel codes."""
     if container.pixel_codes is None:
-        raise ValueError("a container without pixels has no shutters on the array")
+        raise ValueError(
+            "a program without pixels has no shutters on the array: add a `pixels` statement"
+        )
     packed = np.packbits(shutters, axis=-1, bitorder="little")
     at_pixel = container.table.shutter_of_code[container.pixel_codes]
     laid = np.stack([packed[:, b][at_pixel] for b in range(shutters.shape[1])])

@@ -99,7 +99,9 @@ def _plane(path: Path, register: str, shape: tuple[int, int], stated_sha256: str
             _, names = npz_arrays(stream, lambda _: False)
             if register not in names and len(names) != 1:
                 count = len(names)
-                raise _BadPlaneError(f"it has {count} arrays, and none has the name {register}")
+                raise _BadPlaneError(
+                    f"none of its {count} arrays has the name of the register, {register}"
+                )
             name = register if register in names else names[0]
             values = npz_arrays(stream, name.__eq__)[0][name]
     except (InvalidArrays, MemoryError, OSError) as error:

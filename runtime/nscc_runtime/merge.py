@@ -57,7 +57,7 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Buc
         "use the images and planes of the frame as they are, or expose a program without them",
     )
     if container.pixel_codes is None:
-        raise ValueError("a container without pixels has no frame")
+        raise ValueError("a program without pixel codes has no frame: add a `pixels` statement")
     most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))
     if LIGHT in frame.told:
         # The open time of pixels that looked is known, so neighbours are not used.

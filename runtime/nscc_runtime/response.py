@@ -144,7 +144,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     0; see `nscc_runtime.looked_light` instead. If the words open no shutters, `gain` is 1 and
     `zero_e` 0, too. Raises ValueError for a container (a compiled program) without pixels."""
     if container.pixel_codes is None:
-        raise ValueError("a container without pixels has no response")
+        raise ValueError("a program without pixel codes has no response: add a `pixels` statement")
     effects = everything() if effects is None else effects
     lanes = container.table.shutter_of_code[container.pixel_codes]
     open_s = container.table.shutters @ container.slot_s

@@ -151,7 +151,9 @@ def _state(path: Path, graph: Any) -> dict[str, Tensor]:
         none or several."""
         nodes = [node for node in graph.node if node.op_type == kind]
         if len(nodes) != 1:
-            raise refused(path, f"it has {len(nodes)} layers {kind}, but a cell has one")
+            raise refused(
+                path, f"it has {len(nodes)} layers of the operation {kind}, but a cell has one"
+            )
         return nodes[0]
 
     arrays = {tensor.name: tensor for tensor in graph.initializer}
@@ -213,7 +215,10 @@ def _check_frames(path: Path, model: Any, cell: PixelCell) -> None:
             # The graph and the cell must give equal bits for random frames.
             outputs = [tensor.numpy() for tensor in cell(*map(torch.from_numpy, planes))]
         if len(found) != 2 or not all(map(np.array_equal, found, outputs)):
-            raise refused(path, "its graph does not compute the bits of a cell")
+            raise refused(
+                path,
+                "its graph does not compute the bits of a PixelCell with the same weights",
+            )
 
 
 MOST_BYTES = 1 << 24

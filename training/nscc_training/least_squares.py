@@ -27,7 +27,7 @@ def solve(matrix: Floats, right: Floats) -> LeastSquares:
     below full rank, the one with the smallest norm is returned, (n,) or (n, k). Raises ValueError
     for values that are not finite."""
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
-        raise ValueError("least squares of values that are not finite")
+        raise ValueError("a least-squares fit needs finite values, but some are NaN or infinite")
     limit = np.finfo(np.float64).eps * max(matrix.shape)
     if right.ndim == 2 and matrix.shape[0] > 2 * matrix.shape[1]:
         # Q is orthogonal: the smaller problem has the same singular values and solution.

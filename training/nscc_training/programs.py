@@ -191,7 +191,7 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> tuple[dict[str, Int
     if not KINDS.of(container).open_times_known:
         raise ValueError(f"its pixels look at the light, but those of class {spec.kind} do not")
     if container.pixel_codes is None:
-        raise ValueError("the program has no pixels")
+        raise ValueError("the program has no pixel codes: add a `pixels` statement")
     table = container.table
     expected_fields = [r.split()[1] for r in _RULES[spec.kind] if r.startswith("code ")]
     if set(table.fields) != set(expected_fields):

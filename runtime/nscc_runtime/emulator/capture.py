@@ -54,7 +54,7 @@ def _sorted_light(container: Container, light: Light) -> Exposure:
     checked before."""
     sent = container.stream
     if sent is None:
-        raise ValueError("a container without planes")
+        raise ValueError("the program has no bit planes: its target has pixels with logic")
     exposure = np.zeros((len(container.buckets), *light.shape))
     for slot in range(container.slots):
         fallen = light.slot(slot).astype(np.float64)

@@ -58,7 +58,7 @@ class AnalysedProgram:
         """
         check_program(container)
         if container.pixel_codes is None:
-            raise ValueError("a container without pixels")
+            raise ValueError("the program has no pixel codes: add a `pixels` statement")
         fresh = decayed = analog_words(container)
         backward(container, fresh).open()
         kept_us = retention_us(everything(), sensor)

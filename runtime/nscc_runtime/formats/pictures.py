@@ -143,7 +143,8 @@ def mp4(content: Content) -> bytes:
             if video.isOpened():
                 break
         else:
-            raise OSError(0, f"OpenCV cannot write .mp4: it has no codec of {', '.join(_CODECS)}")
+            codecs = ", ".join(_CODECS)
+            raise OSError(0, f"OpenCV cannot write .mp4: it has no codec of {codecs}; use .gif")
         with quiet():
             for frame in chain([first], frames):
                 video.write(np.ascontiguousarray(frame))

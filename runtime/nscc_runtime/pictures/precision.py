@@ -144,7 +144,7 @@ def precision_diagram(
     beaten = dict(zip(map(id, points), dominated(points), strict=True))
     lines = reading.lines(points)
     if not lines:
-        raise ValueError("no points to draw")
+        raise ValueError("there are no points to draw: no point belongs to a line")
     looks = {name: theme().of(number) for number, name in enumerate(lines)}
     guides = {guide.name: guide for panel in problems for guide in panel.guides}
     drawn_points = [*chain.from_iterable(lines.values())]

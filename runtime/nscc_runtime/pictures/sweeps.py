@@ -95,7 +95,7 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
 
     filled_panels = [panel for panel in panels if any(panel.lines.values())]
     if not filled_panels:
-        raise ValueError("no points to draw")
+        raise ValueError("there are no points to draw: every panel is empty")
     names = list(dict.fromkeys(name for panel in filled_panels for name in panel.lines))
     # Axes with the same label share a scale, so that panels can be compared.
     values: dict[tuple[str, str], list[Place]] = {}

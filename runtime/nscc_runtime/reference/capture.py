@@ -61,7 +61,7 @@ class Reference:
         is invalid (as `nscc.words.legality.decoded`), and Rejected with NS0442 if the words of a
         program without looks open no shutters. A container is a compiled program."""
         if container.pixel_codes is None:
-            raise ValueError("a container without pixels")
+            raise ValueError("the program has no pixel codes: add a `pixels` statement")
         if KINDS.of(container).open_times_known:
             # Only for its error: a weight other than 0 or 1 is no shutter.
             backward(container, analog_words(container)).open()

@@ -57,7 +57,7 @@ def expose_stream(
     chip with logic."""
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
-        raise ValueError("a container without planes")
+        raise ValueError("the program has no bit planes: its target has pixels with logic")
 
     def fall(part_rows: range) -> Fallen:
         """Return the charge that falls on the rows `part_rows` in each slot."""

@@ -232,9 +232,19 @@ def laid_scene(
             _refuse(request, why, "single")
         return PlacedLight(light, request.on_array)
     if not scene.bracket:
-        _refuse(request, "the exposure times are those of a bracket", "times")
+        _refuse(
+            request,
+            "only photos of a bracket have exposure times, and --bracket reads them",
+            "times",
+        )
     else:
-        _refuse(request, "a bracket is one still", "first", "white", "skip")
+        _refuse(
+            request,
+            "a bracket gives one still, without frames to select and without a white level",
+            "first",
+            "white",
+            "skip",
+        )
         files = bracket_files(spec)
         transfer, say_notes = request.scene.transfer, partial(_say_notes, request)
         return _still(request, lambda: merged_bracket(files, times, transfer, say_notes))

@@ -34,7 +34,7 @@ def pfm_pages(path: Path) -> Pages:
     """Return the one picture of the PFM file `path`; raise ValueError if its size is not stated."""
     match = _PFM.match(head_of(path))
     if match is None:
-        raise ValueError("its head does not state its size")
+        raise ValueError("its header does not state the numbers of rows and columns")
     return Pages(((int(match["rows"]), int(match["cols"])),), count=1, read=_reader(path, decoded))
 
 
@@ -43,7 +43,7 @@ def radiance_pages(path: Path) -> Pages:
     size, so the largest size counts. Raises ValueError without a size."""
     sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(head_of(path))]
     if not sizes:
-        raise ValueError("its head does not state its size")
+        raise ValueError("its header does not state the numbers of rows and columns")
     return Pages((max(sizes, key=prod),), count=1, read=_reader(path, _radiance))
 
 

@@ -98,7 +98,10 @@ class CodedFrame:
 
         Raises ValueError if the masks of all pixels would have more than `_MOST_VALUES` values."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
-            raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
+            raise ValueError(
+                f"{weights.shape[2]} slots of {self.row.size} pixels are too many: their product "
+                f"may be at most {_MOST_VALUES:,}"
+            )
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
         arrays = (self.value_e, mask, self.variance_e2, self.saturated)
         return Measured(*(array[None] for array in arrays))

@@ -178,7 +178,7 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
     between pixels; 0 denoises every frame alone. The dual field starts at 0. Raises ValueError for
     an array that is not a clip and for a weight of 0 or less."""
     if clip.ndim != 3 or 0 in clip.shape:
-        raise ValueError(f"a clip of the shape {clip.shape}")
+        raise ValueError(f"a clip has the shape (T, rows, cols), at least 1 each, not {clip.shape}")
     if not weight > 0 or iterations < 0 or not time >= 0:
         raise ValueError(f"weight {weight}, {iterations} iterations, time {time}")
     return np.asarray(tv_denoised_arrays(clip[None], weight, iterations, time)[0])

@@ -114,7 +114,9 @@ def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
         takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
         raise ValueError(f"decoder.guess applies to {takers}, not to {name}")
     if task.guess and not task.sees_code:
-        raise ValueError("a first guess is computed from the code: it needs decoder.sees_code")
+        raise ValueError(
+            "decoder.guess computes a first guess from the code: it needs decoder.sees_code = true"
+        )
 
 
 def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:

@@ -310,7 +310,9 @@ class Encoder(nn.Module, ABC):
             if values is None:
                 raise ValueError(f"the field '{name}' is missing")
             if values.shape != self.spec.tile:
-                raise ValueError(f"'{name}' is {values.shape}, the tile {self.spec.tile}")
+                raise ValueError(
+                    f"'{name}' has the shape {values.shape}, but the tile is {self.spec.tile}"
+                )
             if values.min() < low or values.max() > high:
                 raise ValueError(f"'{name}' has values outside {low}..{high}")
             tensors.append(torch.tensor(values.astype(np.float64)))

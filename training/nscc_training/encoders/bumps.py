@@ -39,7 +39,7 @@ class AlwaysOpen(Encoder):
     def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Accept codes without fields, and raise ValueError for any field."""
         if codes:
-            raise ValueError(f"class a has no fields, and not {sorted(codes)}")
+            raise ValueError(f"class a has no fields: leave {', '.join(sorted(codes))} out")
 
     def start_random(self, generator: np.random.Generator) -> None: ...
 
@@ -358,7 +358,9 @@ class StartStop(Bump):
         legal, or if a stop is not after its start."""
         start, stop = self.checked(codes, self.limits)
         if not bool((start < stop).all()):
-            raise ValueError("a bump stops before it starts")
+            raise ValueError(
+                "a bump stops before it starts: each `stop` must be larger than its `start`"
+            )
         super().load_codes(codes)
 
     def start_random(self, generator: np.random.Generator) -> None:

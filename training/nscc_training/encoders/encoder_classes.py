@@ -40,11 +40,11 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
     frame. `checker`: every other pixel does. `overlapping-rows`: as `rows`, with bumps of 11/16 of
     the frame."""
     if spec.kind not in _CODES:
-        raise ValueError(f"{name} needs bumps for clips, classes {', '.join(_CODES)}")
+        raise ValueError(f"the start {name} has bumps for clips: use class {', '.join(_CODES)}")
     period = 2 if name in YARDSTICKS else _SIDE
     if any(side % period for side in spec.tile):
         raise ValueError(
-            f"{name} repeats every {period} x {period} places: the tile must be a "
+            f"the start {name} repeats every {period} x {period} places: the tile must be a "
             f"multiple of that, but is {spec.tile[0]} x {spec.tile[1]}"
         )
     if name == "cyclic" and spec.kind in "cd":
@@ -110,7 +110,7 @@ def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
     begins, row_of_place = np.unique(first, return_inverse=True)
     if spec.rows is None or len(begins) > spec.rows:
         raise ValueError(
-            f"its {len(begins)} shutters do not fit into the codebook's {spec.rows} rows"
+            f"its {len(begins)} shutters do not fit into the codebook's {spec.rows} rows: add rows"
         )
     # Unused rows of the codebook repeat used ones.
     begins = np.resize(begins, spec.rows)
@@ -162,7 +162,7 @@ def make_encoder(
     """
     require_type("make_encoder", "spec", spec, ShutterSpec, "ShutterSpec('b', 8, (2, 2))")
     if spec.kind not in CLASSES:
-        raise ValueError(f"{spec.kind!r} is not one of {', '.join(CLASSES)}")
+        raise ValueError(f"unknown class {spec.kind!r}: the classes are {', '.join(CLASSES)}")
     argument("ShutterSpec", "slots", Integer(1, inf), spec.slots)
     argument("ShutterSpec", "buckets", Integer(1, 2), spec.buckets)
     pair = isinstance(spec.tile, tuple | list) and len(spec.tile) == 2
@@ -174,7 +174,7 @@ def make_encoder(
     if relaxation not in (*SLOPED, "tried") and spec.kind == LOOKS:
         raise ValueError("a search changes the codes of places, but pixels that look have levels")
     if start not in STARTS:
-        raise ValueError(f"{start!r} is not one of {', '.join(STARTS)}")
+        raise ValueError(f"unknown start {start!r}: the starts are {', '.join(STARTS)}")
     if start in SCATTERED:
         _scatter(encoder, start, np.random.default_rng(seed))
     elif start in (*ORDERED, *YARDSTICKS):
@@ -193,7 +193,9 @@ def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> No
     only values at distances 0, 1, 3, 7, .. from the lowest are used. Raises ValueError unless the
     codes are of class b or c."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
-        raise ValueError(f"{start} needs codes with one field, classes b and c")
+        raise ValueError(
+            f"the start {start} needs codes with one field: only classes b and c have them"
+        )
     ((name, (low, high)),) = encoder.limits.items()
     levels = np.arange(low, high + 1)
     if len(levels) > _MOST_LEVELS:

@@ -33,7 +33,10 @@ class LooksEncoder(Encoder):
         super().__init__(spec, relaxation)
         looks = spec.tile[1]
         if spec.tile[0] != 1 or looks >= spec.slots:
-            raise ValueError(f"{looks + 1} exposures in a frame of {spec.slots} slots")
+            raise ValueError(
+                f"{looks} looks need a tile of (1, {looks}) and more than {looks} slots, not "
+                f"{spec.tile} and {spec.slots}"
+            )
         self.most = spec.levels or 1
         self.moment = nn.Parameter(torch.zeros(looks, dtype=torch.float64))
         self.level = nn.Parameter(torch.ones(looks, dtype=torch.float64))
@@ -114,7 +117,9 @@ class LooksEncoder(Encoder):
         limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}
         at, level = self.checked(codes, limits)
         if not bool((at[0, 1:] > at[0, :-1]).all()):
-            raise ValueError("its looks do not follow each other")
+            raise ValueError(
+                "its looks do not follow each other: the boundaries `at` must increase"
+            )
         self._fill(at[0].numpy(), level[0].numpy())
 
     def start_random(self, generator: np.random.Generator) -> None:

@@ -230,7 +230,9 @@ class Codebook(_Digits):
         book = codes.get("book")
         if book is not None:
             if book.shape != (self.rows, self.spec.slots) or not np.isin(book, (0, 1)).all():
-                raise ValueError(f"'book' must be {(self.rows, self.spec.slots)} digits 0 and 1")
+                raise ValueError(
+                    f"'book' must be an array {(self.rows, self.spec.slots)} of 0 and 1"
+                )
             self.set_digits(self.shapes, book == 1)
         self.choose(codes["id"])
 

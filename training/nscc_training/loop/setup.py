@@ -349,7 +349,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
     if not np.array_equal(mine.cpu().numpy() > 0, opened):
         bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
         raise ValueError(
-            f"the program has other shutters for them than class {encoder.spec.kind}{bump}"
+            f"the program has other shutters of these codes than class {encoder.spec.kind}{bump}"
         )
 
 

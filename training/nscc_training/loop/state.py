@@ -212,7 +212,7 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
         state.setdefault(int(index), {})[key] = value
     expected_keys = _KEPT[isinstance(optimizer, Muon)]
     if any(set(entry) != expected_keys for entry in state.values()):
-        raise ValueError("the moments of a parameter")
+        raise ValueError("the moments of a parameter are not those of the optimizer")
     optimizer.load_state_dict({**optimizer.state_dict(), "state": state})
     # A checkpoint keeps values, not the order in memory that a parameter has; fused updates go
     # through memory, parameter and state alike.

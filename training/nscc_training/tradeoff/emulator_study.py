@@ -280,7 +280,7 @@ def promise_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
         for measured_plan in study.measured_plans
     ]
     if not plans:
-        raise ValueError("no promises to draw")
+        raise ValueError("there are no plans to draw: no study measured one")
     tolerances_e = np.array([tolerance_e for _, tolerance_e, _, _ in plans])
     errors = np.array([rms_errors for _, _, *rms_errors in plans])
     least, most = tolerances_e.min() / 1.5, tolerances_e.max() * 1.5
@@ -337,7 +337,7 @@ def budget_diagram(studies: Sequence[EmulatorStudy]) -> Figure:
     from matplotlib.patches import Patch
 
     if not studies:
-        raise ValueError("no budgets to draw")
+        raise ValueError("there are no budgets to draw: the list of studies is empty")
     kept_colour, dropped_colour, *_ = theme().series
     budgets = [study.budget for study in studies]
     values = [decision.predicted_rms_e for plan in budgets for decision in plan.decisions]
