@@ -45,6 +45,8 @@ TOO_MUCH = {
 
 @pytest.mark.parametrize("text", TOO_MUCH.values(), ids=TOO_MUCH)
 def test_programs_that_ask_for_too_much_are_refused(text: str, tmp_path: Path) -> None:
+    """Each program of `TOO_MUCH` is refused by check and by build with an error, and not by a
+    crash."""
     (tmp_path / "bad.nsl").write_text(text)
     refused(["check", "bad.nsl"], tmp_path)
     refused(["build", "bad.nsl", "-o", "bad.icw", "--emit", "report,asm"], tmp_path)

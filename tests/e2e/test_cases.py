@@ -22,6 +22,8 @@ def named(paths: list[Path]) -> list[object]:
 
 @pytest.mark.parametrize("path", named(PASS))
 def test_programs_that_pass_print_the_recorded_text(path: Path, update_cases: bool) -> None:
+    """Each case of the folder `pass` ends with status 0 and without an error line. Its output is
+    the recorded text."""
     found = said_as_expected(path, update_cases)
     assert found.status == 0
     assert not [line for line in found.err.splitlines() if line.startswith("error")]
@@ -29,6 +31,8 @@ def test_programs_that_pass_print_the_recorded_text(path: Path, update_cases: bo
 
 @pytest.mark.parametrize("path", named(FAIL))
 def test_programs_that_fail_print_the_recorded_messages(path: Path, update_cases: bool) -> None:
+    """Each case of the folder `fail` ends with status 1 or 2. It prints the recorded messages on
+    stderr and nothing on stdout."""
     found = said_as_expected(path, update_cases)
     assert found.status in (1, 2)
     assert found.out == ""
@@ -40,6 +44,7 @@ def test_every_text_belongs_to_a_program() -> None:
 
 
 def test_some_case_shows_each_family_of_messages() -> None:
+    """The recorded texts hold an error of NS01, NS02, NS03, NS04 and NS06 and a note of NS05."""
     text = "".join(path.with_suffix(".txt").read_text() for path in PASS + FAIL)
     for family in ("NS01", "NS02", "NS03", "NS04", "NS06"):
         assert f"error[{family}" in text, family

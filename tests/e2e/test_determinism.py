@@ -51,6 +51,8 @@ def test_pictures_do_not_depend_on_the_hash_seed(root: Path, tmp_path: Path) -> 
 
 
 def test_a_second_run_in_the_same_process_writes_the_same_frame(root: Path, tmp_path: Path) -> None:
+    """The same run twice in one process gives frame files of equal bytes: no kept value leaks into
+    the second."""
     from nscc_command import invoke
 
     shutil.copy(root / "examples" / "class_c.nsl", tmp_path)

@@ -86,6 +86,8 @@ def test_run_on_a_device_writes_the_frame_of_the_emulator(folder: Path) -> None:
 
 
 def test_a_frame_over_a_faulty_line_equals_one_over_a_good_line(folder: Path) -> None:
+    """Bytes are changed and lost, the link breaks and the loader restarts. The frame still equals
+    the emulator's."""
     fault = "corrupt=3e-4,drop=1e-4,delay=2ms,disconnect=after:1500,reboot=after:3000,outage=100ms"
     with serving(folder, "--fault", fault) as device:
         outcome = invoke(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
@@ -148,6 +150,8 @@ def test_a_device_is_described_programmed_and_captured(folder: Path) -> None:
 
 
 def test_the_scene_may_be_named(folder: Path) -> None:
+    """A scene beside a device gives the note NS0770. The frame is the device's, and `truth_e` is
+    computed from the scene."""
     with serving(folder) as device:
         line = ["run", "small.icw", "--on", device.port, "-o", "d.npz"]
         outcome = invoke([*line, "--scene", "builtin:hdr", "--keep", "truth"], folder)
@@ -173,6 +177,8 @@ def test_options_of_the_emulator_are_refused(folder: Path) -> None:
 
 
 def test_a_port_that_cannot_be_opened_is_refused_without_a_frame_file(folder: Path) -> None:
+    """A missing path, a file, a folder and `/dev/null` are no ports: NS0760, and no frame file is
+    left."""
     (folder / "file").write_text("no port")
     for port in ("/dev/nowhere", "file", ".", "/dev/null", "file/x", "a\nb"):
         said = failed(invoke(["run", "small.icw", "--on", port], folder), "NS0760")
@@ -182,6 +188,7 @@ def test_a_port_that_cannot_be_opened_is_refused_without_a_frame_file(folder: Pa
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="the superuser may use every port")
 def test_a_port_without_permission_is_refused(folder: Path) -> None:
+    """A file of mode 0 gives NS0760, which says that the permission is missing."""
     (folder / "locked").write_text("")
     (folder / "locked").chmod(0)
     said = failed(invoke(["device", "info", "locked"], folder), "NS0760")
@@ -228,6 +235,8 @@ def test_a_device_that_sends_foreign_bytes_is_refused(folder: Path) -> None:
 
 
 def test_a_device_refuses_programs_of_another_target_table(folder: Path) -> None:
+    """A program for scamp7, and one for the same chip with another clock, give NS0764. The right
+    one still runs."""
     with serving(folder) as device:
         line = ["run", "small.nsl", "--target", "scamp7", "--on", device.port]
         failed(invoke(line, folder), "NS0764")
@@ -242,6 +251,7 @@ def test_a_device_refuses_programs_of_another_target_table(folder: Path) -> None
 
 
 def test_a_device_that_stays_away_is_reported_and_nothing_written(folder: Path) -> None:
+    """The link is away for 60 s and the patience is 0.5 s: NS0766."""
     fault = "disconnect=after:1000,outage=60s"
     with serving(folder, "--fault", fault) as device:
         line = ["run", "small.icw", "--on", device.port, "--patience", "0.5", "-o", "d.npz"]
@@ -262,6 +272,7 @@ def test_capture_refuses_contradicting_outputs(folder: Path) -> None:
 
 
 def test_an_unknown_device_command_gets_a_suggestion(folder: Path) -> None:
+    """`nscc device sreve` ends with status 2 and proposes `nscc device serve`."""
     assert "`nscc device serve`" in failed(invoke(["device", "sreve"], folder), "NS0781", 2)
     assert invoke(["device", "--help"], folder).status == 0
 
@@ -274,6 +285,8 @@ def test_a_stand_in_refuses_a_frame_if_its_scene_has_too_few_slots(folder: Path)
 
 
 def test_ctrl_c_leaves_the_device_usable(folder: Path) -> None:
+    """The interrupted run ends with status 130 and leaves no frame file. The next run on the same
+    port succeeds."""
     with serving(folder, "--fault", "delay=200ms") as device:
         running = start(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
         time.sleep(1.5)
@@ -287,6 +300,7 @@ def test_ctrl_c_leaves_the_device_usable(folder: Path) -> None:
 
 
 def test_ctrl_c_during_continuous_capture_leaves_only_complete_files(folder: Path) -> None:
+    """After an interrupt, each of the four or more files equals the emulator's frame."""
     with serving(folder) as device:
         line = ["device", "capture", device.port, "small.icw", "--to", "many", "--every", "0.02"]
         running = start(line, folder)
@@ -303,6 +317,8 @@ def test_ctrl_c_during_continuous_capture_leaves_only_complete_files(folder: Pat
 
 
 def test_a_stand_in_stops_after_one_session_or_a_given_time(folder: Path) -> None:
+    """With `--once` it ends after one session, with `--for 0.1` after that many seconds; both with
+    status 0."""
     with serving(folder, "--once") as device:
         assert invoke(["device", "info", device.port], folder).status == 0
         assert device.process.wait(LIMIT_S) == 0
@@ -326,6 +342,8 @@ def test_serve_refuses_invalid_scenes_and_faults(folder: Path) -> None:
 def test_serving_without_a_compiler_is_refused(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """Without a compiler on the PATH, `nscc device serve` gives NS0772 with the help to install
+    one."""
     monkeypatch.setenv("PATH", "/nowhere")
     line = ["device", "serve", "--target", "chip.toml", "--scene", "builtin:hdr"]
     said = failed(invoke(line, folder), "NS0772", 2)

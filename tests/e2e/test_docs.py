@@ -46,6 +46,7 @@ PROGRAMS = [
 
 @pytest.mark.parametrize("text", PROGRAMS)
 def test_programs_on_pages_compile(text: str, tmp_path: Path) -> None:
+    """Each program printed on a page passes `nscc check` without a warning."""
     (tmp_path / "page.nsl").write_text(text)
     outcome = invoke(["check", "page.nsl", "--deny-warnings"], tmp_path)
     assert outcome.status == 0, outcome.err
@@ -64,6 +65,8 @@ def test_pages_show_the_output_of_check() -> None:
 
 @pytest.mark.parametrize("page", PAGES)
 def test_commands_on_pages_work(page: str, tmp_path: Path) -> None:
+    """Each `nscc` line ends with status 0 in a folder with the examples. Each `make` line names a
+    target of the Makefile."""
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
     (tmp_path / "build").mkdir()
     for line in "".join(blocks(page, "console")).splitlines():
@@ -80,6 +83,8 @@ def test_commands_on_pages_work(page: str, tmp_path: Path) -> None:
 def test_the_python_code_on_the_home_page_of_the_site_works(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The code leaves a `frame` with a plan and an estimate of the light of 1 x 256 x 256
+    values."""
     monkeypatch.chdir(tmp_path)
     [code] = blocks("docs/index.md", "python")
     names: dict[str, Any] = {}
@@ -91,6 +96,7 @@ def test_the_python_code_on_the_home_page_of_the_site_works(
 def test_the_python_code_of_the_readme_works_after_its_commands(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The code reads the files that the commands wrote: a frame of 1 x 256 x 256 electrons."""
     test_commands_on_pages_work("README.md", tmp_path)
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
@@ -148,6 +154,7 @@ def test_links_lead_to_existing_pages(page: str) -> None:
 
 @pytest.mark.parametrize("page", ["ARCHITECTURE.md", "CONTRIBUTING.md", "docs/encodings.md"])
 def test_files_that_a_page_names_are_there(page: str) -> None:
+    """Each path in backquotes exists below the repository, `runtime` or the training package."""
     named = re.findall(r"`([\w.*-]+/[\w./*-]*)`", (ROOT / page).read_text())
     folders = (ROOT, ROOT / "runtime", ROOT / "training/nscc_training")
     assert named
@@ -155,6 +162,8 @@ def test_files_that_a_page_names_are_there(page: str) -> None:
 
 
 def test_every_command_is_listed_by_its_task() -> None:
+    """Each command of a group in `nscc --help` stands in the section of that title in
+    `docs/commands.md`."""
     from nscc_cli.group import GROUPS
 
     text = (ROOT / "docs/commands.md").read_text()
@@ -164,6 +173,7 @@ def test_every_command_is_listed_by_its_task() -> None:
 
 
 def test_the_python_code_on_the_training_page_works() -> None:
+    """The code prints two things, the second of which is a program text."""
     pytest.importorskip("torch")
     [text] = blocks("docs/training.md", "python")
     printed: list[object] = []

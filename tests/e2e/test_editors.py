@@ -66,12 +66,14 @@ def assert_coloured(text: str, found: Iterable[Token]) -> None:
 
 
 def test_the_committed_grammar_equals_the_generated_one() -> None:
+    """`editors/textmate.py --check` makes the grammar anew and finds no difference."""
     made = subprocess.run([sys.executable, str(ROOT / "editors/textmate.py"), "--check"])
     assert made.returncode == 0
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
 def test_programs_have_the_recorded_colours(path: Path) -> None:
+    """The grammar gives each token of an example the recorded colour."""
     grammar = json.loads((EXTENSION / "syntaxes/nsl.tmLanguage.json").read_text())
     text = path.read_text(encoding="utf-8")
     assert_coloured(text, colours(grammar, text))
@@ -85,6 +87,8 @@ def test_words_of_version_2_have_no_colour_in_version_1() -> None:
 
 
 def test_files_commands_and_settings_of_the_extension_exist() -> None:
+    """Commands and settings in `package.json` are those that the source uses. Its files exist, and
+    its version is nscc's."""
     about = package()
     assert about["version"] == nscc.__version__
     contributed = about["contributes"]

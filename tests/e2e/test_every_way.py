@@ -107,12 +107,16 @@ MAY_FAIL = {"NS0414", "NS0501", "NS0502", "NS0601"}
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_programs_of_level_1_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
+    """On the plain chip at level 1, every lowering opens the shutters that a numpy rule
+    computes."""
     sweep(name, tmp_path, chips=(PLAIN,), levels=("1",))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_programs_of_every_chip_and_level_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
+    """On each chip at levels 0, 1 and 2, every lowering opens the shutters that a numpy rule
+    computes."""
     sweep(name, tmp_path, chips=tuple(CHIPS), levels=("0", "1", "2"))
 
 
@@ -120,6 +124,8 @@ def test_programs_of_every_chip_and_level_equal_a_rule_in_numpy(name: str, tmp_p
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["b5", "d16", "e8", "three"])
 def test_programs_of_level_3_equal_a_rule_in_numpy(name: str, tmp_path: Path) -> None:
+    """At level 3, which searches longest, four programs on the plain chip open the shutters that a
+    numpy rule computes."""
     sweep(name, tmp_path, chips=(PLAIN,), levels=("3",), lowerings=("auto",))
 
 

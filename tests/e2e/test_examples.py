@@ -48,6 +48,8 @@ fixed = pytest.mark.parametrize(
 
 
 def test_every_example_has_an_oracle_and_a_line_in_the_gallery() -> None:
+    """Each example without looks or pictures has a numpy rule in `RULES`. Each example has a link
+    in the gallery."""
     fixed_examples = {path.stem for path in EXAMPLES if path not in (*LOOKING, *PICTURED)}
     assert set(RULES) == fixed_examples
     gallery = (ROOT / "examples" / "README.md").read_text()
@@ -56,6 +58,7 @@ def test_every_example_has_an_oracle_and_a_line_in_the_gallery() -> None:
 
 @examples
 def test_an_example_begins_with_its_purpose(path: Path) -> None:
+    """The first line is a comment, and no line is longer than 100 characters."""
     assert path.read_text().startswith("# ")
     assert max(map(len, path.read_text().splitlines())) <= 100
 
@@ -93,6 +96,8 @@ def test_every_example_is_built_and_proved_for_all_legal_codes(path: Path, tmp_p
 
 @fixed
 def test_words_open_the_documented_shutters(path: Path, tmp_path: Path) -> None:
+    """The shutters of 256 x 256 pixels, read from the words, are those of the example's numpy
+    rule."""
     fine(["shutters", path, "-o", "s.npz"], tmp_path)
     with np.load(tmp_path / "s.npz") as data:
         _, rows, cols, slots = shape = tuple(data["shutter_shape"].tolist())

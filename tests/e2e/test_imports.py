@@ -91,6 +91,7 @@ def files() -> dict[str, Path]:
 
 
 def test_no_package_imports_a_package_above_it() -> None:
+    """Of cli, training, runtime and nscc, each imports only those after it."""
     assert arrows_up(file_graph(files()), FLOORS) == []
 
 
@@ -109,6 +110,8 @@ def test_folders_do_not_import_each_other_in_cycles() -> None:
 
 @pytest.mark.parametrize("floor", EXTERNAL)
 def test_imports_few_packages_of_others(floor: str) -> None:
+    """Beside the standard library and the project's packages, a package imports only those that
+    `EXTERNAL` lists for it."""
     own = set(FLOORS) | set(sys.stdlib_module_names)
     wanted = {
         each.partition(".")[0]

@@ -114,6 +114,8 @@ def test_a_tradeoff_ends_in_the_same_table(tmp_path: Path) -> None:
 
 
 def test_a_training_ends_in_the_same_bytes(tmp_path: Path) -> None:
+    """A training is killed again and again and then finished. Its files have the bytes of one that
+    was never killed."""
     (tmp_path / "c.toml").write_text(CONFIG)
     whole = ["train", "c.toml", "--out", "whole"]
     finished(tmp_path, whole)

@@ -31,6 +31,8 @@ MAY_ASK = {
 
 
 def test_only_listed_files_test_the_kind_of_a_program() -> None:
+    """Elsewhere the class of the kind decides. A file that asks for the kind must stand in
+    `MAY_ASK`."""
     asking = [
         f"{path.relative_to(ROOT)}:{number}: {line.strip()}"
         for folder in FOLDERS
@@ -44,6 +46,7 @@ def test_only_listed_files_test_the_kind_of_a_program() -> None:
 
 
 def test_every_listed_file_tests_the_kind_of_a_program() -> None:
+    """A file of `MAY_ASK` that no longer asks for the kind must leave the list."""
     assert [name for name in MAY_ASK if not ASKS.search((ROOT / name).read_text())] == []
 
 

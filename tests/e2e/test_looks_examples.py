@@ -63,6 +63,8 @@ def test_every_example_that_looks_has_an_oracle() -> None:
 
 @pytest.mark.parametrize("name", ORACLES)
 def test_frames_match_the_comments_of_the_examples(name: str, tmp_path: Path) -> None:
+    """Electrons and states are those of a numpy rule over the running sum of the light. Each state
+    takes several values."""
     path = ROOT / "examples" / f"{name}.nsl"
     scene = ["--scene", "builtin:hdr", "--exposure", "300000"]
     fine(["run", path, *scene, "-o", "f.npz", "--keep", "light,truth"], tmp_path)
@@ -77,6 +79,8 @@ def test_frames_match_the_comments_of_the_examples(name: str, tmp_path: Path) ->
 
 
 def test_the_example_float_pixel_is_reconstructed_to_1_percent(tmp_path: Path) -> None:
+    """Above 5000 electrons, the median error is below 1 %, while shutters close at different
+    slots."""
     path = ROOT / "examples" / "float_pixel.nsl"
     scene = ["--scene", "builtin:hdr", "--exposure", "300000"]
     fine(["run", path, *scene, "-o", "f.npz", "--keep", "truth"], tmp_path)

@@ -36,6 +36,7 @@ def test_disassembled_text_assembles_to_the_same_container(tmp_path: Path) -> No
 
 
 def test_asm_writes_the_published_words() -> None:
+    """The two words of `AND R6, R2, R3` and of `all` are those that the chip's makers published."""
     found = CliRunner().invoke(asm, ["-", "--words"], input="AND R6, R2, R3\nall")
     assert found.stdout.split("\n")[3:] == [
         "0x80020 0x10000 0x20800 0x3b602 0x40000",
@@ -45,6 +46,8 @@ def test_asm_writes_the_published_words() -> None:
 
 
 def test_a_refused_text_leaves_no_file(tmp_path: Path) -> None:
+    """An unknown operation gives NS0710 and bytes that are no text NS0717. Text from stdin needs
+    the name of an output."""
     text = tmp_path / "x.asm"
     text.write_text(PROGRAM + "nope R1\n", encoding="utf-8")
     with pytest.raises(Rejected, match="NS0710"):

@@ -17,6 +17,8 @@ from nscc_training.codes_files import load_codes
 def test_names_beyond_ascii_are_written_in_a_posix_locale(
     tmp_path: Path, extra: dict[str, str]
 ) -> None:
+    """With LC_ALL=POSIX, with and without the UTF-8 mode of Python, the message holds `é.nsl` in
+    UTF-8."""
     line = [sys.executable, "-m", "nscc_cli", "check", "é.nsl".encode()]
     environment = {**os.environ, "LC_ALL": "POSIX", **extra}
     outcome = subprocess.run(line, cwd=tmp_path, env=environment, capture_output=True, check=False)

@@ -56,6 +56,8 @@ class SlowChecks:
 
 
 def test_diagnostics_of_an_older_text_are_not_published(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A text of version 2 arrives while version 1 is checked: only the diagnostics of version 2 are
+    sent."""
     checks = SlowChecks(monkeypatch)
     assert checks.run(lambda: checks.server.take(URI, GOOD, 2)) == [(2, 0)]
 

@@ -58,6 +58,7 @@ def test_every_option_is_explained() -> None:
 
 
 def test_version_and_help_are_printed(folder: Path) -> None:
+    """`--version` prints the version alone. `--help` lists every command with its text."""
     assert invoke(["--version"], folder).out == f"nscc {__version__}\n"
     listed = invoke(["--help"], folder)
     assert listed.status == 0
@@ -66,6 +67,7 @@ def test_version_and_help_are_printed(folder: Path) -> None:
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_command_has_help_and_common_options(folder: Path, name: str) -> None:
+    """`nscc NAME --help` ends with status 0 and names the two options that all commands share."""
     outcome = invoke([name, "--help"], folder)
     assert outcome.status == 0
     assert "--message-format" in outcome.out
@@ -146,6 +148,8 @@ def test_wrong_commands_say_what_to_write(
 def test_messages_about_frame_files_suggest_reconstruct_and_a_name_for_its_output(
     folder: Path,
 ) -> None:
+    """A frame file as a scene gives a help with the command that decodes it. An output `f.txt` gets
+    the proposal `f.npy`, as `f.npz` is the input."""
     assert invoke(["run", "ok.nsl", "--scene", "builtin:dark", "-o", "f.npz"], folder).status == 0
     as_scene = invoke(["run", "ok.nsl", "--scene", "f.npz"], folder)
     assert "`nscc reconstruct any f.npz -o OUT.png` decodes it" in as_scene.err
@@ -155,6 +159,7 @@ def test_messages_about_frame_files_suggest_reconstruct_and_a_name_for_its_outpu
 
 
 def test_prove_prints_the_same_result_for_a_program_and_its_container(folder: Path) -> None:
+    """The lines for the text and for its container differ only in the name of the file."""
     invoke(["build", "ok.nsl", "-o", "named_otherwise"], folder)
     proofs = [invoke(["prove", name], folder) for name in ("ok.nsl", "named_otherwise")]
     assert [proof.status for proof in proofs] == [0, 0]
@@ -163,6 +168,8 @@ def test_prove_prints_the_same_result_for_a_program_and_its_container(folder: Pa
 
 
 def test_a_measurement_of_another_camera_needs_no_decoder_name(folder: Path) -> None:
+    """A file with `meas` and `mask` is reconstructed without `any` before its name, to the same
+    bytes."""
     generator = np.random.default_rng(0)
     mask = generator.integers(0, 2, (16, 16, 4)).astype(np.uint8)
     np.savez(folder / "own.npz", meas=(mask * generator.random(mask.shape)).sum(-1), mask=mask)
@@ -216,6 +223,7 @@ def test_build_writes_exactly_the_requested_products(
 
 
 def test_denied_warnings_are_errors_and_write_no_file(folder: Path) -> None:
+    """The warning is an error of status 1 with `--deny-warnings`. Without it the build succeeds."""
     (folder / "warns.nsl").write_text(WARNS)
     plain = invoke(["build", "warns.nsl", "-o", "a.icw"], folder)
     assert plain.status == 0
@@ -264,6 +272,8 @@ def test_exceptions_become_messages_with_an_exit_status(
 def test_a_memory_error_says_how_much_is_missing(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The message gives the 7.45 GiB of numpy's error, and how much memory is free."""
+
     def fail(*_arguments: object) -> None:
         raise MemoryError("Unable to allocate 7.45 GiB for an array with shape (1000000000,)")
 
@@ -400,6 +410,8 @@ def test_a_caller_that_handles_interrupts_keeps_its_handler(
 
 
 def test_long_help_comes_in_sections(folder: Path) -> None:
+    """`nscc run --help` has six sections in this order, and each holds the option that belongs to
+    it."""
     lines = invoke(["run", "--help"], folder).out.splitlines()
     titles = [line for line in lines if line.endswith(":") and not line.startswith(" ")]
     assert titles == ["Scene:", "Sensor effects:", "Compile:", "Device:", "Output:", "Options:"]
@@ -410,6 +422,8 @@ def test_long_help_comes_in_sections(folder: Path) -> None:
 
 
 def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A ZeroDivisionError in the compiler leaves a zip file. It holds the command, the traceback,
+    the versions and both input files."""
     (folder / "book.npz").write_bytes(b"data")
     (folder / "uses.nsl").write_text('nsl 1\nshutters b from "book.npz"\n')
     monkeypatch.setattr("nscc.compiler.compile_file", lambda *_: 1 // 0)
@@ -424,6 +438,8 @@ def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPat
 
 
 def test_output_may_be_cut_off(folder: Path) -> None:
+    """`nscc explain | head -n 1` ends with status 0 and without a message, though the pipe closes
+    early."""
     command = f"{sys.executable} -m nscc_cli explain | head -n 1"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     outcome = subprocess.run(
@@ -438,6 +454,7 @@ def test_output_may_be_cut_off(folder: Path) -> None:
 
 
 def test_doctor_finds_nothing_wrong(folder: Path) -> None:
+    """`nscc doctor` ends with status 0, prints the version and no line with WRONG."""
     outcome = invoke(["doctor"], folder)
     assert outcome.status == 0, outcome.out
     assert f"nscc {__version__}" in outcome.out
@@ -531,6 +548,8 @@ def test_folders_that_cannot_be_written_give_at_most_one_line(
 
 
 def test_messages_quote_names_with_blanks_and_explain_a_leading_dash(folder: Path) -> None:
+    """A proposed command quotes a name with a blank. A file `-lead.nsl` looks like an option:
+    NS0782 says to write `./`."""
     assert "`nscc check 'my prog.nsl'`" in invoke(["new", "my prog"], folder).err
     assert "`nscc check 'my prog.nsl'`" in invoke(["my prog.nsl"], folder).err
     dashed = invoke(["check", "-lead.nsl"], folder)
@@ -539,6 +558,8 @@ def test_messages_quote_names_with_blanks_and_explain_a_leading_dash(folder: Pat
 
 
 def test_a_tone_curve_without_a_picture_is_refused(folder: Path) -> None:
+    """`--tone` changes only pictures, so with `-o a.npz` it is refused; with `a.png` it is
+    accepted."""
     line = ["run", "ok.nsl", "--scene", "builtin:dark", "--tone", "log", "-o"]
     refused = invoke([*line, "a.npz"], folder)
     assert refused.status == 2

@@ -181,6 +181,8 @@ def test_the_error_for_too_many_words_in_a_slot_names_a_number_of_slots_that_fit
 
 
 def test_check_reports_certain_limits_as_errors_and_others_as_notes(tmp_path):
+    """One word a slot is too few for any program: error. Three may be enough after a search: note
+    NS0503, status 0."""
     (tmp_path / "p.nsl").write_text(STOPS)
     certain = invoke(["check", "p.nsl", "--max-words-per-slot", "1"], tmp_path)
     assert (certain.status, certain.codes) == (1, ["NS0603"])
@@ -192,6 +194,7 @@ def test_check_reports_certain_limits_as_errors_and_others_as_notes(tmp_path):
 
 @pytest.mark.parametrize("command", ["run", "shutters", "view"])
 def test_every_command_that_compiles_refuses_programs_above_the_limit_of_words(tmp_path, command):
+    """`run`, `shutters` and `view` give NS0603 for a limit of 3 words and write no file."""
     (tmp_path / "p.nsl").write_text(STOPS + "pixels stop = 1 + (x + 4 * y) % 16\n")
     scene = ["--scene", "builtin:dark"] if command == "run" else []
     out = "out.png" if command == "view" else "out.npz"
@@ -202,6 +205,8 @@ def test_every_command_that_compiles_refuses_programs_above_the_limit_of_words(t
 
 
 def test_max_words_per_slot_refuses_wrong_values(tmp_path):
+    """0, -1 and a word are no limits: NS0783. A compiled program takes no limit any more:
+    NS0743."""
     (tmp_path / "p.nsl").write_text(STOPS)
     for value in ("0", "-1", "many"):
         outcome = invoke(["build", "p.nsl", "--max-words-per-slot", value], tmp_path)

@@ -63,6 +63,8 @@ def taken(**options: Any) -> nscc_runtime.Capture:
 
 
 def test_every_example_has_a_task_and_a_scene(playground: Playground) -> None:
+    """The answer to `start` lists each example program once. `kernel` is a word of version 3 and
+    not of version 1."""
     start = playground.answer("start", {})
     programs = {name for name, path in examples().items() if path.suffix == ".nsl"}
     assert {example["name"] for example in start["examples"]} == programs
@@ -89,6 +91,8 @@ def test_a_message_has_its_place_and_a_fix_that_compiles(playground: Playground)
 
 
 def test_a_valid_program_has_a_report_a_chart_and_a_map(playground: Playground) -> None:
+    """The answer has no message. The map shows that pixels of even and odd columns have different
+    shutters."""
     answer = ask(playground, "check")
     assert answer["messages"] == []
     assert dict(answer["rows"])["proved"] == "2 codes x 16 slots, 2 frames"
@@ -100,6 +104,8 @@ def test_a_valid_program_has_a_report_a_chart_and_a_map(playground: Playground) 
 
 @pytest.mark.parametrize("effects", ["none", "auto", "all"])
 def test_the_playground_shows_the_frame_of_capture(playground: Playground, effects: str) -> None:
+    """The codes are those of `capture`. The merged picture is like the light: a median error below
+    12 of 255 grey levels."""
     answer = ask(playground, "frame", effects=effects)
     light, frame, merged = answer["pictures"]
     assert np.array_equal(grey(frame), taken(effects=effects).frame[0])
@@ -112,6 +118,7 @@ def test_the_playground_shows_the_frame_of_capture(playground: Playground, effec
 
 
 def test_images_and_planes_are_shown_and_not_merged(playground: Playground) -> None:
+    """A program that reads a plane shows the light and the plane, which is black and white."""
     answer = ask(playground, "frame", program=EDGES)
     assert [picture["title"] for picture in answer["pictures"]] == ["the light", "plane edge"]
     assert set(np.unique(grey(answer["pictures"][1]))) == {0, 255}
@@ -134,6 +141,7 @@ def test_the_words_of_a_pixel_end_with_the_exposure_of_the_reference(
 
 
 def test_a_pixel_outside_of_the_array_is_refused(playground: Playground) -> None:
+    """Row 256 and column -1 of an array of 256 x 256 give NS0796."""
     for place in ({"row": 256}, {"col": -1}):
         assert codes(ask(playground, "words", **place)) == ["NS0796"]
 
@@ -180,6 +188,8 @@ def test_wrong_requests_are_refused(playground: Playground, changes: dict[str, A
 def test_impossible_numbers_are_refused(
     playground: Playground, changes: dict[str, Any], picture: str
 ) -> None:
+    """A negative, NaN or huge exposure and a negative seed each give an error, for a scene and for
+    an own picture."""
     assert codes(ask(playground, "frame", picture=picture, **changes))
 
 

@@ -39,6 +39,8 @@ def huge_npz(path: Path, *names: str, header: bytes = b"") -> Path:
 
 
 def test_arrays_are_read_as_numpy_wrote_them(tmp_path: Path) -> None:
+    """Arrays of floats in rows, whole numbers in columns, text, no values, bits and big-endian keep
+    values and dtype. A chosen name is read alone."""
     rng = np.random.default_rng(1)
     saved = {
         "a": rng.random((3, 4)), "b": np.asfortranarray(rng.integers(0, 9, (2, 3))),
@@ -55,6 +57,7 @@ def test_arrays_are_read_as_numpy_wrote_them(tmp_path: Path) -> None:
 
 
 def test_a_size_is_refused_before_it_is_unpacked(tmp_path: Path) -> None:
+    """The header declares 76 GiB: it is refused. The bound is for all arrays of a file together."""
     path = huge_npz(tmp_path / "a.npz", "image")
     with pytest.raises(InvalidArrays, match="unpack to 76,294 MiB, but at most 1,024 MiB"):
         npz_arrays(path)
@@ -97,6 +100,7 @@ def test_commands_refuse_huge_arrays(tmp_path: Path, run_nscc: RunNscc, line: st
 
 
 def test_a_plan_without_end_is_refused(tmp_path: Path, run_nscc: RunNscc) -> None:
+    """`--plan /dev/zero` ends with NS0747 after 64 MiB."""
     (tmp_path / "a.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
     line = "run a.nsl --scene builtin:flat:100 --plan /dev/zero -o out.npz"
     outcome = run_nscc(line.split(), tmp_path)
@@ -105,6 +109,8 @@ def test_a_plan_without_end_is_refused(tmp_path: Path, run_nscc: RunNscc) -> Non
 
 
 def test_a_file_is_read_to_its_bound(tmp_path: Path) -> None:
+    """A file of 100 bytes is read with a bound of 100 and refused with one of 99. Its digest is the
+    known SHA-256."""
     path = tmp_path / "a"
     path.write_bytes(b"x" * 100)
     assert read_whole(path, 100) == b"x" * 100
@@ -121,6 +127,8 @@ def mat_file(data: bytes, stated: int | None = None) -> bytes:
 
 
 def test_mat_files_are_read_as_scipy_wrote_them(tmp_path: Path) -> None:
+    """Two arrays come back equal, compressed or not. With a bound of 1000 bytes the file is
+    refused."""
     from scipy.io import savemat
 
     saved = {"a": np.random.default_rng(2).random((5, 6, 7)), "b": np.arange(4)[None]}
@@ -150,6 +158,8 @@ def test_an_element_larger_than_its_array_is_refused(tmp_path: Path) -> None:
 def test_readers_of_training_refuse_huge_arrays(
     tmp_path: Path, read: Callable[[Path], object], ending: str
 ) -> None:
+    """An `.npz` or `.mat` file that declares a huge array is refused by the codes reader and the
+    picture reader, with the allowed MiB."""
     path = huge_npz(tmp_path / "a.npz", "image")
     if ending == ".mat":
         path = tmp_path / "a.mat"

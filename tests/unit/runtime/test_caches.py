@@ -25,12 +25,15 @@ def taken(effects: str) -> Container:
 
 @pytest.mark.parametrize("effects", ["none", "all"])
 def test_analyses_are_freed_with_their_container(effects: str) -> None:
+    """A weak reference to what was computed for a capture is dead once the container is gone."""
     kept = weakref.ref(taken(effects))
     gc.collect()
     assert kept() is None
 
 
 def test_copies_leave_analyses_behind() -> None:
+    """A pickled container has fewer attributes than one that was captured with, and the same
+    encoding."""
     container = taken("all")
     copy = pickle.loads(pickle.dumps(container))
     assert vars(copy).keys() == vars(pickle.loads(pickle.dumps(copy))).keys()

@@ -34,6 +34,8 @@ read closed
 
 
 def test_arrays_are_clips_or_stills_and_light_is_light() -> None:
+    """An array of three axes is a clip in electrons a slot, one of two axes a still in electrons a
+    second. A Light gives the same bytes as its clip."""
     taken = capture(PROGRAM, CLIP, effects="auto", seed=2, device_seed=3)
     assert taken.frame.shape == taken.exposure_e.shape == taken.valid.shape == (1, ROWS, COLS)
     assert (taken.frame.dtype, taken.exposure_e.dtype) == (np.uint8, np.float64)
@@ -55,6 +57,8 @@ def test_integers_and_float64_are_taken_as_their_values() -> None:
 
 
 def test_repeats_are_consecutive_frames() -> None:
+    """`repeat=3` gives an axis in front. The first frame has the bytes of a single capture, and the
+    noise of the others differs."""
     plan = plan_of("all")
     taken = capture(PROGRAM, CLIP, plan=plan, seed=3, device_seed=5, repeat=3)
     assert taken.frame.shape == (3, 1, ROWS, COLS)
@@ -95,6 +99,7 @@ def test_the_readout_is_that_of_frame_files() -> None:
 
 
 def test_captures_repeat_by_seed_and_plan_with_any_threads() -> None:
+    """The number of threads changes no byte. Another seed or device seed changes the electrons."""
     one = capture(PROGRAM, CLIP, effects="auto", seed=1)
     assert (
         capture(PROGRAM, CLIP, effects="auto", seed=1, threads=3).exposure_e.tobytes()
@@ -111,6 +116,8 @@ def test_captures_repeat_by_seed_and_plan_with_any_threads() -> None:
 
 
 def test_capture_takes_tolerances_and_effects_as_on_the_command_line() -> None:
+    """`2e`, 2 and `0.5lsb` are tolerances in electrons. Effects as text and as a selection give
+    equal plans."""
     sensor = default_sensor(PROGRAM.target)
     lsb = sensor.electrons_per_lsb
     for given, electrons in (("2e", 2.0), (2, 2.0), (2.5, 2.5), ("0.5lsb", 0.5 * lsb)):
@@ -150,6 +157,7 @@ def test_no_frames_at_all_are_a_mistake() -> None:
 
 
 def test_words_that_compare_light_are_refused() -> None:
+    """A word that compares the photodiode with a level gives NS0442 when `effects` is `auto`."""
     from emulator_programs import container_of, target_of
 
     from nscc.operations import op
@@ -180,6 +188,7 @@ def test_batches_are_single_captures(threads: int) -> None:
 
 
 def test_captures_refuses_unequal_numbers_of_programs_and_scenes_and_bad_repeats() -> None:
+    """Two scenes for three programs, and `repeat=0`, give a ValueError with the numbers."""
     with pytest.raises(ValueError, match="2 scenes for 3 programs"):
         captures([PROGRAM] * 3, [CLIP, CLIP], effects="auto")
     with pytest.raises(ValueError, match=r"repeat is a whole number from 1 to \d+, not (0|-1)$"):
@@ -193,6 +202,8 @@ def test_captures_of_a_batch_share_a_plan() -> None:
 
 
 def test_the_audit_of_a_frame_is_what_its_plan_predicts() -> None:
+    """At a tolerance of 50 electrons the measured error is the predicted one within 20 %, and the
+    promise holds."""
     taken = capture(PROGRAM, CLIP, tolerance="50e", seed=3, device_seed=5, audit=True)
     assert isinstance(taken.plan, Plan)
     assert taken.audit.holds
@@ -202,6 +213,8 @@ def test_the_audit_of_a_frame_is_what_its_plan_predicts() -> None:
 @pytest.mark.parametrize("effects", ["none", "auto", "all"])
 @pytest.mark.parametrize("looks", [False, True])
 def test_captures_cross_processes(looks: bool, effects: str) -> None:
+    """A capture that was pickled has the same text, electrons, plan, meta data and estimated light,
+    with and without looking pixels."""
     chosen = compiled(LOOKS, "auto", ROWS, COLS) if looks else PROGRAM
     taken = capture(chosen, CLIP, effects=effects, repeat=2)
     text = repr(taken), taken._repr_html_()
@@ -218,5 +231,7 @@ def test_captures_cross_processes(looks: bool, effects: str) -> None:
 def test_arguments_of_earlier_versions_say_what_to_do(
     name: str, call: Callable[..., object]
 ) -> None:
+    """`tolerance_max` and `torch_device` give a TypeError that says what to use instead, or to
+    leave it out."""
     with pytest.raises(TypeError, match=rf"no longer has the argument {name}(?s:.*)(use|leave)"):
         call(PROGRAM, CLIP, **{name: "5e"})

@@ -45,6 +45,8 @@ def frame() -> bytes:
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])
 def test_processes_expose_as_their_parent_does(frame: bytes, method: str) -> None:
+    """The parent has exposed before it starts two processes. Both return its frame, by fork and by
+    spawn."""
     context = multiprocessing.get_context(method)
     pool = ProcessPoolExecutor(2, mp_context=context)
     try:
@@ -57,6 +59,7 @@ def test_processes_expose_as_their_parent_does(frame: bytes, method: str) -> Non
 
 
 def test_threads_expose_side_by_side(frame: bytes) -> None:
+    """Four threads that expose at once each return the frame of a single one."""
     with ThreadPoolExecutor(4) as pool:
         frames = [pool.submit(_reference_frame) for _ in range(4)]
         assert [each.result(SECONDS) for each in frames] == [frame] * 4

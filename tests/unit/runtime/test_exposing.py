@@ -147,6 +147,8 @@ def test_scenes_are_named_and_loaded_for_each_program(
 
 
 def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.ShutterProgram) -> None:
+    """The plan made alone is that of a capture. It serves twice the light, and its error stays
+    within the tolerance of 3 electrons."""
     plan = nscc_runtime.plan(program, LIGHT, tolerance=3)
     assert nscc_runtime.capture(program, LIGHT, tolerance=3, audit=True).plan == plan
     assert nscc_runtime.capture(program, 2 * LIGHT, plan=plan).plan.kept == plan.kept
@@ -162,6 +164,8 @@ def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.Shutte
 def test_a_plans_file_is_written_and_read_as_by_the_command(
     program: nscc.ShutterProgram, tmp_path: Path
 ) -> None:
+    """The first capture with a path writes the bytes that `nscc run --plan` writes. The next one
+    reads them and gives equal electrons."""
     program.save(tmp_path / "p.icw")
     np.savez(tmp_path / "light.npz", light=LIGHT)
     line = ["run", "p.icw", "--scene", "light.npz", "--plan", "c.json", "-o", "f.npz"]
@@ -190,6 +194,8 @@ def test_a_sensor_is_that_of_a_chip_with_some_numbers_changed(
 
 
 def test_tensors_of_torch_are_accepted_as_arrays(program: nscc.ShutterProgram) -> None:
+    """A tensor gives the frame of its array. One that requires a gradient is refused, with the
+    differentiable function as a hint."""
     torch = pytest.importorskip("torch")
     light = torch.from_numpy(LIGHT)
     wanted = nscc_runtime.capture(program, LIGHT).exposure_e
@@ -263,6 +269,7 @@ WRONG = {
 def test_wrong_arguments_are_refused_in_a_sentence(
     wrong: str, program: nscc.ShutterProgram
 ) -> None:
+    """Each call of `WRONG` gives an error that is both a TypeError and Rejected."""
     call, words = WRONG[wrong]
     with pytest.raises(TypeError, match=words) as caught:
         call(program)
@@ -288,6 +295,7 @@ def test_python_refuses_what_the_command_refuses(
 
 @pytest.mark.parametrize("other", [1.0, np.nan, np.inf])
 def test_negative_light_is_refused(other: float, program: nscc.ShutterProgram) -> None:
+    """One pixel of -1 gives NS0736, also if the other pixels are NaN or infinite."""
     picture = np.full(PICTURE.shape, other, np.float32)
     picture[0, 0] = -1.0
     light = nscc_runtime.Light.of_still(picture, np.ones(8))
@@ -296,6 +304,7 @@ def test_negative_light_is_refused(other: float, program: nscc.ShutterProgram) -
 
 
 def test_light_that_is_not_a_number_is_marked(program: nscc.ShutterProgram) -> None:
+    """The frame is made. Only the pixel that is NaN is not valid."""
     picture = np.ones(PICTURE.shape, np.float32)
     picture[0, 0] = np.nan
     light = nscc_runtime.Light.of_still(picture, np.ones(8))
@@ -316,6 +325,8 @@ def test_a_program_without_data_has_no_frame() -> None:
 
 
 def test_pixels_that_look_have_frames_and_plans_but_no_shutters(root: Path) -> None:
+    """For float_pixel the light comes back within 2 %, and the plan's promise holds. `shutters()`
+    is refused, as they depend on the light."""
     p = nscc.compile(root / "examples" / "float_pixel.nsl", target=TARGET)
     light = np.full((ROWS, COLS), 2e6)  # electrons a second
     taken = nscc_runtime.capture(p, light)
@@ -342,5 +353,6 @@ def test_repr_of_frames_plans_light_and_sensors_is_one_line(program: nscc.Shutte
 def test_threads_of_many_captures_are_a_whole_number(
     threads: Any, program: nscc.ShutterProgram
 ) -> None:
+    """0, -1, a text and 1.5 are refused with the argument's name."""
     with pytest.raises(nscc.Rejected, match="threads"):
         nscc_runtime.captures(program, [LIGHT], threads=threads)

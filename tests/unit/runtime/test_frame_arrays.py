@@ -62,6 +62,7 @@ DAMAGED: dict[str, tuple[dict[str, Any], str]] = {
 
 
 def test_a_sound_file_is_read(tmp_path: Path) -> None:
+    """The frame, the meta data and the chosen array `valid` are read, and no other array."""
     np.savez(tmp_path / "f.npz", **arrays())
     found, meta = read_frame_arrays(tmp_path / "f.npz", "valid".__eq__)
     assert {*found} == {"frame", "valid", "meta"}
@@ -70,6 +71,7 @@ def test_a_sound_file_is_read(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", DAMAGED)
 def test_damaged_frame_files_are_refused_with_the_reason(tmp_path: Path, name: str) -> None:
+    """Each damage of `DAMAGED` raises InvalidArrays with the reason that stands beside it."""
     changes, said = DAMAGED[name]
     np.savez(tmp_path / "f.npz", **arrays(**changes))
     with pytest.raises(InvalidArrays) as raised:
@@ -96,6 +98,7 @@ READERS: dict[str, tuple[str, Callable[[str], bool]]] = {
 def test_every_command_refuses_damage_in_the_arrays_that_it_reads(
     tmp_path: Path, run_nscc: RunNscc, line: str
 ) -> None:
+    """A command that reads the damaged array gives its own code and writes no file."""
     code, is_read = READERS[line]
     for name, (changes, said) in DAMAGED.items():
         if not is_read(name):
@@ -112,6 +115,7 @@ def test_every_command_refuses_damage_in_the_arrays_that_it_reads(
 def test_responses_have_the_shape_of_the_shutters(
     tmp_path: Path, run_nscc: RunNscc, name: str
 ) -> None:
+    """A response array whose second axis is empty gives NS0819: responses of other shapes."""
     (tmp_path / "p.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
     line = "run p.nsl --scene builtin:dark -o f.npz"
     assert run_nscc(line.split(), tmp_path).status == 0

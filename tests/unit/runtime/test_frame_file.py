@@ -102,12 +102,15 @@ def test_readout_rounds_half_to_even_and_clips() -> None:
 
 
 def test_values_that_are_not_numbers_read_zero_and_are_invalid() -> None:
+    """NaN and minus infinity read code 0, infinity the last code 255. All three are invalid, and
+    5.0 is valid."""
     frame = read_out(exposure(np.array([[[np.nan, np.inf, -np.inf, 5.0]]])), TARGET)
     np.testing.assert_array_equal(frame.frame, [[[0, 255, 0, 0]]])
     np.testing.assert_array_equal(frame.valid, [[[False, False, False, True]]])
 
 
 def test_a_converter_of_six_bits_clips_and_one_of_ten_bits_is_refused() -> None:
+    """1e9 electrons read code 63 of 64. Ten bits do not fit the bytes of a frame file: NS0742."""
     six = replace(TARGET, adc_bits=6)
     frame = read_out(exposure(np.full((1, 1, 1), 1e9)), six)
     # The last of 64 codes.
@@ -153,12 +156,16 @@ def test_the_file_has_the_documented_arrays() -> None:
 
 
 def test_truth_of_a_still_is_its_all_open_sum() -> None:
+    """The array `truth_e` holds the electrons of a shutter that is always open. The light itself is
+    not written unless asked for."""
     data = np.load(io.BytesIO(written(("truth",), kind="still")))
     np.testing.assert_array_equal(data["truth_e"], light("still").total_e())
     assert "light" not in data
 
 
 def test_repeats_have_an_axis_in_front() -> None:
+    """Three equal frames give arrays of 3 x 2 x rows x columns, whose parts are those of one
+    frame."""
     once, thrice = np.load(io.BytesIO(written())), np.load(io.BytesIO(written(repeat=3)))
     for key in ("frame", "exposure_e", "valid", "saturated", "saturated_by"):
         assert thrice[key].shape == (3, 2, ROWS, COLS)
@@ -178,11 +185,15 @@ def test_shutters_need_pixels() -> None:
 
 @pytest.mark.parametrize("tile", [(1, 1), (2, 2), (1, 3), (3, 1), (3, 4), (6, 8)])
 def test_the_smallest_tile_of_a_pattern_is_found(tile: tuple[int, int]) -> None:
+    """A pattern that repeats every a x b pixels of 6 x 8 has the tile a x b, up to the whole
+    frame."""
     y, x = np.mgrid[:6, :8]
     assert tile_of(x % tile[1] + 10 * (y % tile[0])) == tile
 
 
 def test_light_is_estimated_from_unsaturated_neighbours() -> None:
+    """Some shutters of each 2 x 2 window saturate. The light of every pixel is still known, within
+    1 %."""
     target = replace(TARGET, rows=12, cols=12)
     program = container(1, target=target)
     rate = 5e7  # electrons a second
@@ -199,6 +210,7 @@ def test_light_is_estimated_from_unsaturated_neighbours() -> None:
 
 
 def test_view_orders_shutters_by_opening_and_counts_codes() -> None:
+    """Rows begin with the shutter that opens least. A shutter of two codes has the label `(+1)`."""
     stops = np.arange(1, 5)
     opened = np.arange(SLOTS)[None, :] < stops[::-1, None]
     table = DecodeTable(

@@ -34,6 +34,8 @@ def _frames(count: int) -> Iterator[Frame]:
 def test_a_film_gathered_frame_by_frame_equals_its_frames_stacked(
     most: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """In mapped files (a limit of 0 bytes) and in memory, the film has the values and dtypes of
+    stacked frames."""
     monkeypatch.setattr(frame_series, "MOST_BYTES", most)
     found, wanted = frame_series.gathered(_frames(5), 5), joined(list(_frames(5)), np.stack)
     for name in ("frame", "exposure_e", "valid", "saturated_by"):
@@ -49,6 +51,7 @@ def test_a_film_gathered_frame_by_frame_equals_its_frames_stacked(
 def test_gathered_frames_are_copied_before_the_next_is_computed(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    """The source writes each frame into the same array. The film holds 0, 1 and 2 all the same."""
     monkeypatch.setattr(frame_series, "MOST_BYTES", 0)
     room = np.zeros((1, 2, 2))
 
@@ -61,6 +64,8 @@ def test_gathered_frames_are_copied_before_the_next_is_computed(
 
 
 def test_a_full_disk_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No space for the mapped file gives NS0784, with the help to set TMPDIR."""
+
     def full(*_: int) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 

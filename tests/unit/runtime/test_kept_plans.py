@@ -66,6 +66,8 @@ def error_e(plan: Plan, light: Light) -> float:
 
 @pytest.mark.parametrize("tolerance", ["5e", "0.1noise"])
 def test_lamps_that_flash_are_planned_anew(tolerance: str) -> None:
+    """After 30 steady scenes the lamps give their light in a quarter of the time. The new plan
+    keeps its promise and models saturation."""
     steady, flash = lamps(16), lamps(4)
     *_, last = captures(STOPS, [steady] * 30 + [flash], effects="auto", tolerance=tolerance)
     # A promise has a tenth of slack.
@@ -74,6 +76,8 @@ def test_lamps_that_flash_are_planned_anew(tolerance: str) -> None:
 
 
 def test_a_given_plan_warns_of_lamps_that_flash() -> None:
+    """A plan without saturation is given by the caller, so it stays in use. The warning NS0749
+    comes, and its predicted error is the true one within 15 %."""
     steady, flash = lamps(16), lamps(4)
     scene = planning_of(STOPS, SENSOR, steady)
     loose = make_plan(scene, PlanRequest(selected("auto,-full_well,-register"), "5e", figures=True))
@@ -84,6 +88,8 @@ def test_a_given_plan_warns_of_lamps_that_flash() -> None:
 
 
 def test_stripes_that_begin_to_move_are_planned_anew() -> None:
+    """After six still scenes the plan for moving stripes has the effect `motion` and an error
+    within the tolerance."""
     still_stripes, moving = stripes(0), stripes(4)
     *_, last = captures(STOPS, [still_stripes] * 6 + [moving], effects="auto", tolerance="5e")
     assert "motion" in last.plan.kept.on
@@ -141,6 +147,8 @@ def test_the_order_of_scenes_alone_decides_which_plan_a_scene_reuses(threads: in
 
 @pytest.mark.parametrize("weights", [[2.0] * 5, [0.5, 1.0, 0.0, 3.0, 2.0]])
 def test_the_sum_of_the_light_is_computed_once(weights: list[float]) -> None:
+    """The sum over slots is kept: the second access returns the same array. An infinite pixel sums
+    to 1e36, the most allowed."""
     frames = np.random.default_rng(2).uniform(0, 9, (3, 4, 6)).astype(np.float32)
     starts, index = np.arange(6), np.array([0, 2, 1, 1, 0], np.int32)
     light = Light(frames, starts, index, np.array(weights), "clip")
@@ -172,6 +180,8 @@ def planned(
 
 
 def test_a_plan_that_does_not_fit_a_scene_is_made_anew() -> None:
+    """The plan is expected to last 1000 frames, and after one that failed at once, 1. The next
+    scene takes the new plan again."""
     plans = KeptPlans()
     assert planned(plans, 0, ALL) == (ALL, 1000)
     assert planned(plans, 1, SOME, fits=False) == (SOME, 1)
@@ -179,6 +189,7 @@ def test_a_plan_that_does_not_fit_a_scene_is_made_anew() -> None:
 
 
 def test_plans_are_expected_to_last_as_long_as_the_last_one() -> None:
+    """A plan served five scenes, so the next is expected to serve 5, and the ones after it 1."""
     plans = KeptPlans()
     made = [planned(plans, number)[1] for number in range(5)]
     assert made == [1000, None, None, None, None]
@@ -193,6 +204,8 @@ def test_a_plan_is_made_again_after_8_scenes_and_then_after_16() -> None:
 
 
 def test_a_failed_plan_is_not_kept() -> None:
+    """The error reaches the caller and the next scene makes a plan. A later call takes it without
+    making one."""
     plans = KeptPlans()
 
     def fails(_frames: int) -> Plan:

@@ -28,6 +28,8 @@ def some_light(seed: int = 0, slots: int = 7, frames: int = 4) -> tuple[Light, n
 
 
 def test_slots_are_the_weighted_sums() -> None:
+    """The dense clip of 7 slots of 3 x 5 pixels is the weighted sum of the stored pictures, in
+    float32."""
     light, expected = some_light()
     np.testing.assert_allclose(light.dense(), expected, rtol=1e-7)
     assert light.dense().dtype == np.float32
@@ -49,6 +51,7 @@ def test_many_equal_slots_of_a_still_are_summed_accurately() -> None:
 
 
 def test_a_clip_of_weight_one_is_its_own_frames_to_the_bit() -> None:
+    """Each slot is a view of the clip's own memory, and no copy."""
     frames = np.random.default_rng(2).random((4, 3, 3)).astype(np.float32)
     light = Light.of_clip(frames)
     for n in range(4):
@@ -65,6 +68,7 @@ def test_a_slot_without_frames_is_dark() -> None:
 
 
 def test_identity_depends_on_values_only() -> None:
+    """The digest changes with values or weights. The order in memory does not change it."""
     first, second = some_light()[0], some_light()[0]
     assert first.sha256() == second.sha256()
     assert some_light(5)[0].sha256() != first.sha256()
@@ -76,6 +80,7 @@ def test_identity_depends_on_values_only() -> None:
 
 
 def test_thousands_of_slots_of_a_still_cost_one_picture() -> None:
+    """A still of 4096 slots keeps one picture of 64 x 64 float32 values."""
     light = load_scene("builtin:hdr", slot_us=(10.0,) * 4096, rows=64, cols=64)
     assert light.frames.nbytes == 64 * 64 * 4
     assert light.slots == 4096

@@ -53,6 +53,8 @@ def taken(program: Container, at_look_e: float, effects: str, **sensor: float) -
 def test_comparators_are_off_by_their_figures(
     program: Container, effect: str, share: float
 ) -> None:
+    """The light lies `share` standard deviations from the level. The share of closed shutters is
+    that of a normal distribution."""
     size = 0.02
     figures = {f"{effect}_fraction": size}
     frame = taken(program, LEVEL_E + share * size * WELL_E, effect, **figures)
@@ -95,6 +97,8 @@ def test_the_stated_deviation_of_the_light_equals_the_spread_of_its_errors(
 
 
 def test_a_saturated_pixel_has_a_lower_bound_and_infinite_deviation(program: Container) -> None:
+    """With four wells of light the pixel tells at least 0.99 of a well, with an infinite
+    deviation."""
     frame = taken(program, 4 * WELL_E, "full_well,shot")
     assert frame.saturated.all()
     assert np.isinf(frame.told[DEVIATION]).all()

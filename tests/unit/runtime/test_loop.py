@@ -83,6 +83,8 @@ def test_a_loop_reads_records_and_arrays_of_them():
 
 
 def test_a_loop_reads_a_view_from_where_it_begins(tmp_path):
+    """A view that begins at element 1, in memory and in a read-only mapped file, reads and writes
+    only its own elements."""
     whole = np.array([-1, 0, 100, 200, -1])
     np.save(tmp_path / "whole.npy", whole)
     mapped = np.load(tmp_path / "whole.npy", mmap_mode="r")
@@ -172,6 +174,8 @@ def test_a_loop_reads_and_writes_the_arrays_of_records_in_any_order_of_arguments
     ],
 )
 def test_every_array_of_a_record_is_checked_against_its_declaration(field, value, message):
+    """A read-only output, another length, another dtype and a plain tuple each give a TypeError
+    that names the field."""
     with pytest.raises(TypeError, match=message):
         summed(**of_lines(lines=of_lines()["lines"]._replace(**{field: value})))
     with pytest.raises(TypeError, match="lines is tuple, not Lines"):
@@ -179,6 +183,7 @@ def test_every_array_of_a_record_is_checked_against_its_declaration(field, value
 
 
 def test_missing_and_nameless_values_are_refused():
+    """The error names the missing arguments. Values without names are refused."""
     with pytest.raises(TypeError, match="scaled: lacks out, start, steps"):
         scaled(sizes=given()["sizes"])
     with pytest.raises(TypeError, match="by name"):
@@ -186,6 +191,7 @@ def test_missing_and_nameless_values_are_refused():
 
 
 def test_a_record_has_all_its_fields():
+    """A misspelt field is named beside the missing one. A count of 1.5 is no whole number."""
     with pytest.raises(TypeError, match="Sizes: lacks word; does not take words"):
         Sizes(count=1, factor=1.0, words=0)
     with pytest.raises(TypeError):
@@ -228,6 +234,7 @@ def code(monkeypatch, *places):
 
 
 def test_a_loop_is_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):
+    """The second call reads the one file of the cache: the compiler ran once."""
     place = tmp_path / "cache"
     assert code(monkeypatch, place) == b"machine code"
     assert code(monkeypatch, place) == b"machine code"
@@ -236,6 +243,7 @@ def test_a_loop_is_compiled_once_and_read_afterwards(tmp_path, no_compiler, monk
 
 
 def test_damaged_code_is_never_run(tmp_path, no_compiler, monkeypatch):
+    """An empty, cut or changed file is compiled again and rewritten: five compilations in all."""
     code(monkeypatch, tmp_path)
     (file,) = tmp_path.iterdir()
     data = file.read_bytes()
@@ -250,6 +258,8 @@ def test_damaged_code_is_never_run(tmp_path, no_compiler, monkeypatch):
 def test_machine_code_is_stored_in_the_second_folder_if_the_first_cannot_be_written(
     tmp_path, no_compiler, monkeypatch
 ):
+    """The first place is a file and no folder, so the code is read from the second next time.
+    Without a second it is compiled each time."""
     blocked = tmp_path / "file"
     blocked.write_text("not a folder")
     second = tmp_path / "second"
@@ -277,6 +287,7 @@ sys.exit(any(name in sys.modules for name in ("numba", "scipy")))
 
 
 def test_every_loop_is_found():
+    """The search over both packages lists the modules of compiled loops, among them these five."""
     found = [name for package in ("nscc_runtime", "nscc_training") for name in modules(package)]
     for name in (
         "emulator.loops",
@@ -291,6 +302,8 @@ def test_every_loop_is_found():
 def test_an_object_file_that_cannot_be_written_leaves_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """If renaming fails, the code is returned, no file is left, and nothing is read later."""
+
     def refuse(*_: object) -> None:
         raise OSError("no space left")
 

@@ -23,6 +23,8 @@ ROWS, COLS = 12, 16
 @pytest.mark.parametrize("threads", [1, 2, 5])
 @pytest.mark.parametrize("rows", [range(1), range(4, 11), range(64)])
 def test_every_row_is_done_once(rows: range, threads: int, most: int) -> None:
+    """For any rows, threads and limit of waiting rows, each row is in one strip. A strip has at
+    most `most // threads` rows, and one at least."""
     done: list[range] = []
     lock = Lock()
 
@@ -37,6 +39,8 @@ def test_every_row_is_done_once(rows: range, threads: int, most: int) -> None:
 
 @pytest.mark.parametrize("failing", [0, 1, 2])
 def test_an_error_is_raised_after_all_parts_have_ended(failing: int) -> None:
+    """One of three parts fails at once. The others end first, and then the error reaches the
+    caller."""
     ended: list[int] = []
 
     def run(begin: int, _: int) -> None:

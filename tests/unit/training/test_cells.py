@@ -75,6 +75,8 @@ def compare(cell: PixelCell, exposure: NDArray[np.float32]) -> None:
 
 @pytest.mark.parametrize("number", range(len(CELLS)))
 def test_emulated_words_give_the_bits_of_torch(number: int) -> None:
+    """For nine random frames, the program's words on the emulator give each output bit of the torch
+    cell."""
     exposure = np.random.default_rng(number).random((9, TARGET.rows, TARGET.cols), np.float32)
     compare(made(CELLS[number], number), exposure)
 
@@ -101,6 +103,8 @@ def test_cells_on_the_chip_equal_cells_in_torch_for_a_thousand_frames() -> None:
 
 
 def test_the_same_cell_gives_the_same_bytes() -> None:
+    """A cell compiled twice gives equal files. A binary state is written as `bit = 1 kept`, and
+    weights as `agree`."""
     first, second = (cell_files(made(CELLS[3], 3), KERNELS) for _ in range(2))
     assert (first.text, first.kernels) == (second.text, second.kernels)
     assert "state h1 : bit = 1 kept" in first.text
@@ -129,6 +133,8 @@ def test_settings_are_part_of_the_state_dict() -> None:
 
 @pytest.mark.parametrize("is_binary", [True, False])
 def test_gradients_reach_all_parameters(is_binary: bool) -> None:
+    """Each output's weights and thresholds have a gradient that is not 0, with binary weights and
+    without."""
     torch.manual_seed(0)
     cell = PixelCell(outputs=2, pool=3, update="replace")
     cell.is_binary = is_binary

@@ -126,6 +126,7 @@ KINDS: dict[str, Callable[[Path], Figure]] = {
 
 @pytest.mark.parametrize("name", KINDS)
 def test_charts_show_the_recorded_figures(name: str, tmp_path: Path, update_cases: bool) -> None:
+    """The words and points of each kind of chart are those of the recorded case."""
     with sheet.style():
         figure = KINDS[name](tmp_path)
         figure.draw_without_rendering()

@@ -86,6 +86,8 @@ def test_the_cross_entropy_is_that_of_the_loss() -> None:
 
 
 def test_each_patch_has_the_class_of_its_scene() -> None:
+    """Scenes take the classes in turn. A batch holds each patch's class as a row with a 1, also
+    after cutting."""
     settings = settings_of(CLASSES)
     scenes = load_scenes(settings.data, False, 16, 0, classes=DIRECTIONS)
     assert [scene.label for scene in scenes.train[:9]] == [*DIRECTIONS, "right"]
@@ -133,6 +135,8 @@ def test_files_with_one_name_in_folders_of_two_classes_stay_apart(
 
 
 def test_the_loss_is_the_negative_logarithm_of_the_likelihood_of_the_right_class() -> None:
+    """For likelihoods 0.5 and 0.8 of the right classes, the loss is their mean negative logarithm.
+    A constant added to all logits changes nothing."""
     shares = torch.tensor([[0.5, 0.25, 0.25], [0.1, 0.1, 0.8]])
     truth = torch.tensor([[1.0, 0, 0], [0, 0, 1.0]])
     expected = -(np.log(0.5) + np.log(0.8)) / 2
@@ -184,6 +188,8 @@ def test_a_run_is_evaluated_on_procedural_scenes_and_on_folders(
 
 
 def test_the_class_of_a_frame_does_not_depend_on_the_light_around_the_scene(run: Path) -> None:
+    """A frame of a moving texture at 1500 electrons gets a share for each direction. Shares sum to
+    1, largest first."""
     clip = moving_texture(np.random.default_rng(1), 16, 256, "up", 1.0)
     loaded = load_run(run)
     shares = loaded.classify(loaded.capture(Light.of_clip(1500 * clip)))
@@ -193,6 +199,8 @@ def test_the_class_of_a_frame_does_not_depend_on_the_light_around_the_scene(run:
 
 
 def test_classify_prints_what_python_returns(run: Path, tmp_path: Path) -> None:
+    """`nscc classify --json` prints the shares that Python returns. Without `--json` the lines have
+    the same order."""
     clip = moving_texture(np.random.default_rng(1), 16, 256, "up", 1.0)
     np.save(tmp_path / "up.npy", (1500 * clip).astype(np.float32))
     line = ["run", "--like", str(run), "--scene", "up.npy", "-o", "f.npz"]
@@ -232,6 +240,8 @@ def test_each_command_refuses_runs_of_the_other_task(run: Path, tmp_path: Path) 
 
 
 def test_classes_are_learned_from_folders_of_their_names(tmp_path: Path) -> None:
+    """Folders named left and right give scenes of these classes. A folder whose name is no class is
+    refused."""
     folder = class_folders(tmp_path / "clips", count=5)
     data = changed(CLASSES, "data", train=str(folder), classes=["left", "right"])
     settings = settings_of(data)

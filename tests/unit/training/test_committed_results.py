@@ -31,6 +31,7 @@ def named(run: Path) -> str:
 
 
 def test_runs_have_weights_where_they_are_shipped() -> None:
+    """The repository ships the weights of six runs, and no other result folder has any."""
     assert len(SHIPPED) == 6
     weighed = {path.parent for path in RESULTS.rglob("decoder.safetensors")}
     assert weighed == {*SHIPPED}
@@ -65,6 +66,8 @@ def test_the_files_of_a_shipped_run_belong_together(run: Path) -> None:
 
 @pytest.mark.parametrize("run", SHIPPED, ids=named)
 def test_decoders_of_shipped_runs_decode(run: Path) -> None:
+    """The shipped weights decode a frame of 48 x 48: finite values of that size, or scores of 8
+    classes. The codes file has the encoder's fields."""
     parts = load_run(run).setup
     frame = torch.rand(1, 48, 48, generator=torch.Generator().manual_seed(1))
     with torch.no_grad():
@@ -81,4 +84,6 @@ def test_decoders_of_shipped_runs_decode(run: Path) -> None:
     ids=named,
 )
 def test_runs_of_free_bits_fit_the_smaller_chip(run: Path) -> None:
+    """The shutters of class e in results were made for a larger chip. They compile for scamp5 at
+    level 1, too."""
     assert compile_file(run / "shutter.nsl", Options(target="scamp5", level=1)).container

@@ -16,6 +16,8 @@ from nscc_training.settings import RunSettings, config_toml, load_config, settin
 
 
 def test_printed_settings_are_read_back() -> None:
+    """The TOML of the defaults and of changed settings gives equal settings when read. With remarks
+    no line passes 100 characters."""
     for remarks in (False, True):
         text = config_toml(RunSettings(), remarks=remarks)
         assert settings_of(tomllib.loads(text)) == RunSettings()
@@ -47,6 +49,8 @@ def test_all_contradictions_are_named_together() -> None:
 
 
 def test_changes_by_set_replace_values_of_the_file(tmp_path: Path) -> None:
+    """`train.steps=9` replaces the 7 of the file. Values that it does not name keep the file's
+    value."""
     path = tmp_path / "c.toml"
     path.write_text("[train]\nsteps = 7\nbatch = 3\n")
     found = load_config(path, ["train.steps=9", "loss.name=l1", 'data.val=""', "shutter.free=true"])
@@ -55,6 +59,8 @@ def test_changes_by_set_replace_values_of_the_file(tmp_path: Path) -> None:
 
 
 def test_all_mistakes_are_reported_at_once_with_their_places(tmp_path: Path) -> None:
+    """A file with four mistakes and two bad changes gives six errors. Misspelt names get a
+    proposal, and the file's lines are 1, 4, 5 and 7."""
     path = tmp_path / "c.toml"
     path.write_text("[trian]\nx = 1\n[train]\nstep = 3\nbatch = 0\n[data]\nsaturated = [0.3]\n")
     with pytest.raises(Rejected) as caught:
@@ -92,6 +98,8 @@ def test_wrong_values_of_a_configuration_are_refused(text: str, tmp_path: Path) 
 
 
 def test_invalid_configuration_files_are_refused(tmp_path: Path) -> None:
+    """A missing, binary or broken file gives NS0813, a folder without pictures NS0811. No run
+    folder is made."""
     (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
     (tmp_path / "broken.toml").write_text("[train\nsteps = 1")
     for name, code in (
@@ -106,6 +114,8 @@ def test_invalid_configuration_files_are_refused(tmp_path: Path) -> None:
 
 
 def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
+    """`nscc train --schema` prints a file that gives the default settings, with the decoders' names
+    as a remark."""
     outcome = invoke(["train", "--schema"], tmp_path)
     assert outcome.status == 0
     assert settings_of(tomllib.loads(outcome.out)) == RunSettings()
@@ -168,6 +178,8 @@ def test_training_refuses_invalid_settings_before_its_first_step(
     ["panorama", 'a "b" \\ c', "tab\tline\nend", "\x00\x7f", "caf\xe9 \u4e2d", "\U0001f600\ufffd"],
 )
 def test_any_text_survives_the_file(text: str, tmp_path: Path) -> None:
+    """A text with quotes, control characters or any Unicode is equal after it was written and
+    read."""
     settings = settings_of({"data": {"train": text}})
     path = tmp_path / "c.toml"
     path.write_text(config_toml(settings), encoding="utf-8")
@@ -176,6 +188,7 @@ def test_any_text_survives_the_file(text: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("change", ["data.train=\udcff", "train.steps=3\nbatch=5"])
 def test_changes_that_are_not_a_single_toml_value_are_refused(change: str) -> None:
+    """A lone surrogate, or two lines in one change, give NS0815."""
     with pytest.raises(Rejected) as caught:
         settings_of({}, [change])
     assert [d.code for d in caught.value.diagnostics] == ["NS0815"]

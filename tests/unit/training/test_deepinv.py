@@ -53,6 +53,8 @@ def light(kind: str, batch: int = 2) -> torch.Tensor:
 
 @pytest.mark.parametrize("kind", TEXTS)
 def test_the_physics_equals_the_emulator(kind: str) -> None:
+    """For a clip, a still and others of `TEXTS`, the operator's measurement is the exposure of the
+    emulator, to 1e-5."""
     x, p = light(kind), program(kind)
     y = physics(kind).A(x)
     assert y.shape == (2, len(p.buckets), ROWS, COLS)
@@ -89,6 +91,7 @@ def test_inverse_and_proximal_step_are_the_matrix_ones(kind: str) -> None:
 
 
 def test_gradients_reach_the_codes() -> None:
+    """The operator's parameters are those of its encoder. Each has a gradient that is not 0."""
     encoder = make_encoder(ShutterSpec("d", 8, (4, 4)), "random", seed=3)
     operator = PixelShutters(encoder, size=(ROWS, COLS))
     operator.A(light("encoder")).square().mean().backward()
@@ -116,6 +119,8 @@ def test_the_noise_has_the_mean_and_variance_of_the_sensor() -> None:
 
 
 def test_the_sensor_is_that_of_the_program() -> None:
+    """`SensorNoise.of` takes the program's sensor with the changed full well. The same torch seed
+    gives the same noise."""
     noise = SensorNoise.of(program("clip"), {"full_well_e": 20000.0})
     assert (noise.sensor.full_well_e, noise.sensor.shot_noise) == (20000.0, True)
     torch.manual_seed(5)
@@ -126,6 +131,8 @@ def test_the_sensor_is_that_of_the_program() -> None:
 
 @pytest.mark.parametrize("wrong", [np.ones((8, 4, 4)), "flutter.nsl", torch.ones(4, 4), None])
 def test_invalid_shutters_are_refused(wrong: Any) -> None:
+    """An array, a path, a tensor of two axes and None each give a TypeError that names what is
+    allowed."""
     with pytest.raises(TypeError, match="PixelShutters takes a program, an Encoder or a tensor"):
         PixelShutters(wrong)
 
@@ -178,6 +185,8 @@ def their_tests(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Any:
 @pytest.mark.filterwarnings("ignore:::deepinv", "ignore::UserWarning")
 @pytest.mark.parametrize(("test", "kind"), CASES)
 def test_the_tests_of_deepinverse_hold(test: str, kind: str, their_tests: Any) -> None:
+    """The library's own tests of a physics (adjoint, pseudo-inverse and others) pass with our
+    operator."""
     given = {
         "name": kind,
         "device": "cpu",

@@ -149,6 +149,8 @@ def test_a_shutter_that_moves_to_another_place_keeps_its_response(table: Emulate
 
 
 def test_places_of_one_shutter_have_one_response(table: EmulatedSensor) -> None:
+    """A tile has two shutters, each at two places. Places of the same shutter get the code table of
+    the first."""
     tables = MeasuredTables()
     tables.arrange(torch.tensor([[[1, 0], [1, 0]], [[0, 1], [0, 1]]]), lambda: table)
     assert tables.table is not None
@@ -294,6 +296,8 @@ def test_training_measures_the_sensor_again_and_resumes_exactly(
 def test_the_table_has_the_crosstalk_of_the_emulator_and_a_gradient_near_1(
     program: Container, table: EmulatedSensor
 ) -> None:
+    """The table smears light as the emulator does. Its slope, in codes times electrons a code, lies
+    between 0.8 and 1.05."""
     generator = np.random.default_rng(1)
     light = generator.random((3, 7, 9))
     wanted = smeared(light, table.crosstalk)
@@ -401,6 +405,8 @@ def test_a_result_of_a_run_under_effects_begins_with_its_scores_with_and_without
 
 @pytest.mark.parametrize(("init", "name"), [("nowhere", "unet2d"), ("clip", "unet2d")])
 def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
+    """A file that does not exist, and weights of another decoder, give NS0815, which names
+    `decoder.init`."""
     with pytest.raises(Rejected) as refusal:
         make_setup(settings_of({"decoder": {"name": name, "init": init}}))
     assert refusal.value.diagnostics[0].code == "NS0815"

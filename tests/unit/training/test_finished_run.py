@@ -28,6 +28,8 @@ def run(tmp_path_factory: pytest.TempPathFactory) -> nscc_training.Run:
 
 
 def test_reconstruct_in_python_equals_the_command(run: nscc_training.Run, tmp_path: Path) -> None:
+    """A capture, its file, its codes as bytes and as whole numbers give the image that the command
+    writes, in float32."""
     taken = nscc_runtime.capture(run.program, "builtin:hdr")
     path = taken.save(tmp_path / "frame.npz")
     outcome = invoke(["reconstruct", str(run.path), "frame.npz", "-o", "r.npz"], tmp_path)
@@ -43,6 +45,8 @@ def test_reconstruct_in_python_equals_the_command(run: nscc_training.Run, tmp_pa
 def test_capture_of_a_run_writes_the_frame_file_of_nscc_run_like(
     run: nscc_training.Run, tmp_path: Path
 ) -> None:
+    """The file has the bytes that `nscc run --like` writes. `exposure=1e6` sets the light's 99th
+    percentile."""
     line = ["run", "--like", str(run.path), "--scene", "builtin:hdr", "-o", "c.npz"]
     outcome = invoke(line, tmp_path)
     assert outcome.status == 0, outcome.err
@@ -54,6 +58,8 @@ def test_capture_of_a_run_writes_the_frame_file_of_nscc_run_like(
 
 @pytest.mark.filterwarnings(r"ignore:warning\[NS0842\]")
 def test_the_dark_level_is_subtracted(run: nscc_training.Run, tmp_path: Path) -> None:
+    """With dark frames given, Python and `--dark` give the same image, from objects and from
+    files."""
     taken = run.capture("builtin:hdr", effects="auto")
     dark = run.capture("builtin:dark", effects="auto", repeat=3)
     path, without = taken.save(tmp_path / "f.npz"), dark.save(tmp_path / "d.npz")
@@ -66,6 +72,8 @@ def test_the_dark_level_is_subtracted(run: nscc_training.Run, tmp_path: Path) ->
 
 
 def test_colours_are_reconstructed_one_by_one(run: nscc_training.Run, tmp_path: Path) -> None:
+    """A photo of 48 x 56 in three colours comes back in this shape, from the capture and from its
+    file alike."""
     import cv2
 
     photo = np.random.default_rng(4).integers(0, 255, (48, 56, 3), np.uint8)
@@ -79,6 +87,8 @@ def test_colours_are_reconstructed_one_by_one(run: nscc_training.Run, tmp_path: 
 
 
 def test_a_frame_of_another_program_is_refused(run: nscc_training.Run) -> None:
+    """NS0819 names the capture as the fault. With `force=True` it is a warning, and an image of the
+    other size comes."""
     other = nscc.compile("nsl 1\nframe 4 slots of 8ms\nopen when true\n", level=1)
     taken = nscc_runtime.capture(other, "builtin:hdr")
     with pytest.raises(nscc.Rejected, match=r"NS0819.*the capture.*program is not the run's"):
@@ -99,6 +109,8 @@ def test_a_frame_of_another_program_is_refused(run: nscc_training.Run) -> None:
 def test_files_that_are_not_frames_are_refused(
     run: nscc_training.Run, frame: Any, words: str
 ) -> None:
+    """Codes in floating point, of another shape, above 255, and None each give a TypeError that
+    says what was given."""
     with pytest.raises(TypeError, match=words):
         run.reconstruct(frame)
 
@@ -110,6 +122,7 @@ def test_only_one_exposure_is_reconstructed(run: nscc_training.Run) -> None:
 
 
 def test_folders_that_are_not_runs_are_refused(tmp_path: Path) -> None:
+    """An empty folder gives NS0818. A number in place of a path gives a TypeError."""
     with pytest.raises(nscc.Rejected, match="NS0818"):
         nscc_training.load_run(tmp_path)
     with pytest.raises(TypeError, match="load_run takes a path, not 3"):
@@ -117,6 +130,8 @@ def test_folders_that_are_not_runs_are_refused(tmp_path: Path) -> None:
 
 
 def test_curves_of_a_run_have_the_values_of_metrics_csv(run: nscc_training.Run) -> None:
+    """Each column of `metrics.csv` is a curve. An empty cell reads as NaN, and the split is true
+    for `val`."""
     rows = [*csv.DictReader((run.path / "metrics.csv").read_text().splitlines())]
     assert [*run.curves] == [*rows[0]]
     for number, row in enumerate(rows):
@@ -127,6 +142,8 @@ def test_curves_of_a_run_have_the_values_of_metrics_csv(run: nscc_training.Run) 
 
 
 def test_a_run_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -> None:
+    """Its `repr` is one line with the last PSNR. Its page names the curves, the stop codes and the
+    program."""
     assert "\n" not in repr(run)
     assert f"{run.curves['psnr_db'][-1]:.2f} dB" in repr(run)
     words = {*checked(run).words}

@@ -52,6 +52,8 @@ def imported(
 
 @pytest.mark.parametrize("kind", MASKS)
 def test_a_mask_is_imported_with_its_class_and_shutters(tmp_path: Path, kind: str) -> None:
+    """Each mask gets its class, but for that of class e, where a list of bits takes no more words.
+    Its shutters are the mask, repeated to 256 x 256."""
     mask = MASKS[kind]
     found, shutters = imported(tmp_path, mask)
     if kind == "e":  # for these bits a list of them takes as many words
@@ -79,6 +81,7 @@ def test_the_smallest_tile_of_a_mask_is_found(tmp_path: Path) -> None:
 
 
 def test_an_open_shutter_is_a_bump_as_long_as_the_frame(tmp_path: Path) -> None:
+    """A mask of ones is class a, and the other classes are left only for their words a slot."""
     found, _ = imported(tmp_path, np.ones((2, 3, 8)))
     assert found.kind == "a"
     assert all("words a slot" in reason for reason in found.reasons)
@@ -93,6 +96,7 @@ def test_the_axes_of_a_mask_with_a_square_tile_are_found(tmp_path: Path) -> None
 def test_a_tile_that_can_be_read_in_two_ways_is_refused(
     tmp_path: Path, shape: tuple[int, int, int]
 ) -> None:
+    """If both the first and the last axis could be slots, NS0845 names both readings."""
     mask = np.zeros(shape, bool)
     mask[0, 1, 2] = mask[1, 0, 0] = True
     first, middle, last = shape
@@ -106,6 +110,8 @@ def test_a_tile_that_can_be_read_in_two_ways_is_refused(
 
 @pytest.mark.parametrize("axis", ["last", "first"])
 def test_the_given_axis_of_a_mask_holds_its_slots(tmp_path: Path, axis: Axis) -> None:
+    """A mask of 4 x 8 x 4 can be read in two ways. The given axis decides which values are the
+    slots."""
     mask = np.zeros((4, 8, 4), bool)
     mask[0, 1, 2] = mask[1, 0, 0] = True
     stored = mask if axis == "last" else np.moveaxis(mask, 0, 2)
@@ -165,6 +171,8 @@ def test_masks_are_exported_by_bucket_and_refused_for_pixels_that_look(tmp_path:
 
 
 def test_a_mask_with_a_code_for_every_pixel_is_imported(tmp_path: Path) -> None:
+    """A mask whose 256 x 256 pixels have stops of their own is class b with a tile of the whole
+    frame."""
     mask = by_stop(RNG.integers(1, 9, (256, 256)))
     found, shutters = imported(tmp_path, mask)
     assert (found.kind, found.tile) == ("b", (256, 256))

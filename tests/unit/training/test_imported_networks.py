@@ -34,6 +34,8 @@ def reason(path: Path) -> str:
 
 
 def test_a_state_dict_becomes_a_proved_program(tmp_path: Path) -> None:
+    """The command writes the program text and the kernels that Python makes from the cell, and
+    prints the cell's size."""
     cell, model, out = made(), tmp_path / "cell.pt", tmp_path / "p.nsl"
     torch.save(cell.state_dict(), model)
     done = invoke(["import-network", "cell.pt", "-o", "p.nsl"], tmp_path)
@@ -82,6 +84,7 @@ def test_import_network_refuses_files_without_a_valid_cell(tmp_path: Path) -> No
 
 
 def test_nothing_is_written_for_a_refused_file(tmp_path: Path) -> None:
+    """Weights of a Linear layer give NS0851, which names `bias`. The folder keeps its one file."""
     torch.save(torch.nn.Linear(2, 2).state_dict(), tmp_path / "m.pt")
     done = invoke(["import-network", "m.pt", "-o", "p.nsl"], tmp_path)
     assert done.codes == ["NS0851"]
@@ -109,6 +112,8 @@ def exported(folder: Path, module: torch.nn.Module, states: int = 1) -> Path:
     ],
 )
 def test_an_export_of_torch_is_the_cell(tmp_path: Path, settings: dict[str, int]) -> None:
+    """A cell exported to a file and read again has the same program and kernels, for the default
+    and two other shapes."""
     torch.manual_seed(5)
     cell = PixelCell(**settings)  # type: ignore[arg-type]
     found = read_cell(exported(tmp_path, cell, cell.states))
@@ -133,6 +138,8 @@ class Other(torch.nn.Module):
 
 
 def test_other_graphs_are_refused(tmp_path: Path) -> None:
+    """A network with a Relu, one that computes other bits, and a file that is no ONNX model are
+    refused with that reason."""
     pytest.importorskip("onnx")
     assert "(Relu)" in reason(exported(tmp_path, Other("relu")))
     assert "does not compute the bits" in reason(exported(tmp_path, Other("wrong")))

@@ -24,6 +24,8 @@ def coded(noise: float) -> tuple[Measured, np.ndarray]:
 
 @pytest.mark.parametrize("noise", [0.01, 0.3])
 def test_the_weight_of_total_variation_follows_the_noise(noise: float) -> None:
+    """At weak and at strong noise the chosen weight has an error at most 15 % above the best of
+    five weights."""
     measured, clip = coded(noise)
     weight, found = best_weight(measured, 20)
     errors = {

@@ -25,6 +25,8 @@ def pair(error: float) -> tuple[torch.Tensor, torch.Tensor]:
 
 @pytest.mark.parametrize("error", [1.0, 0.1, 0.01])
 def test_losses_in_decibels_equal_the_metrics(error: float) -> None:
+    """Minus ten times the loss is the metric in dB, within 0.1, for errors of 1, 0.1 and 0.01. The
+    loss adds LEAST_ERROR to the squared error."""
     made, truth = pair(error)
     for name, metric in (
         ("psnr", lambda t, m: metrics.psnr(t, m, 1.0)),
@@ -39,6 +41,8 @@ def test_losses_in_decibels_equal_the_metrics(error: float) -> None:
 
 
 def test_halving_the_error_lowers_the_psnr_loss_by_6_decibels_at_any_error() -> None:
+    """The loss is the decimal logarithm of the squared error. It falls by 2 log10(2), whether the
+    error was 0.5 or 0.05."""
     for error in (0.5, 0.05):
         values = []
         for part in (1.0, 0.5):
@@ -51,6 +55,8 @@ def test_halving_the_error_lowers_the_psnr_loss_by_6_decibels_at_any_error() -> 
 
 
 def test_display_errors_are_those_of_srgb() -> None:
+    """The loss is the mean absolute difference of both pictures after the sRGB curve, also for
+    values on its straight part."""
     made, truth = np.array([0.25, 0.81, 0.001, 0.0]), np.array([0.36, 0.49, 0.0, 0.002])
     shown = [
         np.where(x > 0.0031308, 1.055 * x ** (1 / 2.4) - 0.055, 12.92 * x) for x in (made, truth)
@@ -65,6 +71,7 @@ def loss_of(name: str) -> Loss:
 
 
 def test_a_sum_of_losses_has_the_sum_of_values_and_gradients() -> None:
+    """The order and the blanks of the parts change nothing. A part named twice counts twice."""
     made, truth = (x.clone().requires_grad_() for x in pair(0.1))
     single = {name: LOSSES[name](made, truth) for name in ("psnr", "psnr-mu", "l1")}
     for text in ("psnr+psnr-mu+l1", " l1 + psnr-mu  +psnr"):
@@ -78,6 +85,7 @@ def test_a_sum_of_losses_has_the_sum_of_values_and_gradients() -> None:
 
 
 def test_a_loss_by_import_path_is_added(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`l1 + module:function` is the mean absolute difference plus the function's value."""
     (tmp_path / "loss_in_a_sum.py").write_text("def one(p, t):\n    return p.mean()\n")
     monkeypatch.chdir(tmp_path)
     made, truth = pair(0.1)
@@ -87,6 +95,7 @@ def test_a_loss_by_import_path_is_added(tmp_path: Path, monkeypatch: pytest.Monk
 
 @pytest.mark.parametrize("name", ["psnr+psmr", "l1+", "+", "l1++mu-law", "", "l1,psnr"])
 def test_an_unknown_part_is_refused(name: str) -> None:
+    """A misspelt or empty part, or a comma, gives NS0815 with the list of losses."""
     with pytest.raises(Rejected) as caught:
         loss_of(name)
     (found,) = caught.value.diagnostics

@@ -35,6 +35,8 @@ def test_the_noise_of_a_read_frame_is_computed_from_the_sensor() -> None:
 
 @pytest.mark.parametrize("closed", [0.0, 0.4, 1.0])
 def test_white_is_a_quantile_of_the_pixels_that_open(closed: float) -> None:
+    """White is the 0.995 quantile of the light of open pixels, for each scene. If all are closed it
+    is 1."""
     rng = np.random.default_rng(5)
     light = np.sort(rng.exponential(1.0, (2, 1, 20, 30)), axis=0).astype(np.float32)
     opened = rng.random((1, 1, 1, 20, 30)) >= closed

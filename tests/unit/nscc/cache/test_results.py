@@ -87,6 +87,7 @@ def test_a_cached_build_is_equal_and_needs_no_search(
 
 @pytest.mark.parametrize("level", [0, 1])
 def test_low_levels_store_no_solutions(level: int, folder: Path) -> None:
+    """At levels 0 and 1 nothing is searched, so the folder of the cache is not even made."""
     built(TEXTS["b"], level=level)
     assert not folder.exists()
 
@@ -124,6 +125,8 @@ def test_the_key_contains_everything_that_decides_the_result(
 def test_another_compiler_does_not_use_stored_results(
     folder: Path, searches: list[int], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A changed compiler, and one whose files cannot be read (None), searches again as often as the
+    first time."""
     built(TEXTS["c"])
     before = len(searches)
     monkeypatch.setattr("nscc.cache.results.version_digest", lambda: "edited")
@@ -204,6 +207,7 @@ def test_builds_without_a_cache_write_the_same_bytes(
 def test_builds_work_if_the_cache_folder_cannot_be_written(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The build ends without a message. Only `nscc doctor` says that nscc runs without a cache."""
     monkeypatch.setenv("NSCC_CACHE_DIR", "/dev/null/cache")
     (tmp_path / "p.nsl").write_text(f"nsl 1 {TEXTS['b']}\n")
     done = invoke(["build", "p.nsl", "-o", "a.icw"], tmp_path)
@@ -214,6 +218,7 @@ def test_builds_work_if_the_cache_folder_cannot_be_written(
 
 
 def test_doctor_prints_the_folder_and_size_of_the_cache(folder: Path, tmp_path: Path) -> None:
+    """`nscc doctor` says where the cache is, how many results it holds and how to remove it."""
     built(TEXTS["b"], level=2)
     said = invoke(["doctor"], tmp_path).out
     assert str(folder) in said

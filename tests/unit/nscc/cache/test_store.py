@@ -69,6 +69,7 @@ def test_a_cache_folder_that_others_can_write_is_not_used(
 def test_cache_entries_that_others_can_write_are_not_read(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A file of mode 622, or of another user, is not read. Of mode 600 it is."""
     store = Store(tmp_path)
     store.write(KEYS[0], b"data")
     (tmp_path / KEYS[0]).chmod(0o622)
@@ -140,6 +141,8 @@ def test_a_full_cache_drops_the_least_recently_used_entries(tmp_path: Path) -> N
 
 
 def test_results_that_are_too_large_are_not_stored(tmp_path: Path) -> None:
+    """A store of 1000 bytes does not keep a result of 1000, and does not delete a small one for
+    it."""
     store = Store(tmp_path, most_bytes=1000)
     store.write(KEYS[0], b"small")
     store.write(KEYS[1], b"x" * 1000)
@@ -148,6 +151,8 @@ def test_results_that_are_too_large_are_not_stored(tmp_path: Path) -> None:
 
 
 def test_files_of_dead_processes_are_removed(tmp_path: Path) -> None:
+    """The next write removes a half-written file of 1970. One that is young may still be written
+    and stays."""
     old, young = (tmp_path / f".{key}.7.part" for key in KEYS[:2])
     for path in (old, young):
         path.write_bytes(b"half")
@@ -159,6 +164,7 @@ def test_files_of_dead_processes_are_removed(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("place", ["/proc/nscc", "/dev/null/nscc"])
 def test_a_folder_that_cannot_be_written_stores_nothing(place: str) -> None:
+    """Writing raises nothing, reading gives None and the store has no entries."""
     store = Store(Path(place))
     store.write(KEYS[0], b"data")
     assert store.read(KEYS[0]) is None
@@ -170,6 +176,8 @@ def test_a_folder_that_cannot_be_written_stores_nothing(place: str) -> None:
 def test_a_full_disk_leaves_no_partial_cache_entry(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """Renaming fails with `No space left`. The write raises nothing and removes its own file."""
+
     def full(*_: object) -> None:
         raise OSError(28, "No space left on device")
 

@@ -53,6 +53,8 @@ def test_the_schema_covers_every_attribute_once() -> None:
 
 
 def test_builtin_targets_have_the_published_values() -> None:
+    """SCAMP-5 has 256 x 256 pixels, 13 digital registers and a store of 1024 words. SCAMP-7 has 23
+    registers."""
     assert builtin_names() == ("dual-tap", "scamp5", "scamp5-algorithm1", "scamp7")
     scamp5 = load_target("scamp5", Path())
     assert (scamp5.rows, scamp5.cols, scamp5.store_words) == (256, 256, 1024)
@@ -83,6 +85,8 @@ def test_a_printed_table_reads_back(name: str, tmp_path: Path) -> None:
 
 
 def test_missing_keys_have_the_values_of_scamp5(tmp_path: Path) -> None:
+    """A minimal file takes times, full well and store from SCAMP-5. It has no mask registers, which
+    must be named."""
     target, scamp5 = load(MINIMAL, tmp_path), builtin_target("scamp5")
     assert (target.mask_register, target.masked_register) == (None, None)
     assert target.analog_word_us == scamp5.analog_word_us
@@ -91,6 +95,8 @@ def test_missing_keys_have_the_values_of_scamp5(tmp_path: Path) -> None:
 
 
 def test_an_unknown_name_gets_a_suggestion(tmp_path: Path) -> None:
+    """`scamp-5` gives NS0230 and proposes `scamp5`. A missing file gives NS0231. Both have status
+    2."""
     with pytest.raises(Rejected) as caught:
         load_target("scamp-5", tmp_path)
     found = caught.value.diagnostics[0]
@@ -141,6 +147,7 @@ def test_a_wrong_table_is_explained(
 
 
 def test_a_wrong_table_is_wrong_usage_where_an_option_names_it(tmp_path: Path) -> None:
+    """The same fault has status 2 if an option names the file, and status 1 if a program does."""
     path = tmp_path / "chip.toml"
     for text in (MINIMAL.replace("rows = 4", "rows = 0"), "no table ["):
         path.write_text(text)
@@ -151,6 +158,7 @@ def test_a_wrong_table_is_wrong_usage_where_an_option_names_it(tmp_path: Path) -
 
 
 def test_all_errors_of_a_target_file_are_reported_at_their_lines(tmp_path: Path) -> None:
+    """A negative size in line 3 and a misspelt register in line 6 are reported together."""
     found = rejected(MINIMAL.replace("rows = 4", "rows = -4").replace('"A"', '"a"'), tmp_path)
     places = []
     for diagnostic in found:
@@ -168,4 +176,5 @@ def test_all_errors_of_a_target_file_are_reported_at_their_lines(tmp_path: Path)
     ids=["utf-16", "zeros", "brackets", "one long line", "backslashes", "empty"],
 )
 def test_no_text_at_all_is_refused(data: bytes, tmp_path: Path) -> None:
+    """Bytes that are no TOML text, an empty file among them, give NS0232 or NS0234."""
     assert {d.code for d in rejected(data, tmp_path)} <= {"NS0232", "NS0234"}

@@ -25,6 +25,8 @@ def with_fixes(source: Source, *fixes: Fix) -> Diagnostic:
 def test_check_fix_applies_all_safe_fixes(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """The first call writes the mended text. The second finds nothing to mend and leaves the
+    file."""
     path = tmp_path / "a.nsl"
     path.write_text(BAD)
     assert main(["check", "--fix", str(path)]) == 0
@@ -36,6 +38,7 @@ def test_check_fix_applies_all_safe_fixes(
 
 
 def test_names_are_not_guessed_at(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A misspelt name is proposed, but not written: it might be another one."""
     text = "nsl 1\nframe 8 slots of 1ms\ncode stop : 1..8\nopen when n < stopp\n"
     path = tmp_path / "a.nsl"
     path.write_text(text)
@@ -45,6 +48,7 @@ def test_names_are_not_guessed_at(tmp_path: Path, capsys: pytest.CaptureFixture[
 
 
 def test_without_the_option_nothing_is_written(tmp_path: Path) -> None:
+    """`nscc check` alone ends with status 1 and leaves the faulty file as it is."""
     path = tmp_path / "a.nsl"
     path.write_text(BAD)
     assert main(["check", str(path)]) == 1
@@ -52,6 +56,8 @@ def test_without_the_option_nothing_is_written(tmp_path: Path) -> None:
 
 
 def test_of_fixes_that_overlap_one_is_taken() -> None:
+    """Of two overlapping fixes the shorter, and one apart, are applied. One that is unsure or for
+    another text is not."""
     source = Source("a.nsl", "abcdef")
     one, other = Fix("", Span(1, 4), "X"), Fix("", Span(2, 3), "Y")
     apart, unsure = Fix("", Span(4, 6), "Z"), Fix("", Span(0, 1), "?", sure=False)

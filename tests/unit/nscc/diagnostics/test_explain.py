@@ -34,11 +34,13 @@ def test_a_page_is_found_by_code_and_by_name(asked: str) -> None:
 
 
 def test_the_index_names_every_code_once() -> None:
+    """Each line of the index begins with a code and its name, in the order of the pages."""
     assert [line.split()[:2] for line in index().splitlines()] == [*map(list, names().items())]
 
 
 @pytest.mark.parametrize(("asked", "meant"), [("NS0197", "NS0107"), ("sytax", "syntax")])
 def test_a_misspelt_code_is_guessed(asked: str, meant: str) -> None:
+    """NS0197 proposes NS0107, and `sytax` proposes `syntax`; both are NS0790 with status 2."""
     with pytest.raises(Rejected) as caught:
         page(asked)
     (error,) = caught.value.diagnostics
@@ -48,12 +50,15 @@ def test_a_misspelt_code_is_guessed(asked: str, meant: str) -> None:
 
 @pytest.mark.parametrize("asked", ["", "x" * 10_000, "../../etc/passwd", "NS9999", "\x1b[2J", "\0"])
 def test_explain_refuses_an_unknown_code_with_one_error(asked: str, tmp_path: Path) -> None:
+    """An empty, endless or unknown code, a path and control characters give NS0790. The message
+    holds no control characters."""
     found = invoke(["explain", asked], tmp_path)
     assert (found.status, found.codes, found.out) == (2, ["NS0790"], "")
     assert all(line.isprintable() for line in found.err.splitlines())
 
 
 def test_the_command_prints_pages_and_index(tmp_path: Path) -> None:
+    """With a code the command prints its page, without one the index."""
     assert invoke(["explain", "NS0107"], tmp_path).out == page("NS0107")
     assert invoke(["explain"], tmp_path).out == index()
 

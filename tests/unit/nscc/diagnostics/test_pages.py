@@ -14,6 +14,7 @@ HEADINGS = ["What it means", "Bad", "Good", "What to do"]
 
 
 def test_codes_and_names_are_unique() -> None:
+    """There is a page for each code, and no two codes have the same name."""
     found = names()
     assert len(found) == len(list(PAGES.glob("*.md")))
     assert sorted(found.values()) == sorted(set(found.values()))
@@ -21,6 +22,8 @@ def test_codes_and_names_are_unique() -> None:
 
 @pytest.mark.parametrize("path", sorted(PAGES.glob("*.md")), ids=lambda path: path.stem)
 def test_a_page_has_the_fixed_headings(path: Path) -> None:
+    """The file is named after code and name. Its second and third sections each show a program or a
+    command."""
     text = path.read_text(encoding="utf-8")
     assert re.fullmatch(r"NS\d{4}(-[a-z0-9]+)+\.md", path.name)
     assert re.match(rf"# {path.name[:6]}: \S.*\n\n## ", text)

@@ -80,6 +80,8 @@ def test_a_line_with_two_labels_is_shown_once() -> None:
     "before", ["\t", "\t\t x ", "\u4f60\u597d ", "e\u0301 ", "\x1b[2J", "\u202e", "\x07"]
 )
 def test_marks_are_below_the_marked_text_at_any_character_width(before: str) -> None:
+    """After tabs, wide, combining and control characters the marks stand at the width of the text
+    before them."""
     line, marks = about(f"{before}WRONG and more", "WRONG").splitlines()[3:5]
     width = sum(
         0 if unicodedata.combining(ch) else 2 if unicodedata.east_asian_width(ch) in "WF" else 1
@@ -92,6 +94,8 @@ def test_marks_are_below_the_marked_text_at_any_character_width(before: str) -> 
 @pytest.mark.parametrize("left", [0, 10, 99, 5_000])
 @pytest.mark.parametrize("right", [0, 10, 5_000])
 def test_long_lines_are_cut_around_the_place(left: int, right: int) -> None:
+    """With up to 5000 characters on each side, the shown line stays below 120 and the five marks
+    are below the word."""
     line, marks = about("x" * left + "WRONG" + "y" * right, "WRONG").splitlines()[3:5]
     assert line[marks.index("^") :].startswith("WRONG")
     assert marks.count("^") == 5

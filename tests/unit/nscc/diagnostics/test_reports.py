@@ -50,6 +50,8 @@ def _name(code: str) -> str:
 
 
 def test_annotations_need_no_place_and_may_span_lines() -> None:
+    """A note without a place has only a title. A line break is written as `%0A`, and a label over
+    lines has no column."""
     note = Diagnostic("NS0901", "a\nb", Severity.NOTE)
     assert workflow_commands([note]).startswith("::notice title=NS0901")
     assert workflow_commands([note]).endswith("::a%0Ab\n")

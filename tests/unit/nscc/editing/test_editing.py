@@ -88,6 +88,8 @@ def test_completion_offers_valid_continuations(
 
 
 def test_files_and_their_digests_are_offered(tmp_path: Path) -> None:
+    """In a string, the editor offers files of the right suffix and folders. After `sha256` it
+    offers the digest, and nothing for a missing file."""
     np.savez(tmp_path / "codes.npz", stop=np.ones((2, 2), int))
     (tmp_path / "chip.toml").touch()
     (tmp_path / "deep").mkdir()
@@ -204,6 +206,7 @@ def test_completion_in_assembly_offers_valid_continuations(
 
 
 def test_assembly_is_checked_as_nscc_asm_does() -> None:
+    """A disassembled program has no error. With `.wiat` for `.wait` the error is at that word."""
     compiled = compile_source(Source("a.nsl", STOPS), ROOT, Options(level=1))
     assert compiled.container is not None
     text = disassemble(compiled.container)
@@ -229,12 +232,16 @@ def test_invalid_renames_are_refused_with_the_reason() -> None:
 
 
 def test_words_of_version_2_are_names_in_version_1() -> None:
+    """`light` is a free name in version 1. In version 2 it is a reserved word, and renaming is
+    refused."""
     assert renamed(document(STOPS), STOPS.rindex("stop"), "light")
     with pytest.raises(CannotRename, match="reserved word of the language"):
         renamed(document(LOOKS), LOOKS.rindex("closed_at"), "light")
 
 
 def test_buckets_have_names_of_their_own() -> None:
+    """Bucket `a` and code `a` are two things: renaming the bucket changes one place, renaming the
+    code three."""
     rules = "bucket a open when n < a\nbucket b open when n >= a\n"
     text = f"nsl 1\nframe 4 slots of 1ms\ncode a : 1..3\n{rules}"
     assert len(renamed(document(text), text.index("bucket a") + 7, "early")) == 1
@@ -242,6 +249,8 @@ def test_buckets_have_names_of_their_own() -> None:
 
 
 def test_fixes_are_found_at_a_place_and_applied_in_a_text() -> None:
+    """At `wehn` one unsure fix is found. Only the sure one, `1 ms` to `1ms`, is applied to the
+    text. A right text gives None."""
     text = "nsl 1\nframe 8 slots of 1 ms\nopen wehn n < 3\n"
     found = document(text)
     titles = [fix.title for _, fix in fixes_at(found, Span(0, len(text)))]
@@ -254,6 +263,7 @@ def test_fixes_are_found_at_a_place_and_applied_in_a_text() -> None:
 
 
 def test_the_code_on_the_editors_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The one block of Python code on the page ends without an error."""
     monkeypatch.chdir(ROOT)
     (shown,) = re.findall(
         r"^```python\n(.*?)^```$", (ROOT / "docs/editors.md").read_text(), re.M | re.S
@@ -263,6 +273,8 @@ def test_the_code_on_the_editors_page_runs(monkeypatch: pytest.MonkeyPatch) -> N
 
 @pytest.mark.parametrize("text", ["\ud800", "nsl 1\n\0", "\ufeffnsl 1", "x" * (257 << 10), "\r\r"])
 def test_invalid_texts_are_reported_in_editors(text: str) -> None:
+    """Lone surrogates, zeros and texts that are too long get a message. Completion and hovering do
+    not fail."""
     found = document(text)
     assert found.checked.diagnostics
     complete(found, 1)

@@ -21,6 +21,7 @@ def document_of(name: str) -> Document:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_every_place_can_be_asked(name: str) -> None:
+    """Hovering and completion at every third character of a program with pictures raise nothing."""
     document = document_of(name)
     for offset in range(0, len(document.text), 3):
         hover(document, offset)

@@ -107,6 +107,8 @@ def test_the_cpp_of_every_example_sends_the_words_of_its_container(
 @pytest.mark.parametrize("standard", ["-std=c++11", "-std=c++14", "-std=c++17"])
 @pytest.mark.parametrize("name", [slow("class_c"), slow("class_e"), "hdr_2x2"])
 def test_the_cpp_compiles_without_warnings(name: str, standard: str, tmp_path: Path) -> None:
+    """Three examples compile in C++11, C++14 and C++17, for the board and for the stub, and with
+    optimization."""
     file, _ = build(tmp_path, (ROOT / "examples" / f"{name}.nsl").read_text())
     check_syntax(file, standard)
     check_syntax(file, standard, CHIP)
@@ -138,6 +140,8 @@ E13 = "nsl 1\nframe 13 slots of 1ms\ncode bits : bit[13]\nopen when bits[n]\n"
 @needs_compiler
 @pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
 def test_cpp_of_every_lowering_does_what_the_words_do(lowering: str, tmp_path: Path) -> None:
+    """The recorded words of the C++ are those of the container, which has the lowering asked
+    for."""
     text = B + "pixels stop = 1 + (21 * (x % 8) + 8 * (y % 8)) % N\n"
     _, container, _ = checked(tmp_path, text, "--lowering", lowering)
     assert container.notes["lowering"] == lowering
@@ -146,6 +150,7 @@ def test_cpp_of_every_lowering_does_what_the_words_do(lowering: str, tmp_path: P
 @needs_compiler
 @pytest.mark.parametrize("slots", [40, slow(64)])
 def test_cpp_writes_code_registers_under_masks(slots: int, tmp_path: Path) -> None:
+    """A program of two open codes needs R12, which is written only where the mask is set."""
     text = f"nsl 1\nframe {slots} slots of 1ms\ncode a : 0..N - 1\ncode b : 1..N\n"
     text += "require a < b\nopen when a <= n < b\n"
     text += "pixels a = x % (N / 2)\npixels b = N / 2 + 1 + (3 * y) % (N / 2)\n"
@@ -245,6 +250,7 @@ def test_cpp_refreshes_codes_before_they_fade_while_loading(tmp_path: Path) -> N
 
 @needs_compiler
 def test_several_buckets_are_read_out(tmp_path: Path) -> None:
+    """Three buckets are read out and displayed in the order of the program."""
     text = (
         "nsl 1\nframe 12 slots of 1ms\ncode s : 0..11\nbucket p open when n < s\n"
         "bucket q open when n % 3 == s % 3\nbucket r open when s <= n < s + 2 or n == 0\n"
@@ -259,6 +265,7 @@ def test_several_buckets_are_read_out(tmp_path: Path) -> None:
 @needs_compiler
 @pytest.mark.parametrize("frame", ["9 slots of 0.3s", "slots [3s, 1s, 0.7s]", "9 slots of 20.3us"])
 def test_cpp_keeps_the_times_of_slow_fast_and_unequal_slots(frame: str, tmp_path: Path) -> None:
+    """Slots of 0.3 s, of unequal seconds and of 20.3 us keep their times in the recorded words."""
     checked(tmp_path, f"nsl 1\nframe {frame}\nopen when n == 1 or n == 0\n")
 
 
@@ -317,6 +324,7 @@ def ran(container: Container, recording: Recording, numbers: list[int]) -> Conta
 
 @needs_compiler
 def test_cpp_for_the_scamp7_uses_its_registers(tmp_path: Path) -> None:
+    """Eighteen bits need R13, which only SCAMP-7 has. The text nowhere says scamp5."""
     text = "nsl 1\nframe 18 slots of 1ms\ncode bits : bit[18]\nopen when bits[n]\n"
     data = "pixels bits = (2917 * (x % 8) + 44210 * (y % 4)) % 262144\n"
     file, container = build(tmp_path, text + data, "--target", "scamp7")
@@ -355,6 +363,7 @@ def test_full_and_half_readouts_need_no_words_before_the_converter(
 
 @needs_compiler
 def test_cpp_has_no_spreading_words_if_no_register_is_free(tmp_path: Path) -> None:
+    """Six buckets take all registers, so the C++ never calls `scamp5_load_in`."""
     rules = "".join(f"bucket b{n} open when n == {n} + k\n" for n in range(6))
     text = f"nsl 1\nframe 8 slots of 1ms\ncode k : 0..1\n{rules}pixels k = x % 2\n"
     _, container, written = checked(tmp_path, text)
@@ -364,6 +373,7 @@ def test_cpp_has_no_spreading_words_if_no_register_is_free(tmp_path: Path) -> No
 
 @needs_compiler
 def test_pixels_that_look_at_several_levels_set_in_for_each(tmp_path: Path) -> None:
+    """Three levels of light make at least three settings of the input in each frame."""
     text = (
         "nsl 2\nframe 8 slots of 1ms\nsense a when light > [10%, 60%] at n in [2, 5]\n"
         "sense b when light > 30% at n in [2, 5]\nstate s : 0..3 = 0\n"
@@ -476,6 +486,7 @@ def test_programs_that_the_devkit_cannot_run_yet_are_refused(tmp_path: Path) -> 
 
 
 def test_reports_whose_margin_grows_for_ever_are_refused(tmp_path: Path) -> None:
+    """A state that spreads to its neighbours in every frame has no bounded margin: NS0520."""
     (tmp_path / "p.nsl").write_text(
         "nsl 3\nframe 4 slots of 1ms\noutside 1\nopen when true\n"
         "kernel k = [[1, 2, 1]] / 4\nstate s : bit = 1 kept\nplane p = k(exposure) > 30%\n"

@@ -18,6 +18,7 @@ CASES = sorted((ROOT / "tests" / "cases" / "cpp").glob("*.nsl"))
 
 @pytest.mark.parametrize("path", [pytest.param(path, id=path.stem) for path in CASES])
 def test_cpp_of_a_case_is_the_recorded_text(path: Path, tmp_path: Path, update_cases: bool) -> None:
+    """The C++ of each case is that of the file beside it, to the character."""
     shutil.copy(path, tmp_path)
     outcome = invoke(["build", path.name, "--emit", "cpp"], tmp_path)
     assert outcome.status == 0, outcome.err
@@ -30,6 +31,7 @@ def test_cpp_of_a_case_is_the_recorded_text(path: Path, tmp_path: Path, update_c
 
 
 def test_there_are_cases_and_every_file_belongs_to_one() -> None:
+    """The folder is not empty, and no recorded file is left without its program."""
     assert CASES
     files = {path.with_suffix("") for path in CASES[0].parent.iterdir()}
     assert files == {path.with_suffix("") for path in CASES}

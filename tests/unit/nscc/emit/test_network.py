@@ -203,6 +203,7 @@ def test_depth_and_registers_equal_those_computed_by_hand():
 
 
 def test_dot_has_every_node_and_edge():
+    """The nodes and edges of the text are those of the network of gates, in the same order."""
     network = network_of(built(TEXTS["d"], level=1).lowered)
     text = dot_text(network)
     assert set(re.findall(r"^  (\w+) \[shape", text, re.M)) == set(network)
@@ -213,6 +214,7 @@ def test_dot_has_every_node_and_edge():
 
 @pytest.mark.parametrize("name", ["a", "b_many"])
 def test_view_draws_gates(name, tmp_path):
+    """`nscc view --gates` writes a PNG file for a small and a large network."""
     (tmp_path / "p.nsl").write_text(f"nsl 1\n{TEXTS[name]}\n")
     arguments = ["view", "p.nsl", "--gates", "-O1", "--codes", "open", "-o", "p.png"]
     outcome = invoke(arguments, tmp_path)
@@ -221,6 +223,7 @@ def test_view_draws_gates(name, tmp_path):
 
 
 def test_a_compiled_program_has_no_gates(tmp_path):
+    """A container holds words and no gates: `nscc view --gates` gives NS0743 and writes no file."""
     (tmp_path / "p.nsl").write_text(f"nsl 1\n{TEXTS['b']}\n")
     assert invoke(["build", "p.nsl", "-O1"], tmp_path).status == 0
     outcome = invoke(["view", "p.icw", "--gates", "-o", "p.png"], tmp_path)

@@ -32,6 +32,8 @@ def program() -> nscc.ShutterProgram:
 
 
 def test_a_program_shows_chart_and_costs(tmp_path: Path) -> None:
+    """The page names splits, buckets and costs. A program that was saved and loaded shows the same
+    splits."""
     p = program()
     page = checked(p)
     words = " ".join(page.words)
@@ -59,6 +61,8 @@ def test_bars_are_where_shutters_are_open() -> None:
 
 
 def test_many_shutters_and_slots_stay_small() -> None:
+    """3000 shutters of 4000 slots make a chart below 400 kB, which says that it shows 24 of
+    them."""
     rng = np.random.default_rng(1)
     rows = rng.random((3000, 1, 4000)) < 0.5
     text = shutter_chart(rows, [f"code {k}" for k in range(3000)], [1.0] * 4000, ("frame",))
@@ -84,6 +88,7 @@ def test_a_capture_shows_its_picture_and_plan() -> None:
 
 
 def test_notebooks_show_plans_and_sensors() -> None:
+    """The page of a plan holds its text, and that of a sensor its values."""
     plan = nscc_runtime.plan(program(), np.ones((6, 8)))
     assert str(plan) in checked(plan).words
     assert "full_well_e" in checked(nscc_runtime.sensor_for(program())).words
@@ -110,4 +115,5 @@ def test_names_are_text_and_never_tags() -> None:
 
 @pytest.mark.parametrize("value", [None, 3, "a", "b'"])
 def test_any_text_in_a_table_is_escaped(value: Any) -> None:
+    """None, numbers and quotes come back from the parsed page as they were."""
     assert Page(html.table([("k", value)])).words == ["k", str(value)]

@@ -48,6 +48,8 @@ def test_largest_is_exact_where_the_budget_lasts(most, threshold, budget):
 
 @given(st.integers(1, 2000), st.integers(0, 2500))
 def test_exploring_ends_between_a_size_that_fits_and_one_that_does_not(most, threshold):
+    """If sizes up to a threshold fit, the search finds the threshold and has tried the next
+    size."""
     made, tried = explored(candidates(lambda n: n, 1, most), lambda size: size <= threshold)
     assert {trial.size: trial for trial in made} == tried
     best = max((size for size in tried if tried[size].fits), default=0)
@@ -57,12 +59,15 @@ def test_exploring_ends_between_a_size_that_fits_and_one_that_does_not(most, thr
 
 
 def test_exploring_records_smaller_sizes_that_do_not_fit():
+    """Size 4 does not fit, but 8 and 9 do: the largest found is 9, and 4 stays recorded."""
     _, tried = explored([1, 2, 4, 8, 16], lambda size: size != 4 and size <= 9)
     assert not tried[4].fits
     assert [size for size in sorted(tried) if tried[size].fits][-1] == 9
 
 
 def test_exploring_gives_up_and_keeps_its_budget():
+    """If nothing fits it ends after GIVE_UP_AFTER sizes. With a budget of 5 it makes five
+    trials."""
     made, _ = explored([1, 2, 4, 8, 16], lambda size: False)
     assert [trial.size for trial in made] == [1, 2, 4, 8, 16][:GIVE_UP_AFTER]
     made, _ = explored([1, 1000], lambda size: size < 777, budget=5)
@@ -70,6 +75,7 @@ def test_exploring_gives_up_and_keeps_its_budget():
 
 
 def test_candidates_hold_every_size_where_one_more_bit_is_needed():
+    """The sizes tried are in order and hold each size below which one bit fewer was enough."""
     sizes = candidates(lambda n: n * (n + 1) // 2, 1, 127)
     needs = [bits_needed(n * (n + 1) // 2) for n in range(1, 129)]
     steps = [n for n in range(1, 128) if needs[n] > needs[n - 1]]
@@ -79,6 +85,7 @@ def test_candidates_hold_every_size_where_one_more_bit_is_needed():
 
 @pytest.mark.parametrize("shutters", [1, 2, 3, 4, 5, 8191, 8192, 8193])
 def test_bits_needed_is_the_least_that_numbers_all_shutters(shutters):
+    """One shutter needs 0 bits. At 8192 and 8193 the number rises from 13 to 14."""
     bits = bits_needed(shutters)
     assert 2**bits >= shutters
     assert bits == 0 or 2 ** (bits - 1) < shutters
@@ -116,6 +123,8 @@ def test_too_few_registers_make_sizes_impossible():
 
 
 def test_rows_are_distinct_and_of_their_length():
+    """Forty random rows of 70 bits are distinct. Asked for 64 rows of 3 bits, it gives all eight
+    that there are."""
     rows = random_rows(40, 70)
     assert len(set(rows)) == 40
     assert {len(row) for row in rows} == {70}

@@ -53,6 +53,7 @@ def tiny():
 
 
 def test_built_sizes_compile_and_trials_are_reported(tiny):
+    """Each trial's answer is that of the compiler, and the built size is the largest that fits."""
     for (name, slot), limit in tiny.items():
         if name == "a":
             continue
@@ -63,6 +64,7 @@ def test_built_sizes_compile_and_trials_are_reported(tiny):
 
 
 def test_impossible_sizes_do_not_compile_and_are_never_built(tiny):
+    """A size with a proof that it is impossible does not compile. The built size lies below it."""
     for (name, slot), limit in tiny.items():
         if limit.impossible is None:
             assert limit.family.shutters(limit.family.ceiling) <= 16, name
@@ -87,6 +89,8 @@ def test_limits_of_a_tiny_chip_equal_those_computed_by_hand(tiny):
 
 
 def test_a_slot_too_short_for_the_light_is_proved():
+    """In slots of 1 us the light's words have no room: every size but the least is proved
+    impossible."""
     limits = surveyed(TINY, "1us")
     for name in ("b 1..N", "d", "e", "c len 4"):
         limit = limits[name, "1us"]
@@ -97,6 +101,8 @@ def test_a_slot_too_short_for_the_light_is_proved():
 
 
 def test_a_full_store_leaves_the_limit_unknown():
+    """With a store of 24 words some families end with an unknown limit, because a longer search
+    might find fewer words."""
     small = replace(TINY, store_words=24)
     limits = surveyed(small, "1ms")
     full = [limit for limit in limits.values() if "stored words" in limit.unknown_reason]
@@ -130,6 +136,7 @@ def test_the_printed_table_of_limits_agrees_with_the_json_values(tiny):
 
 
 def test_targets_limits_prints_the_survey(tmp_path):
+    """The command prints the slot asked for and no other, as text and as JSON."""
     (tmp_path / "tiny.toml").write_text(target_toml(TINY))
     arguments = ["targets", "tiny.toml", "--limits", "--slot", "10us"]
     shown = invoke(arguments, tmp_path)

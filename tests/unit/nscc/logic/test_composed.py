@@ -39,6 +39,7 @@ RULES = [
 @pytest.mark.parametrize("rule", RULES)
 @pytest.mark.parametrize("slots", [17, 64])
 def test_two_parts_take_few_words_a_slot(rule, slots):
+    """A rule of two parts takes at most eleven words a slot, for 17 and 64 slots."""
     found = words(problem(rule, slots), chip())
     assert found
     assert min(found) <= 11 * slots
@@ -49,11 +50,13 @@ def test_two_parts_take_few_words_a_slot(rule, slots):
 )
 @pytest.mark.parametrize("rule", RULES[::4])
 def test_composed_rules_run_on_chips_with_few_registers(rule, target):
+    """Ten registers without masks, and nine with, are enough for these rules."""
     assert words(problem(rule, 12), target)
 
 
 @pytest.mark.parametrize("rule", [rule for rule in RULES if " < k" not in rule])
 def test_one_scratch_register_is_enough(rule):
+    """On ten registers, rules of 64 slots take at most nine words a slot."""
     found = words(problem(rule, 64), chip(10))  # 6 + 2 planes and a state in the masked register
     assert found
     assert min(found) <= 9 * 64  # analog words add five

@@ -89,6 +89,8 @@ def test_every_form_of_frames_gives_the_same_file(
 def test_the_file_says_where_its_values_come_from(
     stacks: tuple[list[Stack], list[Stack]], tmp_path: Path
 ) -> None:
+    """The written sensor file counts the frames, marks each value as measured or not, and holds no
+    folder of this machine."""
     flats, darks = written(tmp_path, stacks, "npy")
     found = invoke(["calibrate", *flats, "--dark", *darks, "-o", "s.toml"], tmp_path)
     text = (tmp_path / "s.toml").read_text()
@@ -114,6 +116,8 @@ def rejected(flats: list[Stack], darks: list[Stack]) -> tuple[str, str]:
 
 
 def test_a_level_of_one_frame_is_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """Two frames of equal light are needed for a variance, so a flat level of one frame gives
+    NS0758."""
     flats, darks = stacks
     code, message = rejected([*flats[:2], replace(flats[2], codes=flats[2].codes[:1])], darks)
     assert code == "NS0758"
@@ -121,6 +125,7 @@ def test_a_level_of_one_frame_is_refused(stacks: tuple[list[Stack], list[Stack]]
 
 
 def test_flats_of_a_single_level_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """One flat stack, or two stacks of almost equal mean code, count as 1 level: NS0758."""
     flats, darks = stacks
     code, message = rejected(flats[:1], darks)
     assert (code, message[:8]) == ("NS0758", "1 level ")
@@ -140,6 +145,7 @@ def test_flats_whose_pixels_are_all_clipped_are_refused(
 
 
 def test_frames_of_mixed_sizes_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """A flat of 32 x 16 pixels among flats of 32 x 40 gives NS0757, which names both sizes."""
     flats, darks = stacks
     small = replace(flats[0], codes=flats[0].codes[:, :16], valid=flats[0].valid[:16])
     code, message = rejected([*flats[1:], small], darks)
@@ -149,12 +155,14 @@ def test_frames_of_mixed_sizes_are_refused(stacks: tuple[list[Stack], list[Stack
 
 
 def test_exchanged_flats_and_darks_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """With darks given as flats and flats as darks, the darks are the brighter ones: NS0759."""
     code, message = rejected(stacks[1], stacks[0][5:])
     assert code == "NS0759"
     assert "not darker" in message
 
 
 def test_unevenly_lit_flats_are_refused() -> None:
+    """Light that rises by a ramp, by waves or by a step across the picture gives NS0759 each."""
     camera = CHIP.made(np.random.default_rng(0))
     darks = [camera.stack(0.0, time, 6) for time in DARK_TIMES]
     y, x = np.mgrid[0:32, 0:40]
@@ -166,6 +174,8 @@ def test_unevenly_lit_flats_are_refused() -> None:
 
 
 def test_frames_without_shot_noise_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """Flats whose noise is 1.5 codes at every level give NS0759: the variance must increase with
+    the light."""
     rng = np.random.default_rng(0)
     flats = [
         replace(stack, codes=np.rint(rng.normal(50 + 20 * i, 1.5, (4, 32, 40))).astype(np.uint16))
@@ -177,6 +187,8 @@ def test_frames_without_shot_noise_are_refused(stacks: tuple[list[Stack], list[S
 
 
 def test_a_frame_given_twice_is_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """A stack in which one frame stands twice gives NS0757: the copy would make the noise seem too
+    small."""
     flats, darks = stacks
     doubled = replace(flats[1], codes=np.concatenate([flats[1].codes, flats[1].codes[:1]]))
     code, message = rejected([flats[0], doubled, *flats[2:]], darks)
@@ -256,6 +268,7 @@ def _bad_files(folder: Path) -> dict[str, str]:
 
 
 def test_too_few_valid_pixels_are_refused(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    """Frames with one valid column of 32 pixels give NS0757."""
     cut = [[replace(s, valid=s.valid & (np.arange(40) < 1)) for s in side] for side in stacks]
     code, message = rejected(*cut)
     assert code == "NS0757"
@@ -301,6 +314,8 @@ def test_frame_files_of_one_run_are_one_level(tmp_path: Path) -> None:
 def test_a_file_whose_name_looks_like_a_time_is_taken_as_a_file(
     stacks: tuple[list[Stack], list[Stack]], tmp_path: Path
 ) -> None:
+    """The file `odd.npy@4ms` exists, so the part after `@` is no time: its suffix is then no format
+    for frames."""
     flats, darks = written(tmp_path, stacks, "npy")
     (tmp_path / flats[0].partition("@")[0]).rename(tmp_path / "odd.npy@4ms")
     odd = ["odd.npy@4ms", *flats[1:]]
@@ -311,6 +326,8 @@ def test_a_file_whose_name_looks_like_a_time_is_taken_as_a_file(
 
 @pytest.mark.parametrize("time", ["1h", "-1ms", "", "2", "1e300s", "1.2.3s"])
 def test_an_invalid_exposure_time_is_named(time: str, tmp_path: Path) -> None:
+    """A time with a wrong unit, sign or number, or none at all, gives NS0757 with the text as
+    written."""
     np.save(tmp_path / "f.npy", np.zeros((2, 4, 4), np.uint8))
     words = ["calibrate", f"f.npy@{time}", "--dark", "f.npy", "-o", "s.toml"]
     found = invoke(words, tmp_path)
@@ -319,6 +336,8 @@ def test_an_invalid_exposure_time_is_named(time: str, tmp_path: Path) -> None:
 
 
 def test_calibrate_refuses_files_without_valid_frames(tmp_path: Path) -> None:
+    """Each bad file gives NS0757 as a flat and as a dark, and no sensor file. An empty folder gives
+    NS0735."""
     for name, said in _bad_files(tmp_path).items():
         for words in (
             ["calibrate", name, "--dark", "ok.npy", "-o", "s.toml"],
@@ -346,12 +365,15 @@ def test_calibrate_refuses_files_without_valid_frames(tmp_path: Path) -> None:
     ],
 )
 def test_calibrate_names_missing_arguments(words: list[str], tmp_path: Path) -> None:
+    """A command line without flats, darks or output file gives an error NS078x and status 2."""
     found = invoke(["calibrate", *words], tmp_path)
     assert found.status == 2
     assert "error[NS078" in found.err
 
 
 def test_a_warning_denied_writes_nothing(tmp_path: Path) -> None:
+    """Noise added to every second flat gives the warning NS0792. With `--deny-warnings` it is an
+    error of status 1."""
     stacks = taken(CHIP, 11, 4, 6)
     rng = np.random.default_rng(0)
     for stack in stacks[0][1:6:2]:

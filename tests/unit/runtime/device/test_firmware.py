@@ -54,6 +54,8 @@ def test_the_committed_table_is_in_step() -> None:
 
 
 def test_the_protocols_numbers_are_the_same_at_both_ends() -> None:
+    """The header `packets.hpp` and the Python module declare the same version, largest packet and
+    kinds in the same order."""
     text = (firmware.SOURCES / "core/packets.hpp").read_text()
     assert f"protocol_version = {VERSION};" in text
     assert f"most_data = {MOST_DATA};" in text
@@ -64,6 +66,8 @@ def test_the_protocols_numbers_are_the_same_at_both_ends() -> None:
 
 
 def test_a_check_notes_the_loaders_that_cannot_take_a_program(tmp_path: Path) -> None:
+    """The limits in the headers are those of Python. A program of 200 slots fits; one of 2048 has
+    too many schedule rows (NS0507)."""
     for loader in LOADERS:
         for folder in loader.folders:
             text = (firmware.SOURCES / folder / "limits.hpp").read_text()
@@ -112,6 +116,8 @@ def test_a_refresh_changes_nothing() -> None:
 @needs_compiler
 @pytest.mark.parametrize("name", [n for n in builtin_names() if builtin_target(n).has_logic])
 def test_the_loader_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path) -> None:
+    """The compiler takes warnings as errors. A second build finds the first in the cache: one file
+    with its digest."""
     loader = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
     assert loader.path.exists()
     again = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
@@ -333,6 +339,8 @@ def _dark_chip() -> EmulatedChip:
 @needs_compiler
 @pytest.mark.parametrize("what", ["cut short", "other bytes", "no digest", "not executable"])
 def test_a_damaged_loader_in_the_cache_is_compiled_again(tmp_path: Path, what: str) -> None:
+    """Each kind of damage is noticed, and the compiled file has its first bytes again and
+    starts."""
     loader = firmware.built(SCAMP5, ("-O0",), tmp_path)
     whole, digest = loader.path.read_bytes(), tmp_path / f"{loader.path.name}.sha256"
     match what:
@@ -355,6 +363,8 @@ def test_a_damaged_loader_in_the_cache_is_compiled_again(tmp_path: Path, what: s
 def test_a_cache_that_cannot_be_written_does_not_stop_the_loader(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """If folders stand in the place of the cached files, the loader is built elsewhere and
+    starts."""
     monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path))
     # A folder stands where the loader would be kept.
     (tmp_path / "firmware" / firmware.built(SCAMP5, ("-O0",)).path.name).unlink()
@@ -370,6 +380,7 @@ def test_a_cache_that_cannot_be_written_does_not_stop_the_loader(
 def test_a_loader_that_does_not_start_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A loader that ends at once (`/bin/false`) gives NS0772 and prints nothing."""
     path = tmp_path / "loader"
     path.write_text("#!/bin/false\n")
     path.chmod(0o755)

@@ -29,6 +29,8 @@ def image(core: str, root: Path, tmp_path_factory: pytest.TempPathFactory) -> Im
 
 
 def test_the_firmware_leaves_a_tenth_of_every_memory_free(image: Image, core: str) -> None:
+    """The linked image fills at most 90 % of the flash and of each core's memory, with the
+    library's store and the stack counted."""
     size = image.sections
     assert size[".text"] + size[".data"] <= 0.9 * FLASH
     assert size[".bss"] >= LIBRARY_STORE, "the library's store is not counted"
@@ -42,6 +44,8 @@ def test_the_stack_is_deep_enough(image: Image) -> None:
 
 
 def test_the_firmware_calls_no_slow_arithmetic_or_allocation_of_the_library(image: Image) -> None:
+    """The image holds no symbol of float, 64-bit division, malloc or throw. It does hold the loop
+    of a frame."""
     slow = re.compile(r"__aeabi_[df]|__aeabi_u?ldivmod|__(u?div|u?mod)di3|_Z?malloc|__cxa_throw")
     found = [name for name in image.symbols if slow.match(name)]
     assert not found

@@ -64,6 +64,8 @@ SETUP = Fraction(12, 10)
 
 
 def test_boundaries_of_the_firmware_do_not_drift(run: Run) -> None:
+    """After 4199 slots of fractional lengths, each launch is at the rounded exact sum of the
+    lengths, and none is late."""
     lengths = [3.37, 7.1, 1e6 / 3]
     runs = [(4096, lengths[0]), (100, lengths[1]), (3, lengths[2])]
     *launches, end = run(runs, [(0, 0, 1), (1, 1, 4199)], each=1)
@@ -76,6 +78,7 @@ def test_boundaries_of_the_firmware_do_not_drift(run: Run) -> None:
 
 
 def test_a_launch_that_takes_long_makes_no_other_late(run: Run) -> None:
+    """Each launch takes 9 us of a slot of 10 us. All 50 start on time, 10 us apart."""
     *launches, end = run([(50, 10.0)], [(0, 0, 1), (1, 1, 50)], each=9)
     assert [int(tick) - int(SETUP + Fraction(1, 2)) for tick in launches[1:]] == [
         10 * n for n in range(1, 51)
@@ -84,6 +87,8 @@ def test_a_launch_that_takes_long_makes_no_other_late(run: Run) -> None:
 
 
 def test_late_launches_are_counted_and_end_the_frame(run: Run) -> None:
+    """Launches of 12 us in slots of 10 us come late: their number and the longest delay are
+    reported. With `most_late=3` the fourth ends the frame."""
     rows = [(0, 0, 1), (1, 1, 20)]
     *launches, end = run([(20, 10.0)], rows, each=12, most_late=NEVER)
     late = [max(0, int(tick) - (10 * n + 1)) for n, tick in enumerate(launches[1:], 1)]
@@ -97,6 +102,8 @@ def test_late_launches_are_counted_and_end_the_frame(run: Run) -> None:
 
 
 def test_long_waits_let_the_main_loop_go_round(run: Run) -> None:
+    """The main loop runs once in each of five slots of 1 ms, and not in slots of 100 us. It runs
+    once more at the end."""
     end = run([(5, 1000.0)], [(0, 0, 1), (1, 1, 5)])[-1]
     assert end.split()[:2] == ["ended", "6"]
     assert run([(5, 100.0)], [(0, 0, 1), (1, 1, 5)])[-1].split()[1] == "1"

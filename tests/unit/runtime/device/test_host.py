@@ -72,6 +72,8 @@ def upload(line: Simulation, program: Upload) -> None:
 
 
 def test_a_large_program_takes_half_a_second_of_line(large: Upload) -> None:
+    """The upload of about 127 kB takes at most 0.50 s of simulated time, and nothing is sent
+    twice."""
     # 13 planes of 8192 bytes and 1024 words of 20 bytes are 126 976 bytes; more are heads.
     assert 126_976 <= len(large.stream) <= 132_000
     line = line_of(LineFaults(delay_s=0.001))
@@ -92,6 +94,8 @@ def test_a_program_that_the_loader_already_has_is_not_sent_again(large: Upload) 
 @pytest.mark.parametrize("after", [5_000, 60_000, 125_000])
 @pytest.mark.parametrize("outage_s", [0.05, 2.0])
 def test_a_lost_link_is_resumed_where_it_broke(large: Upload, after: int, outage_s: float) -> None:
+    """The link breaks after some bytes. The upload then takes the time of the unsent bytes, and
+    only a window of bytes comes twice."""
     line = line_of(LineFaults(disconnect_after=after, outage_s=outage_s))
     upload(line, large)
     [(broke, _)] = line.events
@@ -125,6 +129,8 @@ def test_an_upload_resumes_after_a_line_was_dead_for_three_seconds() -> None:
 
 
 def test_after_a_reboot_of_the_loader_the_host_sends_the_program_again() -> None:
+    """The loader restarts after 1900 bytes. The host sends more than two whole programs and gets
+    the expected frame."""
     example = examples()[0]
     host = new_host(1)
     line = Simulation(host, python_loader(example), LineFaults(reboot_after=1900))
@@ -159,6 +165,8 @@ class Stranger:
 
 
 def test_silence_and_noise_are_given_up() -> None:
+    """A port that says nothing, or prints text that is no packet, raises Silent after the patience
+    of 2 s. The error keeps the text."""
     for noise in (b"", b"login: \0\0garbage\0" * 3):
         host = new_host(1, patience_s=2.0)
         line = Simulation(host, Stranger(lambda _: b"", noise))
@@ -171,6 +179,8 @@ def test_silence_and_noise_are_given_up() -> None:
 
 
 def test_a_loader_that_falls_silent_is_given_up() -> None:
+    """The loader answers once and then nothing more. The error Silent says that it had answered
+    (`ever`)."""
     example = examples()[0]
     host, loader = new_host(1, patience_s=2.0), python_loader(example)
     line = Simulation(host, loader)
@@ -250,6 +260,8 @@ def test_the_host_stops_a_frame_that_the_loader_still_exposes_for_another_host()
 
 
 def test_a_refused_program_leaves_a_loader_that_takes_another() -> None:
+    """A program for another target is refused with TARGET. The loader then takes a right one on the
+    same line."""
     example = examples()[0]
     host = new_host(1)
     line = Simulation(host, python_loader(example))

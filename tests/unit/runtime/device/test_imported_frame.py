@@ -118,6 +118,8 @@ def test_an_imported_frame_is_the_frame_without_its_scene(tmp_path: Path) -> Non
 
 
 def test_pictures_are_assigned_by_name_or_in_order(tmp_path: Path) -> None:
+    """A file `e.png` or `edge=e.png` fills the readout `edge`. Two files come in the order of the
+    buckets, or by name."""
     program = str(EXAMPLES / "edges.nsl")
     made = exposed(tmp_path, program)
     saved(tmp_path / "e.png", made["plane_edge"].astype(np.uint8) * 255)
@@ -193,6 +195,7 @@ def test_unsuitable_pictures_are_refused(tmp_path: Path, files: list[str], reaso
 
 
 def test_a_readout_of_bits_with_more_than_two_values_is_refused(tmp_path: Path) -> None:
+    """A picture of 256 values cannot be the two values of a register: status 2."""
     saved(tmp_path / "e.png", np.arange(65536, dtype=np.uint32).reshape(256, 256).astype(np.uint8))
     done = invoke(["import-frame", str(EXAMPLES / "edges.nsl"), "e.png", "-o", "i.npz"], tmp_path)
     assert done.status == 2

@@ -136,6 +136,8 @@ def talk(silent: Talk) -> Talk:
 
 
 def test_the_loader_announces_its_start_and_its_description(silent: Talk) -> None:
+    """The first packet is BOOTED in session 0. HELLO then gets version 2, an empty store, the size
+    6 x 10 and the target."""
     [booted] = silent.raw(b"")
     assert (booted.kind, booted.session) == (PacketKind.BOOTED, 0)
     info = silent.hello()
@@ -146,6 +148,8 @@ def test_the_loader_announces_its_start_and_its_description(silent: Talk) -> Non
 
 
 def test_packets_without_a_session_are_refused(silent: Talk) -> None:
+    """Before HELLO, and in a session of another number, each packet gets NO_SESSION. After it they
+    are answered."""
     silent.raw(b"")
     for kind in (PacketKind.STATUS, PacketKind.BEGIN, PacketKind.CANCEL, 0x44):
         assert silent.failure(kind) == (LoaderFault.NO_SESSION, 0)
@@ -155,6 +159,8 @@ def test_packets_without_a_session_are_refused(silent: Talk) -> None:
 
 
 def test_another_version_is_refused_with_its_own(silent: Talk) -> None:
+    """A HELLO for version 3, or whose highest version is 1, gets the fault VERSION with 2. A range
+    up to 9 gets version 2."""
     silent.raw(b"")
     assert silent.failure(PacketKind.HELLO, Hello(3, 9).pack()) == (LoaderFault.VERSION, 2)
     assert silent.failure(PacketKind.HELLO, Hello(0, 1).pack()) == (LoaderFault.VERSION, 2)
@@ -229,6 +235,8 @@ def test_the_loader_takes_only_the_bytes_that_follow_those_it_has(talk: Talk) ->
 
 
 def test_an_object_whose_digest_does_not_fit_comes_again(talk: Talk) -> None:
+    """A flipped bit counts as a failure and sets the position back to 0. The right bytes are then
+    accepted."""
     upload = EXAMPLE.upload
     talk.one(PacketKind.BEGIN, upload.begin.pack())
     talk.one(PacketKind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
@@ -352,6 +360,8 @@ def test_words_that_the_target_does_not_take_are_refused(talk: Talk, word: tuple
 
 
 def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
+    """A pair of one OR half and one NOR half, or a pair across two kernels, gets the fault WORD
+    with its place."""
     mixed = [pair("OR", "R1", ["R1"])[0], pair("NOR", "R1", ["R1"])[1]]
     assert talk.refused([GOOD_READOUT, kernels(mixed), GOOD_SCHEDULE]) == (LoaderFault.WORD, 2)
     across = pair("OR", "R1", ["R1"])
@@ -466,6 +476,8 @@ def test_params_that_make_no_sense_are_refused(
 
 
 def test_params_need_a_schedule_and_levels_that_they_change(talk: Talk) -> None:
+    """Parameters that come before the schedule get the fault SCHEDULE. After a schedule without
+    their levels they are refused at their byte 10."""
     fault, _ = talk.refused([GOOD_READOUT, GOOD_KERNELS, GOOD_PARAMS, WITH_LOOP])
     assert fault == LoaderFault.SCHEDULE
     assert talk.refused([GOOD_READOUT, GOOD_KERNELS, WITH_LOOP, GOOD_PARAMS])[1] == 10
@@ -512,6 +524,8 @@ def test_a_plane_is_loaded_where_the_program_has_one(talk: Talk) -> None:
 
 
 def test_declared_lengths_beyond_the_memory_are_refused(talk: Talk) -> None:
+    """An object of 4 GiB of each kind gets TOO_LARGE with its length. So does a program of 65
+    objects."""
     found = target_digest(TARGET)
     for kind in ObjectKind:
         entry = ObjectEntry(kind, 0, 0xFFFFFFFF, ZEROS)
@@ -574,6 +588,8 @@ def test_reads_outside_the_frame_are_refused(talk: Talk) -> None:
 
 
 def test_no_more_reads_wait_than_there_is_room_for(talk: Talk) -> None:
+    """Of nine reads at once, eight are answered in order with two packets each. The ninth gets
+    BUSY."""
     talk.send(EXAMPLE.upload.objects)
     for _ in range(2):
         talk.one(PacketKind.CAPTURE, CaptureRequest(5, BOTH).pack())
@@ -610,6 +626,8 @@ def test_a_chip_that_fails_is_said_to_have_failed(talk: Talk) -> None:
 
 
 def test_a_restart_of_the_loader_ends_the_session_and_forgets_the_program(talk: Talk) -> None:
+    """After a restart the old session gets NO_SESSION. A new HELLO shows another boot number and an
+    empty store."""
     talk.send(EXAMPLE.upload.objects)
     before = talk.hello()
     assert (before.state, before.label) == (LoaderState.READY, ZEROS)

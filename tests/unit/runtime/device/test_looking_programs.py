@@ -145,6 +145,7 @@ def test_levels_that_in_does_not_have_and_other_counts_are_refused(tmp_path: Pat
 
 
 def test_launches_are_a_row_only_where_their_level_is_one(tmp_path: Path) -> None:
+    """Eight launches, four of them at level 5, make three rows of the schedule and need levels."""
     container, _ = looking("float_pixel", tmp_path)
     launches = tuple(Launch(n, 0, 5 if n < 4 else None) for n in range(8))
     upload = upload_of(replace(container, launches=launches), bytes(32))

@@ -69,6 +69,8 @@ def test_the_times_measured_on_the_firmware_are_those_of_its_target() -> None:
 
 
 def test_a_board_without_pixels_is_refused() -> None:
+    """On this chip a word takes 0.1 ns, as if it took no time: there is nothing to measure, so
+    NS0723."""
     quick = replace(CHIP, analog_word_us=1e-4, digital_word_us=1e-4)
     wire: Any = Wire(Loader(quick, dark(quick), "a twin"))
     with pytest.raises(Rejected) as caught:

@@ -43,10 +43,13 @@ def test_stuffing_equals_the_published_cobs_examples(plain: str, wire: str) -> N
 
 @pytest.mark.parametrize("wire", ["05112233", "0311220033", "ff01", "0300"])
 def test_invalid_stuffed_bytes_are_refused(wire: str) -> None:
+    """Bytes with a count that passes the end, or with a zero in the data, are None."""
     assert unstuffed(bytes.fromhex(wire)) is None
 
 
 def test_a_packet_is_laid_out_as_the_protocol_says() -> None:
+    """Between two zero bytes stand kind, sequence, session and body in little-endian order, and a
+    CRC-32 at the end."""
     wire = Packet(0x05, 0x1234, 0xAABBCCDD, b"\0abc").wire()
     assert wire[0] == wire[-1] == 0
     plain = unstuffed(wire[1:-1])
@@ -56,6 +59,8 @@ def test_a_packet_is_laid_out_as_the_protocol_says() -> None:
 
 
 def test_packets_come_out_of_a_stream_cut_anywhere() -> None:
+    """Read in pieces of 1, 7 or 250 bytes or at once, a stream gives its 39 packets and no
+    damage."""
     packets = [Packet(n, n, n + 1, bytes([n]) * (n * 37 % MOST_BODY)) for n in range(1, 40)]
     stream = b"".join(packet.wire() for packet in packets)
     for step in (1, 7, 250, len(stream)):
@@ -66,6 +71,8 @@ def test_packets_come_out_of_a_stream_cut_anywhere() -> None:
 
 
 def test_noise_costs_no_packet_after_it() -> None:
+    """Text before a packet, and a packet with a flipped bit, count as one damaged packet each. The
+    next packet is read."""
     packet = Packet(1, 2, 3, b"body")
     unpacker = Unpacker()
     assert unpacker.feed(b"\x55noise" + packet.wire()) == [packet]
@@ -77,6 +84,8 @@ def test_noise_costs_no_packet_after_it() -> None:
 
 
 def test_an_endless_packet_takes_no_room() -> None:
+    """100 000 bytes without an end give no packet. They count as one damaged packet, and the next
+    is read."""
     unpacker = Unpacker()
     for _ in range(100):
         assert unpacker.feed(b"\xff" * 1000) == []
@@ -86,6 +95,7 @@ def test_an_endless_packet_takes_no_room() -> None:
 
 
 def test_a_body_that_is_too_long_is_refused() -> None:
+    """A body of MOST_BODY bytes is read; one byte more is None."""
     assert unpacked(Packet(1, 1, 1, b"x" * MOST_BODY).wire()[1:-1]) is not None
     assert unpacked(Packet(1, 1, 1, b"x" * (MOST_BODY + 1)).wire()[1:-1]) is None
 

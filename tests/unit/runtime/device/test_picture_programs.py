@@ -197,6 +197,8 @@ def check_film(
 def test_films_of_images_and_planes_on_a_device_equal_those_of_the_emulator(
     name: str, kind: str, request: pytest.FixtureRequest
 ) -> None:
+    """The frames fetched from the loader, in Python and in C++, equal the emulator's for the same
+    light."""
     container, film = container_of(PROGRAMS[name]), lights()
     assert (upload_of(container, bytes(32)).report_bytes > 0) == (name in REPORTED)
     loader = fresh_loader(kind, FilmedChip(film), request, SMALL)
@@ -275,6 +277,8 @@ def check_filmed(
 def test_films_of_the_examples_on_a_device_equal_those_of_the_emulator(
     name: str, kind: str, root: Path, request: pytest.FixtureRequest
 ) -> None:
+    """Each gallery program on the loader, in Python and in C++, gives the frames of the
+    emulator."""
     source = Source("p.nsl", (root / f"examples/{name}.nsl").read_text())
     container = run_passes(source, Path(), Options(level=1, target=LARGE, cache=False)).container
     assert container is not None
@@ -286,6 +290,8 @@ def test_films_of_the_examples_on_a_device_equal_those_of_the_emulator(
 def test_films_with_values_of_the_host_are_those_of_the_emulator(
     name: str, kind: str, request: pytest.FixtureRequest
 ) -> None:
+    """Programs that get values from the host between frames give the emulator's frames on both
+    loaders."""
     container = container_of(OF_THE_HOST[name])
     assert upload_of(container, bytes(32)).host_values
     check_filmed(container, kind, request, most_e=12000)

@@ -75,6 +75,9 @@ def test_errors_of_opening_a_port_are_explained(
 def test_a_speed_that_the_port_does_not_support_is_refused_with_a_hint_at_baud(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    """The serial library refuses 12 345 baud with a ValueError. The user gets NS0760 with a help
+    that names `--baud`."""
+
     def refuse(*_: Any, **__: Any) -> None:
         raise ValueError("Failed to set custom baud rate (12345)")
 
@@ -86,6 +89,8 @@ def test_a_speed_that_the_port_does_not_support_is_refused_with_a_hint_at_baud(
 
 
 def test_a_port_that_is_unplugged_raises_port_gone() -> None:
+    """While the other end is there, bytes pass both ways. After it is closed, reading and writing
+    raise PortGone."""
     master, slave = os.openpty()
     port = open_port(os.ttyname(slave), 9600)
     os.write(master, b"there")
@@ -105,6 +110,7 @@ def test_a_port_that_is_unplugged_raises_port_gone() -> None:
 
 
 def test_the_list_of_ports_is_sorted() -> None:
+    """Ports come in the order of their names. A port without a description has an empty one."""
     found = [SimpleNamespace(device=name, description=None) for name in ("/dev/b", "/dev/a")]
     assert list_ports(lambda: found) == [("/dev/a", ""), ("/dev/b", "")]
 
@@ -125,6 +131,8 @@ def test_the_list_of_ports_is_sorted() -> None:
     ],
 )
 def test_errors_of_the_host_are_explained(error: Exception, code: str) -> None:
+    """Each error of the link, from a silent loader to an unknown fault number, has its code of
+    NS076x or NS0771."""
     with pytest.raises(Rejected) as caught, explained("/dev/ttyACM0", 10.0):
         raise error
     assert code_of(caught.value) == code
@@ -155,6 +163,8 @@ def test_programs_that_do_not_fit_are_refused_before_sending(
 
 
 def test_gains_need_a_loader_that_has_them(info: Info) -> None:
+    """A loader that is only EXACT takes the example without gains and refuses the scaled one with
+    NS0765."""
     scaled = examples()[3].upload
     check_fits("port", scaled, TARGET, info, 3)
     without = replace(info, capabilities=Capability.EXACT)
@@ -193,6 +203,8 @@ class Wire:
 
 
 def test_a_chip_exposes_and_shows_its_upload() -> None:
+    """The captured frame holds the recorded electrons column by column. Progress counts one step
+    for each 1024 bytes of the upload."""
     seen: list[tuple[str, int | None, int]] = []
 
     def progress(items: Any, label: str, total: int | None) -> Iterator[Any]:
@@ -213,6 +225,7 @@ def test_a_chip_exposes_and_shows_its_upload() -> None:
 
 
 def test_a_frame_of_another_program_is_refused() -> None:
+    """The chip sends one readout where the program has two: NS0767."""
     wire: Any = Wire()
     chip = DeviceChip(wire)
     chip.upload(EXAMPLE.container)

@@ -80,6 +80,8 @@ def test_the_level_holds_the_light_since_the_reset_and_at_most_a_full_well() -> 
 @pytest.mark.parametrize("effects", [f"{COUNTLESS},-black_sun", EXACT, "dead_time", COUNTLESS])
 @pytest.mark.parametrize("name", ["b edges", "d accumulate", "two buckets"])
 def test_loops_do_to_a_sun_what_the_reference_does(name: str, effects: str) -> None:
+    """The planned loop and the word-by-word reference agree on a very bright pixel. It turns black
+    only where `black_sun` acts."""
     container = case(name, SLOTS, rows=ROWS, cols=COLS)
     black = effects in (COUNTLESS, EXACT)
     words = taken(container, 3e8, effects, ONE if black else "", fidelity="reference")
@@ -96,6 +98,8 @@ def test_loops_do_to_a_sun_what_the_reference_does(name: str, effects: str) -> N
 
 @pytest.mark.parametrize("effects", [f"{COUNTLESS},-black_sun", COUNTLESS])
 def test_pixels_that_look_show_the_black_sun(effects: str) -> None:
+    """In a program whose pixels look at the light, plan and reference agree, with the effect
+    `black_sun` and without."""
     container = program(LOOKING, rows=ROWS, cols=COLS)
     said = ONE if effects == COUNTLESS else ""
     words = taken(container, 3e9, effects, said, fidelity="reference")

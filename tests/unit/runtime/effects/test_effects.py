@@ -36,6 +36,8 @@ PIXELS = np.arange(200_000, dtype=np.int64)
 
 
 def test_names_and_streams_are_unique_and_every_parameter_serves_an_effect() -> None:
+    """No two effects share a name or a stream of random numbers. No sensor parameter is without an
+    effect."""
     assert len({effect.name for effect in registered()}) == len(registered())
     assert len({effect.stream for effect in registered()}) == len(registered())
     used = {row.name for effect in registered() for row in effect.parameters}
@@ -67,6 +69,8 @@ def test_effects_option_selects_the_named_effects(
 
 @pytest.mark.parametrize("text", ["", ",", "shots", "all,none", "shot,all", "-adc", "all,-", "a b"])
 def test_effects_option_refuses_unknown_choices(text: str) -> None:
+    """An empty, unknown or contradictory choice, and one that only removes effects, gives NS0756
+    and status 2."""
     with pytest.raises(Rejected) as caught:
         selected(text)
     assert caught.value.diagnostics[0].code == "NS0756"
@@ -114,6 +118,8 @@ INCOMPLETE = [
 def test_effects_with_missing_parts_are_refused_by_name(
     changes: dict[str, object], text: str
 ) -> None:
+    """An effect that lacks a part gives NS0905 with the name of the effect. The list of effects
+    stays as it was."""
     whole = replace(
         named("lag"),
         name="tilt",
@@ -155,6 +161,8 @@ def test_objects_that_are_not_effects_are_refused() -> None:
 
 
 def test_fixed_patterns_have_the_stated_mean_and_spread() -> None:
+    """The response has mean 1 and the spread of `prnu_fraction`. Dark current is positive and has
+    the stated mean and spread."""
     sensor = SENSOR.changed(prnu_fraction=0.02, dark_current_e_per_s=50, dark_spread_fraction=0.5)
     factor = response(sensor, 7, PIXELS)
     assert factor.mean() == pytest.approx(1.0, abs=5 * 0.02 / len(PIXELS) ** 0.5)
@@ -168,6 +176,8 @@ def test_fixed_patterns_have_the_stated_mean_and_spread() -> None:
 
 
 def test_soft_saturation_is_exact_below_the_knee_monotone_and_bounded() -> None:
+    """Values up to 90 % of the register's range (the knee) pass unchanged. Beyond it they rise to
+    at most 30 000 electrons; a knee of 1 clips."""
     values = np.linspace(-1e5, 1e5, 20001)
     sensor = SENSOR.changed(register_min_e=-30000.0, register_max_e=30000.0)
     held = soft(values, sensor)
@@ -185,6 +195,8 @@ def test_soft_saturation_is_exact_below_the_knee_monotone_and_bounded() -> None:
 
 
 def test_crosstalk_moves_charge_and_loses_none() -> None:
+    """Each neighbour gets 1 % of a pixel's charge, the sum of 110 electrons stays, and a flat
+    picture does not change."""
     charge = np.zeros((1, 5, 4))
     charge[0, 2, 1] = 100.0
     charge[0, 0, 0] = 10.0
@@ -199,6 +211,8 @@ def test_crosstalk_moves_charge_and_loses_none() -> None:
 
 
 def test_the_command_lists_shows_and_prints(tmp_path: Path) -> None:
+    """`nscc effects` lists every effect and shows one with its values. Its TOML, read as a sensor
+    file, prints itself again."""
     listed = invoke(["effects"], tmp_path)
     assert listed.status == 0
     assert all(effect.title in listed.out for effect in registered())
@@ -226,6 +240,8 @@ def test_the_command_lists_shows_and_prints(tmp_path: Path) -> None:
 def test_effects_command_refuses_wrong_arguments(
     arguments: list[str], code: str, tmp_path: Path
 ) -> None:
+    """A wrong name, two formats at once, or a bad sensor or target gives the code of its fault and
+    prints nothing on stdout."""
     outcome = invoke(["effects", *arguments], tmp_path)
     assert outcome.status in (1, 2)
     assert outcome.out == ""

@@ -57,6 +57,8 @@ def over_exponents(random, shape):
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_frames_are_the_sum_of_light_in_open_slots(shape, lowering):
+    """For flat light, light of all magnitudes and none, each pixel holds the sum over the slots in
+    which its shutter is open."""
     random = np.random.default_rng(len(lowering) + shape[1])
     slots = 24
     start, stop = random_bumps(random, shape, slots, lowering)
@@ -73,6 +75,8 @@ def test_frames_are_the_sum_of_light_in_open_slots(shape, lowering):
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_stills_and_repeated_frames_give_the_light_of_open_slots(lowering):
+    """Light given as one still with slot times, or as weighted stored pictures, is summed like a
+    clip of one picture a slot."""
     shape, slots = (6, 33), 16
     random = np.random.default_rng(3)
     start, stop = random_bumps(random, shape, slots, lowering)
@@ -108,6 +112,8 @@ def test_a_shutter_that_is_always_open_sums_the_rounded_slots_in_their_order():
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_blocks_change_no_bit(lowering, monkeypatch):
+    """With blocks of 64 to 65 536 pixels, the electrons of a frame of 9 x 61 pixels have equal
+    bytes."""
     shape, slots = (9, 61), 12
     random = np.random.default_rng(7)
     start, stop = random_bumps(random, shape, slots, lowering)
@@ -123,6 +129,8 @@ def test_blocks_change_no_bit(lowering, monkeypatch):
 @pytest.mark.parametrize("light_e", [1e-30, 1.0, 1e30])
 @pytest.mark.parametrize("forgotten", [CLEAR[-1], LEVEL[-1]])
 def test_a_program_that_forgets_to_set_a_register_is_far_off(forgotten, light_e):
+    """Without the word that clears or sets a register, over 85 % of pixels are wrong by more than
+    10 %. With it, none is."""
     shape, slots = (8, 8), 4
     container = bumps(target_of(shape, "scamp7"), None, np.full(shape, slots), slots, "accumulate")
     light = Light.of_clip(np.full((slots, *shape), light_e, np.float32))

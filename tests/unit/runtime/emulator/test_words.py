@@ -54,6 +54,8 @@ def test_the_second_half_of_a_pair_is_masked_too():
 
 
 def test_a_chip_without_the_rule_writes_everywhere():
+    """Where the chip has no mask register, SET reaches every pixel. Where it has one, only the
+    pixels of its plane."""
     words = [op("CLR", ["R0"]), op("SET", ["R12"])]
     free = {"mask_register": None, "masked_register": None}
     assert shown(words, "R12", **free).all()
@@ -62,6 +64,7 @@ def test_a_chip_without_the_rule_writes_everywhere():
 
 @pytest.mark.parametrize(("behaviour", "everywhere"), [("no", True), ("yes", False)])
 def test_resets_obey_the_flag_only_where_the_chip_says_so(behaviour, everywhere):
+    """After `WHERE R1`, `rpix` resets all pixels (`no`) or only those whose R1 is set (`yes`)."""
     level = run([*CLEAR, op("rpix"), *SHOW])
     words = [*CLEAR, op("WHERE", (), ["R1"]), op("rpix"), op("all"), *SHOW]
     found = run(words, reset_honours_flag=behaviour) == level
@@ -80,11 +83,15 @@ def test_digital_words_ignore_the_flag():
 
 
 def test_select_and_in_read_zero():
+    """The register SELECT and the analog input IN, to which nothing is connected, read as 0 in all
+    pixels."""
     assert not shown([op("MOV", ["R2"], ["SELECT"])], "R2").any()
     assert not run([*CLEAR, op("bus", ["A"], ["IN"])]).any()
 
 
 def test_the_initial_register_contents_depend_on_the_device_seed_alone():
+    """Before its first write a register holds 2 to 6 electrons of either sign. The same device seed
+    gives the same bytes, another seed others."""
     target = target_of(SHAPE)
     program = container_of(target, PLANES, [[]], [], 1, readouts=[Readout("C", "frame")])
     first, again, other = (expose(program, LIGHT, device_seed=seed) for seed in (1, 1, 2))
@@ -106,6 +113,8 @@ def test_seeds_of_any_size_are_accepted():
 
 
 def test_split_pair_and_unknown_word_are_refused():
+    """A pair of words with another between, or half a pair, gives NS0703. Bits that are no word
+    give NS0701."""
     read, write = pair("NOR", "R1", ["R1"])
     for words in ([read, op("nop"), write], [write], [read]):
         with pytest.raises(Rejected, match="NS0703"):
@@ -117,6 +126,8 @@ def test_split_pair_and_unknown_word_are_refused():
 
 
 def test_containers_without_codes_and_light_of_another_size_are_refused():
+    """No pixel codes give NS0741, light of another size NS0734. A container without readouts is
+    unsound (ValueError)."""
     container = container_of(target_of(SHAPE), PLANES, [SHOW], [(0, 0)], 1)
     with pytest.raises(Rejected, match="NS0741"):
         expose(replace(container, pixel_codes=None), LIGHT)
