@@ -71,6 +71,8 @@ def test_any_value_of_the_sensor_runs_or_is_refused(
 def test_the_ends_of_the_range_of_every_sensor_value_run_or_are_refused(
     name: str, folder: Path
 ) -> None:
+    """With the least and with the largest value, a run writes a frame or ends with an error
+    message. It never leaves a fault report."""
     for value in (RANGES[name].low, RANGES[name].high):
         judge(folder, "--effects", "auto", "--sensor-set", f"{name}={value!r}")
 

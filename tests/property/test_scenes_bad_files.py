@@ -170,6 +170,8 @@ def test_a_large_claim_costs_no_memory() -> None:
 
 
 def test_broken_links_and_pipes_are_refused_as_scenes(tmp_path: Path) -> None:
+    """A folder whose only picture is a link to nothing, and a named pipe, are refused. Nobody waits
+    for the pipe."""
     (tmp_path / "0.png").symlink_to(tmp_path / "gone.png")
     with pytest.raises(Rejected):
         load_scene(str(tmp_path), slot_us=(1.0,), rows=1, cols=1, exposure=ExposureLevel(1.0))

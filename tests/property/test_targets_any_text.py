@@ -92,6 +92,8 @@ def test_any_value_of_any_key_is_taken_or_explained(place: tuple[str, str], valu
 def test_any_sound_target_reads_back(
     rows: int, word_us: float, limit: int | None, description: str
 ) -> None:
+    """A target with any rows, word time, limit and description is equal after it was written as
+    TOML and read."""
     target = replace(
         builtin_target("scamp7"),
         rows=rows,

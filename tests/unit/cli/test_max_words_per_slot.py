@@ -156,6 +156,8 @@ def test_slots_too_short_for_a_codebook_name_the_rows_that_pass(tmp_path, rows):
 
 
 def test_the_error_for_too_many_words_in_a_slot_divides_them_by_purpose(tmp_path):
+    """The parts that NS0603 lists sum to the words of the slot. That number, given as the limit, is
+    accepted."""
     (tmp_path / "p.nsl").write_text(STOPS)
     said = invoke(["build", "p.nsl", "-O1", "--max-words-per-slot", "3"], tmp_path)
     assert (said.status, said.codes) == (1, ["NS0603"])

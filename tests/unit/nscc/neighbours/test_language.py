@@ -178,6 +178,8 @@ def test_a_chip_whose_exposures_are_in_news_is_refused() -> None:
     ],
 )
 def test_levels_in_next_are_those_in_a_plane(condition: str) -> None:
+    """A comparison with a level, in any spelling, has the same syntax tree in `next` of a state as
+    in a plane."""
     kept = "state h : bit = 0 kept "
     plane = program(ONE + kept + f"plane p = {condition} read p, h").pictures.items[0].node
     (state,) = program(ONE + kept + f"next h = {condition} read h").pictures.states

@@ -190,6 +190,8 @@ def test_changed_words_pass_the_proof_only_if_frames_stay_the_same(name: str, pa
 
 
 def test_another_level_of_in_does_not_pass() -> None:
+    """Every level of the input IN is one step higher in the container. The proof names the plane
+    that is then wrong."""
     container = container_of("edges")
     pictures = container.pictures
     launches = tuple(

@@ -171,6 +171,8 @@ def test_a_container_of_planes_is_read_as_it_was_written() -> None:
 
 
 def test_planes_follow_the_codes_that_pixels_get_later() -> None:
+    """A program compiled with open codes gets stops of 0 to 8. The proof holds, and each plane
+    opens the pixels whose stop lies above the slot."""
     program = nscc.compile(f"nsl 1\n{STOPS}", target=CHIP, codes="open")
     codes = np.arange(66).reshape(6, 11) % 9
     moved = program.with_pixels(stop=codes)

@@ -476,8 +476,8 @@ def test_params_that_make_no_sense_are_refused(
 
 
 def test_params_need_a_schedule_and_levels_that_they_change(talk: Talk) -> None:
-    """Parameters that come before the schedule get the fault SCHEDULE. After a schedule without
-    their levels they are refused at their byte 10."""
+    """Parameters before the schedule get the fault SCHEDULE. Parameters that change a level, in a
+    program without levels, get a fault of detail 10."""
     fault, _ = talk.refused([GOOD_READOUT, GOOD_KERNELS, GOOD_PARAMS, WITH_LOOP])
     assert fault == LoaderFault.SCHEDULE
     assert talk.refused([GOOD_READOUT, GOOD_KERNELS, WITH_LOOP, GOOD_PARAMS])[1] == 10

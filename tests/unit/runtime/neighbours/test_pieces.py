@@ -104,6 +104,8 @@ def test_reports_of_a_reduced_picture_are_inside_it(tmp_path: Path) -> None:
 
 
 def test_colours_are_computed_one_by_one(tmp_path: Path) -> None:
+    """The image of a colour picture has three planes, one a colour. The first is that of its
+    channel alone, and a report counts each."""
     picture = np.random.default_rng(6).uniform(0, 1, (16, 16, 3)).astype(np.float32)
     frame = captured(TEXT, (16, 16), picture, tmp_path, color=True)
     assert frame.images["strength"].shape == (3, 16, 16)

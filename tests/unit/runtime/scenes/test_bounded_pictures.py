@@ -39,6 +39,7 @@ def refused(path: Path) -> str:
 def test_a_tiff_with_one_page_above_the_size_limit_is_refused(
     tmp_path: Path, bound: None, dtype: Any
 ) -> None:
+    """The first page is small enough and the second has 30 x 40 pixels, above the lowered limit."""
     with tifffile.TiffWriter(tmp_path / "a.tiff") as file:
         file.write(SMALL.astype(dtype))
         file.write(LARGE.astype(dtype))
@@ -63,6 +64,8 @@ def test_an_exr_with_a_display_window_above_the_size_limit_is_refused(
 
 
 def test_the_size_limit_holds_for_all_parts_of_an_exr_together(tmp_path: Path, bound: None) -> None:
+    """Two parts of 20 x 30 pixels pass the lowered limit. Three have 5400 samples together and are
+    refused."""
     write_exr(tmp_path / "two.exr", 2)
     assert open_pages(tmp_path / "two.exr").count == 2
     write_exr(tmp_path / "three.exr", 3)
@@ -75,6 +78,8 @@ def test_the_size_limit_holds_for_all_parts_of_an_exr_together(tmp_path: Path, b
 def test_large_radiance_files_of_every_orientation_are_refused(
     tmp_path: Path, bound: None, line: bytes
 ) -> None:
+    """The size line may name rows or columns first, with any sign. A comment that looks like a size
+    does not count."""
     head = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n"
     comment, newline, size = line.rpartition(b"\n")
     data = head + comment + newline + b"\n" + size + b"\n" + bytes(4 * 1200)
@@ -86,6 +91,8 @@ def test_large_radiance_files_of_every_orientation_are_refused(
 def test_large_pictures_and_animations_are_refused(
     tmp_path: Path, bound: None, ending: str
 ) -> None:
+    """A picture or animation of 30 x 40 pixels is above the lowered limit and refused with its
+    size."""
     path = tmp_path / f"a{ending}"
     if ending == ".heic":
         heif = pytest.importorskip("pillow_heif")
@@ -137,6 +144,7 @@ def test_videos_above_the_limit_are_refused(
 def test_clips_to_compare_are_refused_above_the_limit_in_bytes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """Five frames are read. With a limit of three frames in bytes they are refused."""
     with tifffile.TiffWriter(tmp_path / "a.tiff") as file:
         for _ in range(5):
             file.write(SMALL[..., 0])
@@ -190,6 +198,7 @@ def test_measurements_beyond_single_precision_are_refused(tmp_path: Path) -> Non
 
 
 def test_npy_masks_above_the_limit_are_refused(tmp_path: Path) -> None:
+    """A header that declares 100 000 x 100 000 values is refused before they are read."""
     stated = {"descr": "<f8", "fortran_order": False, "shape": (100_000, 100_000)}
     with open(tmp_path / "a.npy", "wb") as file:
         np.lib.format.write_array_header_1_0(file, stated)

@@ -53,6 +53,8 @@ def found(spec: Path | str, **options: Any) -> np.ndarray:
 
 @pytest.mark.parametrize("iso", [(100, 100, 100), (400, 100, 50)])
 def test_a_merged_bracket_reproduces_the_light(tmp_path: Path, iso: tuple[int, ...]) -> None:
+    """Photos of three exposure times, of equal and unequal ISO, give the light within 6 %, from a
+    folder and a pattern."""
     photos(tmp_path, True, iso)
     expected = light() / light().max()
     for spec in (tmp_path, f"{tmp_path}/*.png"):
@@ -60,6 +62,8 @@ def test_a_merged_bracket_reproduces_the_light(tmp_path: Path, iso: tuple[int, .
 
 
 def test_given_exposure_times_replace_missing_ones(tmp_path: Path) -> None:
+    """Photos without times are refused with NS0777. Times that are given merge them, but not equal
+    ones or too few."""
     photos(tmp_path, False)
     with pytest.raises(Rejected, match="NS0777"):
         found(tmp_path)

@@ -197,6 +197,8 @@ def test_cicp_numbers_precede_the_icc_profile_and_gamma(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("icc", [b"nothing", profile(LINEAR)[:200], profile(FALLING)])
 def test_a_damaged_profile_is_named_and_not_used(tmp_path: Path, icc: bytes) -> None:
+    """A profile that is no profile, is cut off or falls is named in a note. The picture is read as
+    sRGB."""
     picture = np.full((ROWS, COLS, 3), 32768, np.uint16)
     picture[0, 0] = 65535
     tifffile.imwrite(tmp_path / "a.tif", picture, photometric="rgb", iccprofile=icc)
@@ -253,6 +255,7 @@ def test_heic_and_avif_with_the_pq_curve_are_linearised(tmp_path: Path) -> None:
 
 
 def test_an_avif_without_a_profile_is_linearised_by_its_numbers(tmp_path: Path) -> None:
+    """The file's numbers say the PQ curve (16): a code of 0.508 is 1 % of the peak."""
     picture = np.full((64, 64, 3), 255, np.uint8)
     picture[:, 32:] = round(0.508078 * 255)
     Image.fromarray(picture).save(tmp_path / "a.avif", quality=100, subsampling="4:4:4")
@@ -266,6 +269,8 @@ def test_an_avif_without_a_profile_is_linearised_by_its_numbers(tmp_path: Path) 
 
 
 def test_adobe_rgb_is_recognised_by_exif_data(tmp_path: Path) -> None:
+    """A JPEG whose Exif data says R03 has the colour weights of Adobe RGB, and a note names it."""
+
     def directory(tag: int, kind: int, count: int, value: bytes) -> bytes:
         return struct.pack("<HHHI", 1, tag, kind, count) + value + bytes(4)
 

@@ -49,6 +49,8 @@ def colours(seed: int = 0, shape: tuple[int, int] = (ROWS, COLS)) -> np.ndarray:
 @pytest.mark.parametrize("dtype", [np.float32, np.float64, np.float16, np.uint16, np.int64])
 @pytest.mark.parametrize("fortran", [False, True])
 def test_light_clips_are_electrons_a_slot(tmp_path: Path, dtype: Any, fortran: bool) -> None:
+    """An array of three axes is taken as it is, for each dtype and order in memory, from `.npz` and
+    `.npy`."""
     clip = (np.random.default_rng(0).random((3, ROWS, COLS)) * 1000).astype(dtype)
     stored = np.asfortranarray(clip) if fortran else clip
     np.savez(tmp_path / "a.npz", light=stored)
@@ -62,6 +64,7 @@ def test_light_clips_are_electrons_a_slot(tmp_path: Path, dtype: Any, fortran: b
 
 
 def test_light_stills_are_electrons_a_second(tmp_path: Path) -> None:
+    """An array of two axes, times the length of a slot in seconds, is the light of the slot."""
     still = np.random.default_rng(1).random((ROWS, COLS)) * 1e6
     np.savez(tmp_path / "s.npz", light=still)
     light = load(tmp_path / "s.npz")
@@ -71,6 +74,8 @@ def test_light_stills_are_electrons_a_second(tmp_path: Path) -> None:
 
 
 def test_mat_files_are_light_or_benchmark_clips(tmp_path: Path) -> None:
+    """An array `light` is taken as it is. The benchmark's `orig` is a linear clip of 0 to 255,
+    cropped and scaled to the exposure."""
     from scipy.io import savemat
 
     clip = np.random.default_rng(2).random((3, ROWS, COLS))
@@ -89,6 +94,8 @@ def test_mat_files_are_light_or_benchmark_clips(tmp_path: Path) -> None:
 def test_linear_pictures_give_light_in_proportion_to_their_values(
     tmp_path: Path, suffix: str
 ) -> None:
+    """The light is the weighted sum of the colours, scaled to the exposure. A slot of twice the
+    time has twice the light."""
     rgb = colours(4) * 100
     path = tmp_path / f"p{suffix}"
     write_float(path, rgb)
@@ -145,6 +152,8 @@ def write_float(path: Path, rgb: np.ndarray) -> None:
 
 @pytest.mark.parametrize("transfer", [None, "srgb", "linear"])
 def test_display_pictures_undo_their_curve(tmp_path: Path, transfer: Any) -> None:
+    """PNG values are sRGB unless `linear` is asked for: the curve is undone before colours are
+    summed."""
     from PIL import Image
 
     stored = (colours(5) * 255).astype(np.uint8)
@@ -155,6 +164,7 @@ def test_display_pictures_undo_their_curve(tmp_path: Path, transfer: Any) -> Non
 
 
 def test_pictures_of_16_bits_keep_their_precision(tmp_path: Path) -> None:
+    """PNG and TIFF of 16 bits give light that is right to 1e-6, which 8 bits could not."""
     import cv2
 
     stored = (colours(6) * 65535).astype(np.uint16)
@@ -166,6 +176,7 @@ def test_pictures_of_16_bits_keep_their_precision(tmp_path: Path) -> None:
 
 
 def test_the_progress_function_gets_the_number_of_frames(tmp_path: Path) -> None:
+    """A folder of three pictures calls it once, with the label and 3."""
     from PIL import Image
 
     seen: list[tuple[str, int | None]] = []
@@ -238,6 +249,8 @@ def test_pictures_are_cropped_to_the_array(tmp_path: Path) -> None:
 
 
 def test_tiny_negatives_are_counted_and_clamped(tmp_path: Path) -> None:
+    """Three values of -1e-4 become 0 with the warning NS0740. A value of -0.5 is refused with
+    NS0736."""
     picture = np.ones((ROWS, COLS, 3), np.float32)
     picture[0, :3] = -1e-4
     write_float(tmp_path / "p.pfm", picture)
@@ -253,6 +266,7 @@ def test_tiny_negatives_are_counted_and_clamped(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("white", [0.005, 1.0, 200.0])
 def test_negatives_are_tolerated_as_fractions_of_white(tmp_path: Path, white: float) -> None:
+    """At each white, -0.0001 of it becomes 0 and -0.1 of it is refused."""
     picture = np.full((ROWS, COLS, 3), white, np.float32)
     picture[0, 0] = -1e-4 * white
     light = picture_light(picture, "linear", "p", white=white)
@@ -265,6 +279,8 @@ def test_negatives_are_tolerated_as_fractions_of_white(tmp_path: Path, white: fl
 
 @pytest.mark.parametrize("outside", [np.inf, np.nan])
 def test_values_outside_the_crop_do_not_hide_negative_light(tmp_path: Path, outside: float) -> None:
+    """An infinite or NaN pixel outside of the crop is no fault. Inside, a tiny negative becomes 0
+    and a large one is refused."""
     picture = np.ones((2 * ROWS, COLS, 3), np.float32)
     picture[0, 0], picture[ROWS, 3] = outside, -1e-5
     write_float(tmp_path / "p.exr", picture)
@@ -294,6 +310,7 @@ def test_invalid_light_values_are_refused_with_their_count_and_place(
 
 @pytest.mark.parametrize("dtype", [np.float16, np.float32, np.float64])
 def test_infinite_light_of_any_width_is_counted(dtype: type, tmp_path: Path) -> None:
+    """One infinity of each sign and one -1 are counted as `2 too large, 1 negative`."""
     still = np.ones((ROWS, COLS), dtype)
     still[1, 0], still[2, 1], still[0, 0] = np.inf, -np.inf, -1
     np.savez(tmp_path / "s.npz", light=still)
@@ -305,6 +322,7 @@ def test_infinite_light_of_any_width_is_counted(dtype: type, tmp_path: Path) -> 
 
 
 def test_float64_beyond_float32_is_too_large(tmp_path: Path) -> None:
+    """1e39 electrons, and 3e38 a second for two seconds, do not fit float32: NS0736."""
     np.savez(tmp_path / "a.npz", light=np.full((3, ROWS, COLS), 1e39))
     assert rejection(tmp_path / "a.npz").code == "NS0736"
     # A still is in electrons a second: 2 s make 6e38, above float32's 3.4e38.
@@ -380,6 +398,8 @@ def test_options_that_do_not_suit_the_kind_of_scene_are_refused(tmp_path: Path) 
 
 
 def test_exposure_and_crop_are_parsed() -> None:
+    """`3e4` means 30 000 electrons at the 99th percentile. Zero, NaN, percentiles outside 0 to 100
+    and broken texts are refused."""
     assert parse_exposure("3e4") == ExposureLevel(30000.0, 99.0)
     assert parse_exposure("100@0") == ExposureLevel(100.0, 0.0)
     assert parse_crop("3,12") == (3, 12)

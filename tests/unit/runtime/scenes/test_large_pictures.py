@@ -80,6 +80,8 @@ FILES = [
 def test_a_large_picture_is_the_light_of_a_small_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, mode: str, settings: Any
 ) -> None:
+    """The limit of pixels is lowered below the picture's size, so it is read in strips. The light
+    stays equal to 1e-5."""
     path = write(tmp_path / name, mode, **settings)
     fits = [fit for fit in FITS if fit != "tiles"]
     usual = [light(path, fit) for fit in fits]

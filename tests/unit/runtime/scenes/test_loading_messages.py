@@ -125,6 +125,7 @@ def test_twelve_bits_in_sixteen_give_a_message(tmp_path: Path) -> None:
 def test_bad_pixels_are_named_by_their_place_in_the_file(
     tmp_path: Path, options: dict[str, Any]
 ) -> None:
+    """The NaN at row 8, column 9 is named by these, whatever crop or fit was asked for."""
     import cv2
 
     picture = np.ones((20, 24), np.float32)

@@ -73,6 +73,8 @@ def test_pixels_beyond_a_scaled_picture_mirror_it(photo: Path) -> None:
 
 
 def test_pieces_put_together_are_the_picture(photo: Path) -> None:
+    """A photo of 100 x 96 needs 5 x 3 arrays of 24 x 32. Joined again they are the photo's
+    light."""
     found, _ = laid(photo, fit="tiles")
     where = found.placement
     # 100 x 96 pixels need 5 x 3 arrays of 24 x 32.
@@ -96,6 +98,8 @@ def test_small_and_thin_pictures_are_scaled_up(tmp_path: Path) -> None:
 
 
 def test_cropped_parts_are_reported(photo: Path) -> None:
+    """The note says that 0.08 of the picture is exposed. A crop beside tiles is refused with
+    NS0739."""
     found, said = laid(photo)
     assert found.placement.fits_one_array
     assert (
@@ -109,6 +113,8 @@ def test_cropped_parts_are_reported(photo: Path) -> None:
 
 
 def test_a_clip_may_begin_later_or_be_a_still(tmp_path: Path) -> None:
+    """From the third frame on there are two frames for two slots. From the fourth on there are too
+    few: NS0735."""
     levels = (10, 50, 90, 200)
     frames = [Image.fromarray(np.full((24, 32), level, np.uint8)) for level in levels]
     frames[0].save(tmp_path / "clip.gif", save_all=True, append_images=frames[1:])
@@ -187,6 +193,7 @@ def test_a_picture_larger_than_the_array_is_exposed_in_pieces_and_in_colours(
 
 
 def test_grey_scenes_are_exposed_once_although_colours_are_requested(tmp_path: Path) -> None:
+    """A grey picture and a builtin scene give one light and the note NS0773."""
     Image.fromarray(RNG.integers(0, 256, (24, 32), np.uint8)).save(tmp_path / "grey.png")
     target = replace(builtin_target("scamp5"), rows=24, cols=32)
     for name in (str(tmp_path / "grey.png"), "builtin:hdr"):
@@ -198,6 +205,7 @@ def test_grey_scenes_are_exposed_once_although_colours_are_requested(tmp_path: P
 
 
 def test_pictures_of_16_bits_alpha_and_grey_are_scaled(tmp_path: Path) -> None:
+    """16 bits keep their precision when scaled. An alpha of 7 does not darken the picture."""
     deep = RNG.integers(0, 65536, (24, 32), np.uint16)
     cv2.imwrite(str(tmp_path / "deep.png"), deep)
     found, said = laid(tmp_path / "deep.png", transfer="linear", fit="scale")
@@ -211,6 +219,8 @@ def test_pictures_of_16_bits_alpha_and_grey_are_scaled(tmp_path: Path) -> None:
 
 
 def test_the_pieces_of_a_picture_are_numbered_by_rows_and_joined_again() -> None:
+    """Piece 1 lies right of piece 0, and piece 3 begins the second row. Joined, they are the
+    picture without its last column."""
     picture = np.arange(1, 1 + 2 * 4 * 9, dtype=np.float32).reshape(2, 4, 9)
     placement = Placement("tiles", (4, 8), (4, 8), (2, 3))
     pieces = [piece.dense() for piece in placement.pieces(Light.of_clip(picture))]

@@ -47,6 +47,8 @@ def test_real_scenes_load_without_errors(path: Path) -> None:
 
 @pytest.mark.parametrize("name", ["runner.mat", "drop.mat"])
 def test_benchmark_clips_are_their_own_frames(name: str) -> None:
+    """The first eight frames of the file, divided by 255 and scaled, are the light of eight
+    slots."""
     from scipy.io import loadmat
 
     path = next((p for p in FILES if p.name == name), None)

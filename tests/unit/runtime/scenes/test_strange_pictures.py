@@ -51,6 +51,7 @@ def test_tiff_files_with_separate_planes_are_read(
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.float32])
 def test_a_stack_of_imagej_is_read_as_frames(tmp_path: Path, dtype: Any) -> None:
+    """ImageJ writes five frames after a single page header. All five are read."""
     stack = (RNG.random((5, ROWS, COLS)) * 200).astype(dtype)
     path = tmp_path / "a.tif"
     tifffile.imwrite(path, stack, imagej=True, truncate=True, metadata={"axes": "TYX"})
@@ -85,6 +86,7 @@ def test_one_channel_of_several_is_exposed(tmp_path: Path, kind: str, axes: str)
 
 
 def test_colours_that_are_not_decoded_are_refused(tmp_path: Path) -> None:
+    """L*a*b* and CMYK of 16 bits are refused by their name."""
     Image.fromarray(np.full((ROWS, COLS, 3), 99, np.uint8)).convert("LAB").save(tmp_path / "a.tif")
     tifffile.imwrite(
         tmp_path / "b.tif", np.zeros((ROWS, COLS, 4), np.uint16), photometric="separated"
@@ -96,6 +98,8 @@ def test_colours_that_are_not_decoded_are_refused(tmp_path: Path) -> None:
 
 
 def test_a_file_is_recognised_by_its_first_bytes(tmp_path: Path) -> None:
+    """A TIFF named `.png`, `.jpg`, `.exr` or `.mp4`, and a HEIC named `.jpg`, are read as what they
+    are."""
     picture = RNG.integers(0, 65536, (ROWS, COLS, 3), np.uint16)
     tifffile.imwrite(tmp_path / "a.tif", picture, photometric="rgb")
     for name in ("a.png", "a.jpg", "a.exr", "a.mp4"):
@@ -217,6 +221,8 @@ def test_times_between_steps_are_placed_exactly_with_fps(tmp_path: Path) -> None
 
 @pytest.mark.parametrize("ending", ["gif", "webp", "png"])
 def test_frames_of_no_time_are_left_out_and_long_ones_repeated(tmp_path: Path, ending: str) -> None:
+    """Frames of 100, 0, 100 and many ms fill six slots as frames 0, 2, 3, 3, 3 and 3. A note counts
+    the one of 0 ms."""
     path = tmp_path / f"a.{ending}"
     long_ms = 600_000 if ending == "gif" else 65_000 if ending == "png" else 8_640_000
     values = animation(path, [100, 0, 100, long_ms])
@@ -227,6 +233,7 @@ def test_frames_of_no_time_are_left_out_and_long_ones_repeated(tmp_path: Path, e
 
 
 def test_the_title_picture_of_an_apng_is_not_a_frame(tmp_path: Path) -> None:
+    """An animated PNG with a white title and frames of 50 and 100 has two frames."""
     title = Image.fromarray(np.full((8, 10, 3), 255, np.uint8))
     frames = [Image.fromarray(np.full((8, 10, 3), v, np.uint8)) for v in (50, 100)]
     title.save(
@@ -236,6 +243,8 @@ def test_the_title_picture_of_an_apng_is_not_a_frame(tmp_path: Path) -> None:
 
 
 def test_a_gain_map_is_noted(tmp_path: Path) -> None:
+    """A JPEG whose meta data has a gain map gets a note, as the map is not used. A second, smaller
+    picture in the file is left out."""
     picture = Image.fromarray(np.full((ROWS, COLS, 3), 99, np.uint8))
     xmp = b'<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF hdrgm:Version="1.0"/></x:xmpmeta>'
     picture.save(tmp_path / "a.jpg", xmp=xmp)

@@ -21,6 +21,7 @@ def dense(found: timing.Overlaps, frames: int) -> np.ndarray:
 
 
 def test_overlaps_agree_with_intervals() -> None:
+    """For four slots and five frames, each weight is the time in which slot and frame overlap."""
     slot_us = (1000.0, 2500.0, 300.0, 7000.0)
     fps = Fraction(400)
     edges = np.concatenate(([0], np.cumsum(slot_us))) * 1e-6
@@ -47,6 +48,7 @@ def test_every_slot_keeps_its_length() -> None:
 
 
 def test_rates_outside_reason_are_refused() -> None:
+    """0, -1, NaN, infinity and 1e12 frames a second are refused."""
     for fps in (0.0, -1.0, float("nan"), float("inf"), 1e12):
         with pytest.raises(Rejected):
             timing.check_fps(fps)
@@ -83,6 +85,7 @@ def test_a_clip_in_real_time_is_divided_among_the_slots(tmp_path: Path) -> None:
 
 
 def test_thousands_of_slots_are_laid_out_quickly() -> None:
+    """4096 slots of 12.5 us at 5000 frames a second reach frame 255."""
     found = timing.overlaps((12.5,) * 4096, Fraction(5000))
     assert len(found.row_start) == 4097
     assert found.frame_index.max() == 255

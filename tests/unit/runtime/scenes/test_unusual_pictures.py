@@ -43,6 +43,7 @@ def refusal(path: Path) -> Diagnostic:
 
 @pytest.mark.parametrize("big", [False, True])
 def test_pages_of_a_tiff_are_a_clip(tmp_path: Path, big: bool) -> None:
+    """Four pages are four frames, in TIFF and BigTIFF. One page can be taken as a still."""
     pages = RNG.integers(0, 65536, (4, ROWS, COLS), np.uint16)
     tifffile.imwrite(tmp_path / "c.tif", pages, photometric="minisblack", bigtiff=big)
     np.testing.assert_allclose(clip_light(tmp_path / "c.tif", 4), pages / pages.max(), rtol=1e-5)
@@ -68,6 +69,7 @@ def test_thumbnails_in_a_tiff_are_not_read_as_frames(tmp_path: Path) -> None:
 
 
 def test_pages_of_other_sizes_are_refused(tmp_path: Path) -> None:
+    """Pages of 16 x 16 and 32 x 32 are no clip: NS0734."""
     with tifffile.TiffWriter(tmp_path / "t.tif") as writer:
         for side in (16, 32):
             writer.write(np.zeros((side, side), np.uint8), photometric="minisblack")
@@ -79,6 +81,8 @@ def test_pages_of_other_sizes_are_refused(tmp_path: Path) -> None:
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
 @pytest.mark.parametrize("kind", ["unassalpha", "unspecified"])
 def test_alpha_does_not_darken_a_tiff(tmp_path: Path, dtype: Any, kind: str) -> None:
+    """A fourth channel, marked as alpha or as unknown, is left out, and the colours are read as
+    stored."""
     picture = RNG.integers(0, np.iinfo(dtype).max + 1, (ROWS, COLS, 4), dtype)
     tifffile.imwrite(tmp_path / "a.tif", picture, photometric="rgb", extrasamples=[kind])
     np.testing.assert_array_equal(read_picture(tmp_path / "a.tif"), picture[..., :3])
@@ -86,6 +90,7 @@ def test_alpha_does_not_darken_a_tiff(tmp_path: Path, dtype: Any, kind: str) -> 
 
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
 def test_tiffs_in_which_0_is_white_are_inverted(tmp_path: Path, dtype: Any) -> None:
+    """A value v of `miniswhite` is read as the largest value minus v."""
     stored = RNG.integers(0, np.iinfo(dtype).max + 1, (ROWS, COLS), dtype)
     tifffile.imwrite(tmp_path / "w.tif", stored, photometric="miniswhite")
     np.testing.assert_array_equal(read_picture(tmp_path / "w.tif"), np.iinfo(dtype).max - stored)
@@ -99,6 +104,8 @@ def test_half_floats_in_tiff_are_refused_with_the_reason(tmp_path: Path) -> None
 
 @pytest.mark.parametrize("format", ["png", "webp", "gif"])
 def test_animations_are_clips(tmp_path: Path, format: str) -> None:
+    """Three frames of grey 10, 200 and 90 are a clip in these proportions, as the linear curve is
+    asked for."""
     values = (10, 200, 90)
     images = [Image.fromarray(np.full((ROWS, COLS, 3), v, np.uint8)) for v in values]
     path = tmp_path / f"a.{format}"
@@ -143,6 +150,8 @@ def test_the_colour_part_of_an_exr_is_read(tmp_path: Path) -> None:
 
 
 def test_the_only_colour_layer_of_an_exr_is_read(tmp_path: Path) -> None:
+    """Beside a depth channel, the layer `beauty` is read. With a second layer of colours both are
+    named and refused."""
     rgb = RNG.random((3, ROWS, COLS)).astype(np.float32)
     layer = {f"beauty.{name}": rgb[k] for k, name in enumerate("RGB")}
     write_exr(tmp_path / "l.exr", layer | {"depth.Z": rgb[0]})
@@ -167,6 +176,8 @@ def test_exr_data_is_placed_in_its_display_window(
 
 
 def test_primaries_of_an_exr_are_mentioned(tmp_path: Path) -> None:
+    """The primaries of BT.2020 get a note and their weights of luminance. Without primaries there
+    is no note."""
     wide = (0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329)
     rgb = {name: np.ones((ROWS, COLS), np.float32) for name in "RGB"}
     write_exr(tmp_path / "w.exr", rgb, chromaticities=wide)
@@ -297,6 +308,8 @@ def test_the_chunks_of_a_png_determine_its_transfer_curve(
 
 
 def test_large_photographs_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Pillow's own limit is lowered below the picture's size. The picture is read, and the limit
+    stays as it was."""
     monkeypatch.setattr(Image, "MAX_IMAGE_PIXELS", 20)
     picture = np.full((ROWS, COLS, 3), 128, np.uint8)
     Image.fromarray(picture).save(tmp_path / "p.jpg", quality=100)
@@ -329,6 +342,8 @@ def test_pq_and_hlg_curves_pass_their_published_points() -> None:
 
 
 def test_pages_are_a_clip_for_measures_and_demos(tmp_path: Path) -> None:
+    """Twenty pages are a clip of 20 frames for the measures of two clips, and a subject that moves
+    for the demo."""
     from nscc_runtime.scenes import Scene
     from nscc_training.array_files import read_picture_or_clip
     from nscc_training.demo.subject import subject
@@ -368,6 +383,7 @@ def test_raw_files_have_black_and_white_level_applied(tmp_path: Path, suffix: st
 
 
 def test_a_reader_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without the package rawpy, a raw photo gives NS0904, which names the package."""
     import sys
 
     from nscc_command import invoke

@@ -94,6 +94,8 @@ def test_missing_lines_have_their_default_and_changes_come_last(tmp_path: Path) 
 def test_all_errors_of_a_sensor_file_are_reported_together(
     text: str, found: list[str], tmp_path: Path
 ) -> None:
+    """No TOML gives NS0752, an unknown key NS0753, and a value out of range, NaN or of another type
+    NS0754."""
     file = tmp_path / "sensor.toml"
     file.write_bytes(text.encode("latin-1"))
     assert codes(file) == found

@@ -30,6 +30,7 @@ def test_sum_and_spread_are_transposes() -> None:
 
 
 def test_filters_have_length_one_and_are_the_same_again() -> None:
+    """The squares of each filter sum to 1. Made anew without the cache, the filters are equal."""
     filters = made_filters()
     assert torch.allclose(filters.square().sum(dim=(1, 2, 3)), torch.ones(len(filters)))
     made_filters.cache_clear()

@@ -137,6 +137,8 @@ def test_augmentation_bends_level_and_peak_with_the_light(together: int) -> None
     ("shape", "poles"), [((512, 1024), True), ((512, 1000), False), ((400, 800), False)]
 )
 def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: bool) -> None:
+    """A picture twice as wide as high, with at least 512 rows, is a panorama. No patch shows its
+    bright upper and lower eighth."""
     light = np.full(shape, 1.0)
     eighth = shape[0] // 8
     light[eighth:-eighth] += np.random.default_rng(1).random((shape[0] - 2 * eighth, shape[1]))

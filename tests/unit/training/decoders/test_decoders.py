@@ -34,6 +34,8 @@ def coded(slots: int, rows: int, cols: int) -> tuple[torch.Tensor, torch.Tensor]
 @pytest.mark.parametrize("size", [(32, 32), (37, 41), (16, 24)])
 @pytest.mark.parametrize("name", [name for name, each in DECODERS.items() if each.clips])
 def test_decoders_return_finite_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
+    """A clip of 16 slots comes back in the size of the frame, also for sides that no power of two
+    divides."""
     decoder = make_decoder(name, "small", CLIP)
     found = decoder(*coded(16, *size))
     assert found.shape == (2, 16, *size)
@@ -43,6 +45,8 @@ def test_decoders_return_finite_clips_of_any_size(name: str, size: tuple[int, in
 
 @pytest.mark.parametrize("sees_code", [True, False])
 def test_still_decoders_see_the_code_only_if_they_say_so(sees_code: bool) -> None:
+    """With the inverted shutters the output changes if `sees_code` is true, and else it is
+    equal."""
     decoder = make_decoder("unet2d", "small", DecoderTask("still", 64, (4, 4), sees_code))
     frame, shutters = coded(64, 29, 35)
     found = decoder(frame, shutters)
@@ -84,6 +88,8 @@ def test_the_decoder_for_any_code_begins_with_its_shipped_weights() -> None:
 
 
 def test_other_widths_of_the_decoder_for_any_code_begin_at_random() -> None:
+    """At width 1 the shipped weights are loaded, whatever the seed. At 0.5 and 2 they are
+    random."""
     counts = []
     for width in (0.5, 1, 2):
         decoder = make_decoder("any", "small", CLIP, width)
@@ -149,6 +155,7 @@ BLOCKS = [
 def test_blocks_are_taken_and_put_as_torch_does(
     block: tuple[int, int], step: tuple[int, int], size: tuple[int, int]
 ) -> None:
+    """Our blocks equal those of torch's unfold, and put back they equal its fold."""
     pictures = torch.rand(2, 3, *size, dtype=torch.float64)
     wanted = torch.nn.functional.unfold(pictures, block, stride=step)
     found = unfold_blocks(pictures, block, step)
@@ -192,6 +199,8 @@ def test_invalid_decoders_are_refused() -> None:
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d", "fcnet", "unrolled"])
 def test_narrower_decoders_have_fewer_weights(name: str) -> None:
+    """At half the width there are about a quarter to a half of the weights. At 0.01 the decoder
+    still works."""
     counts = [parameter_count(make_decoder(name, "small", CLIP, w)) for w in (1.0, 0.5, 0.01)]
     assert counts[0] == parameter_count(make_decoder(name, "small", CLIP))
     # Layers between layers shrink by both of their sides, the first and the last by one.

@@ -126,6 +126,8 @@ def test_a_pixel_that_never_opens_takes_its_neighbours_light() -> None:
 def test_guesses_from_constant_frames_and_shutters_are_finite(
     size: tuple[int, int], level: float, opened: float
 ) -> None:
+    """Dark, full and negative frames with closed to open shutters give finite guesses and
+    gradients. If shutters open, a dark or full frame is guessed as level / opened."""
     frame = torch.full((2, *size), level, requires_grad=True)
     found = still_guess(frame, torch.full(size, opened))
     found.sum().backward()
@@ -184,6 +186,8 @@ def test_the_guess_of_a_slot_uses_only_the_pixels_that_were_open_in_it() -> None
 
 @pytest.mark.parametrize("size", SIZES)
 def test_clips_without_any_light_or_shutter_stay_finite(size: tuple[int, int]) -> None:
+    """With all shutters closed or open, and no light or full light, the guess is finite and is the
+    lifted clip."""
     for shutters in (torch.zeros(3, *size), torch.ones(3, *size)):
         for level in (0.0, 1.0):
             volume, _ = lifted(torch.full((1, *size), level), shutters)
@@ -208,6 +212,7 @@ def test_small_decoders_of_stills_begin_with_the_guess() -> None:
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d"])
 def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
+    """Before any training the decoder returns the guess, to the bit."""
     decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
     # a frame counts full wells, a slot's light full wells / N
@@ -217,6 +222,8 @@ def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d"])
 def test_the_last_layer_scales_the_guess_and_adds_to_it(name: str) -> None:
+    """Its first half of biases is added to the guess, and its second half, plus 1, multiplies
+    it."""
     decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
     guess = clip_guess(lifted(5 * frame, shutters)[0], shutters)
@@ -269,6 +276,8 @@ def test_only_decoders_with_guess_use_the_first_guess(monkeypatch: pytest.Monkey
 def test_networks_of_the_papers_size_start_without_a_guess(
     name: str, kind: str, channels: int
 ) -> None:
+    """These networks keep the published inputs: their first layer has 3, 6 or 1 channels, and no
+    guess is used."""
     with torch.device("meta"):
         decoder = make_decoder(name, "paper", DecoderTask(kind, 5, (4, 4)))
     first = decoder.network.down[0][0]

@@ -157,6 +157,7 @@ def test_gradients_through_the_projection_equal_finite_differences() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_projections_are_not_rounded_to_bf16_under_autocast(name: str) -> None:
+    """Under autocast to bfloat16, the output is float32 and equal to 1e-5."""
     decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     exact = decoder(frame, shutters)

@@ -84,6 +84,7 @@ def test_the_expected_error_of_looks_is_that_of_frames(curve: Curve) -> None:
 
 
 def test_no_other_single_look_is_expected_to_be_better() -> None:
+    """The error of the best look is the least over all slots and levels, tried one by one."""
     chip = DesignChip.of(TARGET, SENSOR)
     model = LookModel(chip, histogram([scene(stops=9)]), [125.0] * 12)
     found = model.expected(model.best(1, "mu")).errors["mu"]
@@ -95,6 +96,8 @@ def test_no_other_single_look_is_expected_to_be_better() -> None:
 
 
 def test_more_looks_are_no_worse() -> None:
+    """The expected error of the logarithm falls from 1 to 2 to 4 looks, and with 4 it is less than
+    half."""
     model = LookModel(DesignChip.of(TARGET, SENSOR), histogram([scene(stops=9)]), [125.0] * 64)
     errors = [model.expected(model.best(looks, "log")).errors["log"] for looks in (1, 2, 4)]
     assert errors == sorted(errors, reverse=True)
@@ -154,6 +157,8 @@ def test_the_designed_tile_has_the_least_error_of_all_tiles() -> None:
 
 @pytest.mark.parametrize("step_e", ["auto", 100.0, 33.3])
 def test_levels_are_rounded_to_their_own_steps(step_e: float | str) -> None:
+    """A level written as a percentage and read again is the same number of steps, for three step
+    sizes."""
     step = STEP_E if step_e == "auto" else float(step_e)
     target = replace(TARGET, in_step_e=step)
     for steps in DesignChip.of(target, default_sensor(target)).levels.tolist():

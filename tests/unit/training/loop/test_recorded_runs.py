@@ -68,6 +68,7 @@ SKIPPED = ("files", "settings", "environment")
 
 @pytest.mark.parametrize("name", RUNS)
 def test_a_short_run_is_the_recorded_one(name: str, tmp_path: Path, update_cases: bool) -> None:
+    """Metrics, result and program text are the recorded ones, with numbers within 2 %."""
     run(RUNS[name], tmp_path / "run")
     result = json.loads((tmp_path / "run/result.json").read_text())
     shown = [

@@ -73,6 +73,8 @@ def put_back_checkpoint(values: dict[str, Any], out: Path) -> None:
 def test_a_run_interrupted_before_its_products_writes_them_when_it_resumes(
     values: dict[str, Any], tmp_path: Path
 ) -> None:
+    """Without result, card and weights, a run that is started again writes them with the same
+    bytes."""
     relaxed = changed(values, "shutter", relaxation="sigmoid")
     run(relaxed, tmp_path)
     whole = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
@@ -121,6 +123,7 @@ def test_a_run_interrupted_after_it_was_brought_goes_on(
 
 @pytest.mark.parametrize("text", [b"", b"\xff\xfe", b"step\nfirst,1\n", b"step\n\n"])
 def test_a_damaged_log_is_reported(text: bytes, tmp_path: Path) -> None:
+    """An empty log, bytes that are no text and rows without numbers give NS0816."""
     run(STILL, tmp_path, stop_after=2)
     (tmp_path / "metrics.csv").write_bytes(text)
     with pytest.raises(Rejected) as caught:
@@ -202,6 +205,7 @@ def test_a_run_with_a_missing_or_foreign_file_is_refused(name: str, tmp_path: Pa
 
 
 def test_a_cuda_run_loads_without_cuda(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The folder's settings say `cuda` and torch finds none: the decoder is loaded to the CPU."""
     from hashlib import sha256
 
     from nscc_training.run_folder import load_run
@@ -217,6 +221,7 @@ def test_a_cuda_run_loads_without_cuda(tmp_path: Path, monkeypatch: pytest.Monke
 
 
 def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
+    """Two runs write files of equal bytes. Another seed gives other codes."""
     for name in ("a", "b"):
         run(STILL, tmp_path / name)
     run(changed(STILL, "train", seed=1), tmp_path / "c")
@@ -245,6 +250,8 @@ def test_a_finished_run_resumes_with_more_steps_but_not_with_fewer(tmp_path: Pat
 
 
 def test_other_configurations_are_refused_unless_resume_is_never(tmp_path: Path) -> None:
+    """Another rate, a missing checkpoint and one of 40 zero bytes each give NS0816. With
+    `resume="never"` the run begins anew."""
     run(STILL, tmp_path / "r", stop_after=2)
     with pytest.raises(Rejected, match="NS0816"):
         run(changed(STILL, "train", rate=0.002), tmp_path / "r")

@@ -109,6 +109,8 @@ def test_other_shutters_than_a_programs_are_refused(
 
 @pytest.mark.parametrize(("warm_up", "settle"), [(0.7, 0.7), (0.25, 0.75), (1.0, 0.0)])
 def test_codes_that_learn_have_steps_to_learn_in(warm_up: float, settle: float) -> None:
+    """If `warm_up` and `settle` leave no step, NS0815 says so. Codes that do not learn may have
+    such shares."""
     shutter = {"slots": 8, "tile": [2, 2], "warm_up": warm_up, "settle": settle}
     with pytest.raises(Rejected, match="codes cannot learn") as caught:
         make_setup(settings_of({"shutter": shutter}))

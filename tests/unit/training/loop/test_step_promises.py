@@ -130,6 +130,8 @@ def test_nothing_of_a_lesson_leaves_its_device(
 
 
 def test_the_counter_counts_moves_off_the_device() -> None:
+    """`cpu()` and `item()` are counted once each, and the two conversions to numpy as at least
+    two."""
     with counted() as found:
         torch.ones(2).cpu().numpy()
         np.asarray(torch.ones(2))

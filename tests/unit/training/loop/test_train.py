@@ -122,6 +122,8 @@ def noise_at(factor: float) -> float:
 
 @pytest.mark.parametrize("name", ["unrolled", "refined"])
 def test_codes_learn_through_projections(name: str, tmp_path: Path) -> None:
+    """Codes behind an unrolled decoder differ from those of a run with `learn=False`. The compiled
+    program has the learned shutters."""
     shutter = {"class": "e", "slots": 6, "tile": [4, 4], "init": "random"}
     values = {**CLIP, "shutter": shutter, "decoder": {"name": name}}
     values = changed(values, "train", code_rate=1.0)
@@ -135,6 +137,8 @@ def test_codes_learn_through_projections(name: str, tmp_path: Path) -> None:
 
 
 def test_patches_larger_than_the_array_are_emulated_as_far_as_it_reaches(tmp_path: Path) -> None:
+    """Patches of 272 pixels are wider than the chip's 256. The emulator's score is that of the
+    model within 1 dB."""
     values = changed(STILL, "data", patch=272, scenes=2, val_items=1, augment=False)
     values = changed(values, "train", steps=1, batch=1)
     run(changed(values, "decoder", name="unet2d", sees_code=False), tmp_path)
@@ -143,6 +147,8 @@ def test_patches_larger_than_the_array_are_emulated_as_far_as_it_reaches(tmp_pat
 
 
 def test_codes_that_are_not_learned_keep_their_start(tmp_path: Path) -> None:
+    """The stops stay those of the pattern `quad`. Given as the start of a second run, they stay
+    again."""
     run(changed(STILL, "shutter", learn=False, init="quad"), tmp_path / "r")
     stop = np.load(tmp_path / "r" / "codes.npz")["stop"]
     assert stop.tolist() == [[16, 4, 16, 4], [1, 1, 1, 1]] * 2
@@ -337,6 +343,8 @@ def test_settled_codes_stay_and_the_decoder_learns(relaxation: str, tmp_path: Pa
 
 
 def test_codes_wait_for_the_decoder(tmp_path: Path) -> None:
+    """With `warm_up=0.5` of four steps, the stops do not change from step 1 to 2 and have changed
+    at 4. The decoder changes at once."""
     values = changed(STILL, "shutter", warm_up=0.5, settle=0.0, relaxation="tried")
     found = []
     for step in (1, 2, 4):
@@ -396,6 +404,8 @@ def test_a_run_learns_from_each_start_and_then_settles() -> None:
 
 @pytest.mark.parametrize("decoder", [{"name": "divided"}, {"name": "any", "learn": False}])
 def test_codes_learn_to_the_end_if_no_decoder_does(decoder: dict[str, Any]) -> None:
+    """A decoder without weights, or one that does not learn, needs no last steps of its own: codes
+    learn in all 100."""
     settings = settings_of({"train": {"steps": 100}, "decoder": decoder})
     assert settling_step(settings) == 100
     assert codes_learn(settings, 99)

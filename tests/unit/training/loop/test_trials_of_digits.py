@@ -263,6 +263,8 @@ def test_each_place_learns_the_shape_of_least_loss() -> None:
 
 
 def test_a_codebook_of_one_shape_has_nothing_else_to_choose() -> None:
+    """With a single shape no pixel has a choice: its gradient is 0. Every slot of the shape has a
+    positive one."""
     parts = parts_of(Share(), slots=8, rows=1, init="uniform", **{"class": "codebook"})
     parts.encoder.noise = 0.5
     shapes, choice = tried_gradients(parts, batch_of(parts, 0.5, 0.2), 40)

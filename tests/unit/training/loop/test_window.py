@@ -10,6 +10,7 @@ from nscc_training.loop.steps import window  # noqa: E402
 
 
 def test_a_patch_of_at_least_the_tiles_size_gets_the_whole_tile() -> None:
+    """A tile of 4 x 4 and a patch of 8 x 8 or 4 x 4 give the tile itself, uncut."""
     tile = torch.arange(2 * 4 * 4).reshape(2, 4, 4)
     assert window(tile, 8, 8, (1,)) is tile
     assert window(tile, 4, 4, (1,)) is tile

@@ -58,6 +58,8 @@ def test_the_table_has_bumps_mixtures_and_free_bits(slots: int) -> None:
 
 
 def test_a_program_opens_the_shutters_of_its_code(target: str) -> None:
+    """For every sixth code, the last readout opens the code's pattern, repeated. A long readout
+    beside it is always open."""
     frame = Frame(slots=SLOTS, target=target, level=1)
     for code in clip_codes(SLOTS)[::6]:
         container = code.container(frame)
@@ -133,6 +135,8 @@ def test_codes_are_chosen_by_motion_and_then_by_words(
 
 
 def test_codes_that_do_not_fit_are_left_out(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """In slots of 2 us random bits take too long: one code is left. In 0.05 us none is, which is an
+    error NS06."""
     codes = named("always open, one readout", "random bits, one readout")
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     short = Frame(slots=SLOTS, slot_us=2.0, target=target, level=1)

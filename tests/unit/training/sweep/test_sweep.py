@@ -73,6 +73,8 @@ def kept(folder: Path) -> dict[str, PointRow]:
 
 
 def test_every_combination_has_the_figures_of_its_report(tmp_path: Path) -> None:
+    """Two numbers of slots and two lowerings give four rows. Their words and shortest slot are
+    those of the compiler's report."""
     written(tmp_path, GRID)
     rows = swept(tmp_path)
     wanted = [(slots, how) for slots in ("4", "8") for how in ("accumulate", "edges")]
@@ -102,6 +104,7 @@ def test_rows_without_noise_are_those_of_the_engine_before(
 
 
 def test_programs_that_do_not_fit_are_table_rows_with_their_error(tmp_path: Path) -> None:
+    """The row has the code NS0412 and no figures. The page shows it and draws the other four."""
     written(tmp_path, GRID + BITS)
     rows = swept(tmp_path)
     assert [row["code"] for row in rows] == ["", "", "", "", "NS0412"]
@@ -113,12 +116,14 @@ def test_programs_that_do_not_fit_are_table_rows_with_their_error(tmp_path: Path
 
 
 def test_a_grid_of_which_nothing_fits_has_no_diagram(tmp_path: Path) -> None:
+    """Its one row is an error, so the status is 1 and no diagram is written."""
     written(tmp_path, f'kind = "compile"\n{BITS}[plot]\ny = ["words_total"]\n')
     assert [row["code"] for row in swept(tmp_path, status=1)] == ["NS0412"]
     assert not (tmp_path / "out/diagram.png").exists()
 
 
 def test_unknown_columns_of_a_plot_are_refused(tmp_path: Path) -> None:
+    """A misspelt column gives NS0832 with a proposal. The four computed points are kept."""
     written(tmp_path, GRID + '[plot]\ny = ["word_total"]\n')
     done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
     assert (done.status, done.codes) == (2, ["NS0832"])
@@ -175,6 +180,8 @@ def replaced(compute: Any) -> Any:
 
 
 def test_a_changed_grid_computes_only_its_new_points(tmp_path: Path) -> None:
+    """The grid of 4 and 8 slots becomes one of 8 and 9. The table has four rows, and six points are
+    kept."""
     written(tmp_path, GRID)
     swept(tmp_path)
     written(tmp_path, GRID.replace("[4, 8]", "[8, 9]"))
@@ -376,6 +383,8 @@ def test_an_invalid_grid_is_refused(tmp_path: Path, text: str, code: str, said: 
 
 
 def test_points_have_the_names_that_are_asked_for(tmp_path: Path) -> None:
+    """Without `name` a point is named after its part and values. An unknown field in `name` gets a
+    proposal."""
     text = GRID + "[two]\n" + GRID.partition("[stops]\n")[2] + 'name = "s{slots}-{lowering}"\n'
     names = [point.name for point in read_grid(written(tmp_path, text)).points]
     assert names[:2] == ["stops_4_accumulate", "stops_4_edges"]
@@ -408,6 +417,8 @@ decoder.init = "run:class-b/first/seed1"
 
 
 def test_a_part_of_a_grid_inherits_the_keys_of_the_part_that_it_names(tmp_path: Path) -> None:
+    """The second run has the settings of the first part and comes after one of its runs. The run
+    before it is part of its key."""
     points = read_grid(written(tmp_path, RUNS)).points
     assert [point.name for point in points] == [
         "class-b/first/seed0",
@@ -432,6 +443,8 @@ def test_each_seed_names_the_run_of_its_own_seed(tmp_path: Path) -> None:
 
 
 def test_a_run_of_a_grid_starts_from_the_result_of_another_run(tmp_path: Path) -> None:
+    """The settings of the second run name the folder of the first as `init`. All three runs
+    succeed."""
     pytest.importorskip("torch")
     written(tmp_path, RUNS)
     rows = swept(tmp_path)
@@ -444,6 +457,8 @@ def test_a_run_of_a_grid_starts_from_the_result_of_another_run(tmp_path: Path) -
 
 
 def test_a_part_is_computed_alone_and_the_table_lists_all_known_rows(tmp_path: Path) -> None:
+    """`--part two` computes four points. After `--part stops` the table has all eight. A misspelt
+    part is NS0832."""
     two = GRID.partition("[stops]\n")[2].replace("[4, 8]", "[5, 6]")
     written(tmp_path, GRID + "[two]\n" + two)
     whole = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run", "--part", "two"], tmp_path)
@@ -574,6 +589,8 @@ def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
 
 
 def test_a_dry_run_counts_points_and_parquet_equals_the_table(tmp_path: Path) -> None:
+    """A dry run writes no folder and counts five points, none known. After the sweep all five are,
+    and a missing figure is null in Parquet."""
     parquet = pytest.importorskip("pyarrow.parquet")
     written(tmp_path, GRID + BITS)
     said = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run"], tmp_path)
@@ -588,6 +605,8 @@ def test_a_dry_run_counts_points_and_parquet_equals_the_table(tmp_path: Path) ->
 
 
 def test_means_leave_out_items_without_a_finite_score() -> None:
+    """The mean of 30, 20 and infinity is 25; of none, 12 and 14 it is 13. Without any score there
+    is no mean."""
     from nscc_training.sweep.evaluating import means_of
 
     items = [
