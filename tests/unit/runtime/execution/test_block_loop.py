@@ -67,6 +67,8 @@ def sensor_near(container: Container, **values: float) -> Sensor:
 @pytest.mark.parametrize("effects", SETS)
 @pytest.mark.parametrize("name", CASES)
 def test_every_lowering_and_effect_equals_the_reference(name: str, effects: str) -> None:
+    """For each program and set of effects, the loop over blocks gives the electrons of the
+    word-by-word reference."""
     container = case(name, rows=6, cols=9)
     light = moving_light((8, 6, 9), 500.0)
     found, full = compared(container, light, sensor_near(container), effects, np.arange(54))
@@ -76,6 +78,8 @@ def test_every_lowering_and_effect_equals_the_reference(name: str, effects: str)
 
 @pytest.mark.parametrize("slots", [1, 3, 5, 13])
 def test_any_number_of_slots_equals_the_reference(slots: int) -> None:
+    """Frames of 1, 3, 5 and 13 slots have the reference's electrons: blocks of slots need not be
+    full."""
     from reference_programs import program
 
     text = f"nsl 1\nframe {slots} slots of 1ms\ncode stop : 0..N\nopen when n < stop\n"
@@ -253,6 +257,7 @@ def test_resets_that_no_read_follows_are_left_out() -> None:
 
 
 def test_light_that_is_not_a_number_is_marked() -> None:
+    """With any effects only the pixel at row 3, column 4 is NaN."""
     container = case("d edges", rows=12, cols=16)
     light = moving_light((8, 12, 16), 300.0)
     light.frames[0, 3, 4] = np.nan

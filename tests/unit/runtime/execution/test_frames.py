@@ -54,6 +54,7 @@ LINEAR = (
 @pytest.mark.parametrize("effects", LINEAR)
 @pytest.mark.parametrize("name", CASES)
 def test_frames_with_linear_effects_only_equal_the_reference(name: str, effects: str) -> None:
+    """No pixel is near saturation, so sums alone give the reference's electrons to 2e-6."""
     found, full, scene = both(name, effects, moving_light((8, ROWS, COLS), 300.0))
     assert not len(scene.near)
     np.testing.assert_allclose(found, full, rtol=2e-6, atol=1e-3)
@@ -120,6 +121,7 @@ def test_no_saturating_pixel_is_missed_among_the_pixels_near_saturation(
 
 @pytest.mark.parametrize("name", ["b edges", "d accumulate", "two buckets"])
 def test_threads_change_no_bit(name: str) -> None:
+    """With 1, 2 and 5 threads the electrons and codes have equal bytes."""
     light = moving_light((8, 40, 50), 5000.0)
     found = [next(source(name, "all", light, n).frames(SEED, 1)) for n in (1, 2, 5)]
     assert len({each.exposure_e.tobytes() for each in found}) == 1
@@ -127,6 +129,7 @@ def test_threads_change_no_bit(name: str) -> None:
 
 
 def test_frames_and_seeds_differ_and_come_again() -> None:
+    """The same seed and frame number give the same bytes. Another of either gives other noise."""
     scene = source("b edges", "all", moving_light((8, ROWS, COLS), 300.0))
     one, other, seeded, again = (
         scene.expose(seed, frame).exposure_e for seed, frame in ((1, 0), (1, 1), (2, 0), (1, 0))
@@ -137,6 +140,7 @@ def test_frames_and_seeds_differ_and_come_again() -> None:
 
 
 def test_light_that_does_not_fit_is_refused_and_no_number_is_marked() -> None:
+    """Five columns of light for a wider array give NS0734. A NaN pixel alone is not valid."""
     container = case("b edges", rows=ROWS, cols=COLS)
     sensor = sensor_of(container)
     with pytest.raises(Rejected) as caught:
@@ -172,6 +176,7 @@ def test_pixels_beside_lamps_that_lose_charge_are_found_near_saturation_for_all_
 def test_effects_that_only_the_reference_has_are_exposed_by_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    """Read noise is registered without its fast form. The frame has the reference's bytes."""
     slow = replace(READ, words=CannotHave("it is tried"))
     monkeypatch.setitem(registry._registered, "read", slow)
     light = moving_light((8, ROWS, COLS), 300.0)

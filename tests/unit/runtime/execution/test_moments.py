@@ -51,6 +51,8 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
 def test_sums_of_light_in_several_passes_equal_those_in_one_pass(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    """The limit of entries is lowered to two pixels, so several passes are made. The sums keep
+    their bytes."""
     rng = np.random.default_rng(4)
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)

@@ -60,6 +60,8 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
 
 
 def test_no_pixel_is_near_saturation_without_saturating_effects() -> None:
+    """In light of a million electrons all 36 pixels are near saturation; without the saturating
+    effects none is."""
     container = case("a", SLOTS, rows=6, cols=6)
     program = AnalysedProgram.of(container, sensor_of(container))
     light = Light.of_clip(np.full((SLOTS, 6, 6), 1e6, np.float32))

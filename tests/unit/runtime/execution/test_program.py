@@ -78,6 +78,8 @@ def test_weights_are_those_of_the_words(name: str, effects: str, model: WeightMo
 
 
 def test_weights_are_kept_and_decay_costs_nothing_where_nothing_decays() -> None:
+    """Without decay both kinds of weights are the same object. With a retention of 600 us they
+    differ."""
     container = case("b edges", rows=ROWS, cols=COLS)
     made = AnalysedProgram.of(container, sensor_of(container))
     assert made.decayed is made.fresh
@@ -119,6 +121,7 @@ def test_the_covariance_of_word_errors_equals_that_of_reference_frames(
 
 @pytest.mark.parametrize("name", CASES)
 def test_seen_slots_are_the_slots_whose_light_reaches_a_register(name: str) -> None:
+    """For each lane and slot, a slot is seen if light in it alone changes a register."""
     container = case(name, rows=ROWS, cols=COLS)
     made = AnalysedProgram.of(container, sensor_of(container))
     expected = [
@@ -149,6 +152,7 @@ def brute_force(made: AnalysedProgram, lane: int, slot: int) -> float:
 
 @pytest.mark.parametrize("name", CASES)
 def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
+    """The largest weight of a lane and slot is that found by exposing them one by one."""
     container = case(name, rows=ROWS, cols=COLS)
     made = AnalysedProgram.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
@@ -185,6 +189,8 @@ def limited(sensor: Sensor, linear_e: float) -> Sensor:
 
 
 def test_many_lanes_share_the_reach_of_the_worst() -> None:
+    """With more than 64 lanes no weights are held, and each lane has the least light of the
+    worst."""
     text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
     container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
     made = AnalysedProgram.of(container, sensor_of(container))

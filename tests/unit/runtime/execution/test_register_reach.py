@@ -42,6 +42,7 @@ def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
 
 
 def test_noise_leaves_less_room() -> None:
+    """With noise a register saturates at less light, for the same lanes as without."""
     quiet, noisy = program_of("codebook"), program_of("codebook", analog_noise_lsb=2.0)
     finite = np.isfinite(reach_of(quiet).least_e)
     assert finite.any()
@@ -50,11 +51,15 @@ def test_noise_leaves_less_room() -> None:
 
 
 def test_noise_alone_can_saturate_a_register() -> None:
+    """Reset noise of 100 000 electrons exceeds the register, so the least light that saturates is
+    0."""
     program = program_of("codebook", reset_noise_e=1e5)
     assert (reach_of(program).least_e[0] == 0).all()
 
 
 @pytest.mark.parametrize("bias_lsb", [-1000.0, 1000.0])
 def test_a_fixed_error_of_either_sign_can_saturate_a_register(bias_lsb: float) -> None:
+    """A bias of 1000 codes, up or down, exceeds the register, so the least light that saturates is
+    0."""
     program = program_of("codebook", analog_bias_lsb=bias_lsb)
     assert (reach_of(program).least_e[0] == 0).all()

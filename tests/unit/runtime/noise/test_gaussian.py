@@ -19,6 +19,8 @@ def quantiles(values):
 
 
 def test_the_relative_error_is_small_from_end_to_end():
+    """At the least numbers, in the tail and in the middle, the error against scipy is below 1e-12.
+    The median is exactly 0."""
     few = STEP * np.arange(1, 2000, 2)
     tail = 2.0 ** np.linspace(-53, -1, 40_001)[:-1]
     middle = 0.5 - 2.0 ** np.linspace(-53, -2, 4001)
@@ -43,6 +45,8 @@ def test_quantiles_never_decrease_where_cells_meet():
 
 
 def test_quantiles_never_decrease_from_one_number_to_the_next():
+    """Of 39 neighbouring numbers at 200 places, no quantile is below the one before it. Above one
+    half the order is the mirrored one."""
     rng = np.random.default_rng(3)
     for start in rng.random(200) * 0.5:
         run = np.floor(start / STEP) * STEP + STEP * np.arange(1, 40)
@@ -57,6 +61,8 @@ def test_arrays_take_the_quantile_of_the_uniform_number():
 
 
 def test_gaussian_numbers_have_the_moments_of_a_normal_distribution():
+    """A million numbers pass a Kolmogorov-Smirnov test and have mean 0, variance 1 and fourth
+    moment 3."""
     n = 1_000_000
     found = normals(key(11, 2), np.arange(n))
     assert stats.kstest(found, "norm").pvalue > 1e-3

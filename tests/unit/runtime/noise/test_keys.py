@@ -38,6 +38,7 @@ def words(text):
 
 @pytest.mark.parametrize(("counter", "under", "result"), KNOWN)
 def test_philox_gives_the_published_answers(counter, under, result):
+    """The published inputs of the generator Philox give the published words."""
     assert philox(words(counter), words(under)) == words(result)
 
 
@@ -49,12 +50,15 @@ def test_compiled_hash_is_the_published_one():
 
 
 def test_uniform_numbers_lie_strictly_between_0_and_1_and_are_symmetric():
+    """The least and the largest word give 2^-53 and 1 - 2^-53, never 0 or 1."""
     assert unit(np.uint64(0)) == 2.0**-53
     assert unit(np.uint64(2**64 - 1)) == 1 - 2.0**-53
     assert unit(np.uint64(2**63)) == 0.5 + 2.0**-53
 
 
 def test_uniform_numbers_are_evenly_spread():
+    """A million numbers pass a Kolmogorov-Smirnov test. Each lies in the middle of one of 2^52
+    intervals."""
     found = uniforms(key(5, 1), np.arange(1_000_000))
     assert stats.kstest(found, "uniform").pvalue > 1e-3
     # Numbers lie in the middles of 2^52 intervals.
@@ -85,6 +89,7 @@ def test_neighbours_are_independent(other):
 
 
 def test_keys_differ_if_seed_effect_source_frame_or_group_differ():
+    """No two of 324 combinations, with the ends of the ranges among them, have the same key."""
     keys = {
         int(key(seed, effect, source, frame, group))
         for seed in (0, 1, 2**32, 2**64 - 1)
@@ -101,11 +106,15 @@ def test_keys_differ_if_seed_effect_source_frame_or_group_differ():
     "wrong", [(-1, 0), (2**64, 0), (0, -1), (0, 2**32), (0, 0, 2**32), (0, 0, 0, -1)]
 )
 def test_numbers_too_large_for_a_key_are_refused(wrong):
+    """A negative number, and one beyond 64 bits for the seed or 32 for the others, gives a
+    ValueError."""
     with pytest.raises(ValueError, match="outside 0"):
         key(*wrong)
 
 
 def test_draws_keep_the_shape_and_ignore_the_order_of_pixels():
+    """A pixel's number depends on its place alone: transposed pixels give transposed numbers. No
+    pixels give none."""
     pixels = np.arange(60).reshape(3, 20)
     whole = normals(key(1, 1), pixels)
     assert whole.shape == (3, 20)

@@ -34,6 +34,8 @@ def some_uniforms():
 
 @pytest.mark.parametrize("rate", RATES)
 def test_exact_is_the_smallest_count_that_reaches_u(rate):
+    """The count's distribution reaches u, and that of the count before it does not, by scipy's
+    tails."""
     for u in some_uniforms():
         count = poisson_exact(u, rate)
         # On either side the smaller tail, which is the one that is known accurately.
@@ -65,6 +67,8 @@ def test_error_of_the_formula_is_as_stated(rate):
 
 @pytest.mark.parametrize("rate", [10.0, 10.001, 10.5, 12.0, 15.999, 16.0, 20.0, 50.0, 1000.0])
 def test_total_variation_of_the_fast_sampler_is_as_stated(rate):
+    """The fast sampler's probabilities differ from the law's by less than 2e-4 in sum, from a rate
+    of 10 on."""
     counts = np.arange(int(rate + 12 * math.sqrt(rate) + 20))
     masses = np.diff(fast_distribution(rate, counts), prepend=0.0)
     variation = np.abs(masses - law.pmf(counts, rate)).sum() / 2

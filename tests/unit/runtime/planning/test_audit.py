@@ -33,6 +33,8 @@ def audited(setting: Setting, plan: Plan) -> Audit:
 
 
 def test_the_audit_equals_an_independent_comparison(mid: Setting) -> None:
+    """A plan without shot noise and lag breaks its tolerance of 5 electrons. The error found is
+    that of frames compared in the test, within 2 %."""
     container, light, sensor = mid
     plan = plan_of("all,-shot,-lag", tolerance_e=5.0)
     found = audited(mid, plan)
@@ -46,6 +48,8 @@ def test_the_audit_equals_an_independent_comparison(mid: Setting) -> None:
 
 
 def test_an_audit_holds_up_to_an_error_a_tenth_above_the_tolerance(mid: Setting) -> None:
+    """The plan for 30 electrons drops effects and holds. Measured against tolerances just inside
+    and beyond the slack, the audit holds and breaks."""
     container, light, sensor = mid
     plan = measured_plan(container, light, sensor, 30.0)
     found = audited(mid, plan)
@@ -58,6 +62,7 @@ def test_an_audit_holds_up_to_an_error_a_tenth_above_the_tolerance(mid: Setting)
 
 
 def test_all_effects_agree_with_the_loop(mid: Setting) -> None:
+    """A plan that drops nothing has an error of exactly 0 and the noise of the loop."""
     found = audited(mid, plan_of("all"))
     assert found.measured_rms_e == 0.0
     assert found.std_ratio == pytest.approx(1.0, abs=0.01)
@@ -83,6 +88,8 @@ def test_an_audit_reports_frames_whose_mean_or_noise_differs_from_the_loop(mid: 
 
 
 def test_without_noise_there_is_no_ratio() -> None:
+    """Without any noise the ratio of deviations is None, and 64 frames of 64 pixels are
+    compared."""
     container = case("b edges", 8, rows=8, cols=8)
     quiet = sensor_of(
         container,

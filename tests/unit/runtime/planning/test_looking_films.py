@@ -53,6 +53,8 @@ def test_errors_of_later_frames_with_other_states_stay_within_the_tolerance(fram
 
 @pytest.mark.parametrize("scene", range(4))
 def test_at_most_allows_for_frames_that_were_not_measured(scene: int) -> None:
+    """The plan was measured on other frames than these 24. Their error stays below `bound_e`,
+    counted where pixels close at the same slot."""
     program = nscc.compile(_CLOSING, target=replace(builtin_target("scamp5"), rows=50, cols=4))
     total = np.random.default_rng(scene).lognormal(7.0, 2.5, (50, 4))
     light = np.full((program.slots, 1, 1), 1.0 / program.slots) * total

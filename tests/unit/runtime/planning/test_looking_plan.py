@@ -123,6 +123,8 @@ def test_effects_that_are_forced_off_break_the_tolerance_with_a_warning(program:
 
 
 def test_a_plan_survives_json_and_is_measured_on_other_scenes(program: Container) -> None:
+    """The plan read from JSON is equal. In brighter light it predicts a larger error with the same
+    effects."""
     plan, _ = run(program, light(0.05), "auto", tolerance=40.0)
     again: Plan = from_plain(Plan, json.loads(json.dumps(plan.as_json())))
     assert again == plan
@@ -152,6 +154,8 @@ def test_errors_of_few_pixels_in_small_arrays_are_predicted(
 
 
 def test_films_of_programs_that_look_share_a_plan(program: Container) -> None:
+    """The second scene is a mirror image at 99 % of the light: it uses the first scene's plan, and
+    both audits hold."""
     first = light(0.2)
     mirrored = np.ascontiguousarray(first.frames[0][:, ::-1] * np.float32(0.99))
     film = [first, Light.of_still(mirrored, first.weight)]

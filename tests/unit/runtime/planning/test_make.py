@@ -34,6 +34,8 @@ def found(program: str, name: str, tolerance: str, effects: str = "auto") -> Out
 def test_errors_of_plans_stay_within_the_tolerance_as_predicted(
     program: str, name: str, tolerance: str
 ) -> None:
+    """For each program and scene the promise is kept, no effect stays on that was needless, and the
+    prediction is near the error."""
     each = found(program, name, tolerance)
     assert each.kept
     assert not each.needless
@@ -44,6 +46,7 @@ def test_errors_of_plans_stay_within_the_tolerance_as_predicted(
 def test_errors_of_plans_of_random_programs_scenes_and_sensors_stay_within_the_tolerance(
     seed: int,
 ) -> None:
+    """For three seeds of random programs, scenes and sensors, no promise is broken."""
     assert [draw.said for draw in promises(40 + seed, frames=2) if not draw.found.kept] == []
 
 
@@ -56,6 +59,8 @@ def test_few_pixels_with_most_of_the_error_are_measured(seed: int) -> None:
 
 @pytest.mark.parametrize("tolerance", ["0.01e", "1e6e"])
 def test_larger_tolerances_drop_more_effects(tolerance: str) -> None:
+    """At 0.01 electrons no effect is dropped. At a million all costly ones but `adc` are, yet none
+    that saturates."""
     plan = found("b edges", "mid", tolerance).plan
     dropped = {*plan.names("dropped")}
     saturating = everything().names(Saturates)
@@ -69,6 +74,8 @@ def test_larger_tolerances_drop_more_effects(tolerance: str) -> None:
 
 
 def test_absent_effects_stay_on_for_the_next_scene() -> None:
+    """In a dim scene saturation and motion cost nothing and stay on, without a loop over slots. A
+    saturated scene needs the loop."""
     plan = found("b edges", "dim", "50e").plan
     assert {"full_well", "register", "motion"} <= {*plan.names("absent")}
     assert plan.kept.on >= {"full_well", "register", "motion"}
@@ -77,6 +84,8 @@ def test_absent_effects_stay_on_for_the_next_scene() -> None:
 
 
 def test_effects_that_are_forced_off_do_not_loosen_the_tolerance_of_others() -> None:
+    """Without shot noise the error exceeds 20 electrons, which is reported. The others are dropped
+    as before."""
     free, forced = (
         found("b edges", "mid", "20e", effects).plan for effects in ("auto", "auto,-shot")
     )
@@ -89,6 +98,8 @@ def test_effects_that_are_forced_off_do_not_loosen_the_tolerance_of_others() -> 
 
 
 def test_figures_of_an_effect_are_those_of_leaving_it_out_alone() -> None:
+    """The error in an effect's row is that of a plan with all other effects. For dark current it is
+    mostly a bias."""
     container = case("c edges", SLOTS, rows=SIDE, cols=SIDE)
     sensor, light = sensor_of(container), scene("mid", SLOTS, SIDE, SIDE)
     plan = measured_plan(container, light, sensor, "1e")
@@ -101,6 +112,8 @@ def test_figures_of_an_effect_are_those_of_leaving_it_out_alone() -> None:
 
 
 def test_a_single_frame_is_not_measured_and_many_are() -> None:
+    """For one frame measuring costs more than it saves, so nothing is dropped. For 1000 frames it
+    pays."""
     container = case("b edges", SLOTS, rows=256, cols=256)
     light = scene("mid", SLOTS, 256, 256)
     planned = planning_of(container, sensor_of(container), light)
@@ -114,6 +127,8 @@ def test_a_single_frame_is_not_measured_and_many_are() -> None:
 
 
 def test_a_relative_tolerance_is_that_of_the_frames_noise() -> None:
+    """`0.3noise` is 0.3 of the standard deviation of 40 frames with all effects, which the plan
+    knows within 5 %."""
     container = case("b edges", SLOTS, rows=SIDE, cols=SIDE)
     light = scene("mid", SLOTS, SIDE, SIDE)
     sensor = sensor_of(container, adc_offset_lsb=30.0)  # no code is clipped at 0
@@ -128,6 +143,8 @@ def test_a_relative_tolerance_is_that_of_the_frames_noise() -> None:
 
 
 def test_light_without_end_and_no_light_have_plans() -> None:
+    """One pixel that is infinite, dark or NaN does not spoil the plan: the predicted error stays
+    within 5 electrons."""
     container = case("b edges", SLOTS, rows=SIDE, cols=SIDE)
     for value in (np.inf, 0.0, np.nan):
         clip = np.full((SLOTS, SIDE, SIDE), 100.0, np.float32)

@@ -49,6 +49,7 @@ def tolerance(given: str | float, signal_e: float | None = None) -> Tolerance:
 
 @given(st.floats(LEAST_E, MOST_E))
 def test_a_tolerance_in_electrons_keeps_its_value(value: float) -> None:
+    """A number, with `e` or without, with blanks or without, keeps its value to the bit."""
     assert tolerance(f"{value!r}e").electrons == tolerance(value).electrons == value
     assert tolerance(f" {value!r} e ").electrons == value
 
@@ -60,6 +61,7 @@ def test_tolerances_in_codes_are_converted_to_electrons(value: float) -> None:
 
 @given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e9))
 def test_percentages_are_parts_of_the_signal(value: float, signal_e: float) -> None:
+    """A percentage is that part of the signal in electrons, and its text keeps the percentage."""
     found = tolerance(f" {value!r} %", signal_e)
     assert found.electrons == pytest.approx(signal_e * value / 100)
     assert found == Tolerance(f"{value!r}%", found.electrons, signal_e)
@@ -67,6 +69,8 @@ def test_percentages_are_parts_of_the_signal(value: float, signal_e: float) -> N
 
 @given(st.floats(LEAST_E, MOST_E) | st.floats(1e-3, 1e3).map(lambda x: f"{x!r}%"))
 def test_the_printed_tolerance_can_be_entered_again(given: str | float) -> None:
+    """The text of a tolerance gives an equal one. In electrons or percent it needs no scene a
+    second time."""
     found = tolerance(given, 700.0)
     assert tolerance(found.text, 700.0) == found
     assert tolerance_of(found, SENSOR, SceneOf(math.nan)) is found
@@ -74,6 +78,7 @@ def test_the_printed_tolerance_can_be_entered_again(given: str | float) -> None:
 
 @given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e9))
 def test_a_tolerance_in_noise_is_a_part_of_the_frames_noise(value: float, noise_e: float) -> None:
+    """A value with `noise` is that part of the frame's noise, and it is printed with both."""
     found = tolerance_of(f"{value!r} noise", SENSOR, SceneOf(None, noise_e))
     assert found.electrons == pytest.approx(noise_e * value)
     assert str(found) == f"{value!r} of the frame's own noise = {found.electrons:.4g} e"
@@ -82,6 +87,8 @@ def test_a_tolerance_in_noise_is_a_part_of_the_frames_noise(value: float, noise_
 
 @pytest.mark.parametrize("signal_e", [0.0, -1.0, math.nan])
 def test_a_part_of_no_signal_is_refused_and_electrons_are_offered(signal_e: float) -> None:
+    """A percentage of 0, of a negative number and of NaN gives NS0746 with a help to name
+    electrons."""
     with pytest.raises(Rejected) as caught:
         tolerance("1%", signal_e)
     [said] = caught.value.diagnostics
@@ -91,6 +98,8 @@ def test_a_part_of_no_signal_is_refused_and_electrons_are_offered(signal_e: floa
 
 
 def test_a_signal_is_the_mean_size_within_the_well() -> None:
+    """Values are taken without sign and cut off at a full well. NaN does not count, and without
+    values the signal is 0."""
     full_e = SENSOR.values["full_well_e"]
     found = mean_signal_e(np.array([[100.0, -300.0, math.inf], [10 * full_e, math.nan, 0]]), SENSOR)
     # Five values count, because NaN does not; two are cut off at a full well.
@@ -100,6 +109,7 @@ def test_a_signal_is_the_mean_size_within_the_well() -> None:
 
 @pytest.mark.parametrize("text", ["5e", "5.e", ".5e1e", "5e0e", "05e", "1e2lsb", "5E0e", "5e1%"])
 def test_tolerances_with_every_unit_are_read(text: str) -> None:
+    """Points without digits, exponents and leading zeros are numbers before `e`, `lsb` and `%`."""
     [unit] = [unit for unit in ("lsb", "%", "e") if text.endswith(unit)]
     # A code is 100 electrons here, and a percent of 700 electrons is 7.
     size = {"e": 1.0, "lsb": 100.0, "%": 7.0}[unit]
@@ -108,6 +118,7 @@ def test_tolerances_with_every_unit_are_read(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["5E", "0.5LSB", "0.1Noise"])
 def test_a_unit_may_be_written_large(text: str) -> None:
+    """`5E`, `0.5LSB` and `0.1Noise` are read as in small letters."""
     assert tolerance(text, 700.0) == tolerance(text.lower(), 700.0)
 
 
@@ -174,6 +185,7 @@ def test_invalid_tolerances_are_refused(text: str | float) -> None:
 
 @given(st.text())
 def test_any_text_is_a_tolerance_or_is_refused(text: str) -> None:
+    """Any text gives a finite tolerance above 0 or NS0746, and no other error."""
     try:
         found = tolerance(text, 700.0).electrons
     except Rejected as rejected:
@@ -215,6 +227,7 @@ def plans(draw: st.DrawFn) -> Plan:
 
 @given(plans())
 def test_json_is_read_as_it_was_written(plan: Plan) -> None:
+    """A plan with any values is equal after it was written and read, and it can be printed."""
     text = json.dumps(plan.as_json(), allow_nan=False)
     assert from_plain(Plan, json.loads(text)) == plan
     assert str(plan)
@@ -222,6 +235,8 @@ def test_json_is_read_as_it_was_written(plan: Plan) -> None:
 
 
 def test_the_table_shows_the_worst_pixel() -> None:
+    """The text names the worst pixel's error and the share of other states. Without a prediction it
+    says that none was measured."""
     plan = replace(plan_of("shot"), predicted_e=3.0, worst_e=6.25, other_states=0.0025)
     text = str(plan)
     assert "predicted error 3 e (at most 0), tolerance 5 e, worst pixel 6.25 e" in text
@@ -268,6 +283,7 @@ def test_damaged_plans_are_refused_by_field(name: str, value: Any, words: str | 
 
 
 def test_a_plan_of_an_earlier_version_says_to_make_it_again(tmp_path: Path) -> None:
+    """A file of `nscc-plan-1` gives NS0747 with the help to make it again."""
     text = plan_text(plan_of("shot"), "digest", SENSOR)
     (tmp_path / "p.json").write_text(text.replace("nscc-plan-2", "nscc-plan-1"))
     with pytest.raises(Rejected) as caught:

@@ -23,6 +23,8 @@ FOUND = [Price("sums", "a pixel", "ns", 137.5, 100.0)]
 def test_effects_cost_shows_measured_prices(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
+    """`nscc effects --cost` shows the prices measured here and those shipped. Beside `--toml` it is
+    refused."""
     monkeypatch.setattr(measure_prices, "measure_prices", lambda: FOUND)
     shown = invoke(["effects", "--cost"], tmp_path).out
     assert "137.5" in shown
@@ -33,6 +35,8 @@ def test_effects_cost_shows_measured_prices(
 
 @pytest.mark.slow
 def test_measuring_finds_prices_of_every_way() -> None:
+    """Every way of exposing has a price above 0. Effects of comparators have none, and words cost
+    over five times sums."""
     found = measure_prices.measure_prices()
     ways = {"planning", "trial", "sums", "words", "reference"}
     assert {e.name for e in found} > ways | {"shot", "dark", "crosstalk"}

@@ -59,6 +59,8 @@ def test_means_over_the_sample_are_those_of_the_array(kind: str, near_count: int
 
 @given(st.integers(0, 127), st.integers(0, 159))
 def test_a_lamp_and_its_neighbours_are_always_drawn(row: int, col: int) -> None:
+    """Wherever one bright pixel stands, the sample has it with a weight of 1: it stands for itself
+    alone."""
     total = np.full((1, 128, 160), 30.0, np.float32)
     total[0, row, col] = 20_000.0
     found = sample(Light.of_clip(total))
@@ -66,6 +68,7 @@ def test_a_lamp_and_its_neighbours_are_always_drawn(row: int, col: int) -> None:
 
 
 def test_pixels_whose_light_moves_are_always_drawn() -> None:
+    """A pixel that flickers, as bright as the others on average, has a weight of 1."""
     clip = np.full((8, 128, 160), 50.0, np.float32)
     clip[:, 5, 5] = [100, 0] * 4  # as bright as the others
     found = sample(with_motion(Light.of_clip(clip)))
@@ -73,6 +76,7 @@ def test_pixels_whose_light_moves_are_always_drawn() -> None:
 
 
 def test_all_pixels_of_small_scenes_are_measured() -> None:
+    """Of 3000 pixels each is measured, with a weight of 1."""
     found = sample(light("noise", 50, 60))
     assert found.places.tolist() == [*range(3000)]
     assert set(found.weight.tolist()) == {1.0}

@@ -29,6 +29,8 @@ def codes(path: Path | None = None, *changes: str) -> list[str]:
 
 
 def test_the_table_covers_every_attribute_once_and_says_where_defaults_come_from() -> None:
+    """The table has the parameters of a sensor in their order, each with source, unit, meaning and
+    heading."""
     assert [row.name for row in parameters()] == list(default_sensor(TARGET).values)
     assert all(row.source and row.kind.unit and row.meaning for row in parameters())
     assert {row.heading for row in parameters()} == set(HEADINGS)
@@ -55,6 +57,8 @@ def test_defaults_are_the_targets_and_within_their_ranges() -> None:
 
 
 def test_a_printed_file_reads_back_to_the_bit(tmp_path: Path) -> None:
+    """The file has all values, so it reads back equal for a chip of another full well. Changes
+    change the digest."""
     file = tmp_path / "sensor.toml"
     sensor = load_sensor(TARGET, None, ["read_noise_e=0.1", "full_well_e = 1234.5678e1"])
     assert sensor.full_well_e == 12345.678
@@ -66,6 +70,8 @@ def test_a_printed_file_reads_back_to_the_bit(tmp_path: Path) -> None:
 
 
 def test_missing_lines_have_their_default_and_changes_come_last(tmp_path: Path) -> None:
+    """The full well of 2550 gives 10 electrons a code. The last of two changes holds, and -0.0 is
+    read as 0.0."""
     file = tmp_path / "sensor.toml"
     file.write_text("full_well_e = 2550\nprnu_fraction = -0.0\n")
     sensor = load_sensor(TARGET, file, ["lag_fraction=0", "lag_fraction=0.5"])
@@ -102,6 +108,8 @@ def test_all_errors_of_a_sensor_file_are_reported_together(
 
 
 def test_unreadable_sensor_files_and_bad_changes_are_refused(tmp_path: Path) -> None:
+    """A missing file and a folder give NS0751, a change without name or value NS0755. Wrong names
+    and values are NS0753 and NS0754."""
     assert codes(tmp_path / "none.toml") == ["NS0751"]
     assert codes(tmp_path) == ["NS0751"]
     assert codes(None, "read_noise_e", "=3", "read_noise_e=") == ["NS0755"] * 3
@@ -109,6 +117,7 @@ def test_unreadable_sensor_files_and_bad_changes_are_refused(tmp_path: Path) -> 
 
 
 def test_a_misspelt_name_is_suggested() -> None:
+    """`dark_curent_e_per_s` gets the help that proposes `dark_current_e_per_s`."""
     with pytest.raises(Rejected) as caught:
         load_sensor(TARGET, None, ["dark_curent_e_per_s=1"])
     assert "did you mean `dark_current_e_per_s`?" in caught.value.diagnostics[0].helps

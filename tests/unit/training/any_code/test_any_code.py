@@ -210,6 +210,8 @@ def test_decoded_clips_have_a_higher_psnr_than_their_gap_tv_start(seed: int, cou
 def test_any_clip_returns_finite_light_for_any_length_and_size(
     frames: int, rows: int, cols: int
 ) -> None:
+    """For clips of 1, 4 and 30 frames the light is finite and not negative, also where a pixel
+    never opens."""
     generator = np.random.default_rng(frames)
     mask = (generator.random((frames, rows, cols)) < 0.5).astype(np.float32)
     mask[:, 2, 3] = 0
@@ -254,6 +256,7 @@ def test_gap_tv_of_arrays_equals_that_of_tensors(buckets: int) -> None:
 
 
 def test_masks_are_of_every_kind_and_open_everywhere() -> None:
+    """Sixty random masks hold 0 and 1 and open each pixel. Some repeat a tile and some do not."""
     generator = np.random.default_rng(1)
     drawn = [mask_drawn(generator, 8, 12) for _ in range(60)]
     assert all(mask.shape == (8, 12, 12) and set(np.unique(mask)) <= {0, 1} for mask in drawn)
@@ -286,6 +289,8 @@ def test_measured_lessons_equal_light_through_the_masks_within_the_noise() -> No
 
 
 def test_white_is_a_quantile_of_the_pixels_that_ever_open() -> None:
+    """For two scenes it is the 0.995 quantile of the pixels that open. For one that never opens it
+    is 1."""
     generator = np.random.default_rng(2)
     mask = torch.from_numpy((generator.random((3, 1, 4, 20, 20)) < 0.3).astype(np.float32))
     mask[2] = 0

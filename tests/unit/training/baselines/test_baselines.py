@@ -86,6 +86,8 @@ def test_merging_grows_windows_until_they_hold_a_measurement(measured: float) ->
 @pytest.mark.parametrize("time", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("shape", [(4, 9, 11), (1, 7, 5), (3, 1, 8), (2, 6, 1)])
 def test_total_variation_equals_a_plain_implementation(shape: tuple[int, ...], time: float) -> None:
+    """Clips of one frame, row or column and larger equal a plain float64 loop after 0, 1 and 7
+    iterations."""
     clip = np.random.default_rng(1).random(shape).astype(np.float32)
     for iterations in (0, 1, 7):
         found = tv_denoise(clip, 0.1, iterations, time)
@@ -94,6 +96,7 @@ def test_total_variation_equals_a_plain_implementation(shape: tuple[int, ...], t
 
 
 def test_denoising_handles_bad_input() -> None:
+    """An array of two axes and a weight of 0 give a ValueError."""
     with pytest.raises(ValueError, match="shape"):
         tv_denoise(np.zeros((4, 4), np.float32), 0.1, 3)
     with pytest.raises(ValueError, match="weight"):
@@ -119,6 +122,8 @@ def db(truth: NDArray[np.uint8], made: NDArray[np.float32]) -> float:
 
 @pytest.mark.parametrize("method", [gap_tv, admm_tv])
 def test_a_moving_square_is_reconstructed(method: object) -> None:
+    """The result is 10 dB better than the start, and measured again it differs by less than
+    0.02."""
     clip, mask, measurement = coded()
     start = db(clip, adjoint(measurement, mask))
     found = method(measurement, mask)  # type: ignore[operator]
@@ -151,6 +156,8 @@ def test_thin_out_and_bilinear_interpolate_a_plane_exactly() -> None:
 
 
 def test_merging_replaces_saturated_pixels_by_their_neighbours() -> None:
+    """Open pixels saturate, but their neighbours give the light of 120 000 within 2 %. If all
+    saturate, it is a full well."""
     light = np.full((8, 8), 120000.0)
     share = np.tile(np.array([[1.0, 0.25], [0.0625, 1 / 64]]), (4, 4))
     codes = np.minimum(np.rint(light * share / 30000 * 255), 255).astype(np.float32)
@@ -187,6 +194,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_a_clip_given_twice_is_refused(folder: Path) -> None:
+    """The same file, written in two ways, gives NS0780 and no result."""
     outcome = invoke(["evaluate", "sci8", "square.mat", "./square.mat", "--json"], folder)
     assert (outcome.status, outcome.codes, outcome.out) == (2, ["NS0780"], "")
     assert "a clip may be given only once" in outcome.err
@@ -401,6 +409,7 @@ def test_a_missing_clip_is_reported_as_missing(tmp_path: Path) -> None:
     "change", [{"mean": "high"}, {"data": [3]}, {"items": [{"psnr_db": "nan"}]}]
 )
 def test_results_with_invalid_numbers_are_refused(tmp_path: Path, change: dict[str, Any]) -> None:
+    """A text as a mean, a number among the data and `nan` as a score give NS0807."""
     item = {"file": "a", "crop": None, "frame": 0, "psnr_db": 20.0}
     good = {"schema": "nscc-result-1", "protocol": "sci8", "mean": 20.0, "items": [item]}
     (tmp_path / "A.json").write_text(json.dumps(good))

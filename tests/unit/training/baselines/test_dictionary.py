@@ -24,6 +24,8 @@ def test_pursuit_finds_the_planted_atoms() -> None:
 
 
 def test_pursuit_leaves_dependent_and_empty_columns_alone() -> None:
+    """Of two equal columns one is used, and a column of zeros is not. A matrix of zeros gives
+    zeros."""
     matrix = np.array([[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 0.0]])
     found = pursued(matrix, np.array([2.0, 2.0, 5.0]), 3)
     np.testing.assert_allclose(matrix @ found, [2.0, 2.0, 0.0])

@@ -20,6 +20,7 @@ from nscc_training.baselines.sparse_coding import (  # noqa: E402
 
 
 def test_sum_and_spread_are_transposes() -> None:
+    """Both give the same inner product of maps and a picture, as a matrix and its transpose do."""
     generator = torch.Generator().manual_seed(1)
     filters = made_filters()
     maps = torch.rand((1, len(filters), 20, 23), generator=generator)
@@ -50,6 +51,8 @@ def test_the_largest_gain_bounds_the_energy_of_the_operator() -> None:
 
 
 def test_the_error_of_sparse_coding_falls_with_more_iterations() -> None:
+    """With 0 iterations the error is that of the start. After 5 it is lower, and after 60 below a
+    fifth of that."""
     rng = np.random.default_rng(3)
     seen = np.repeat(np.repeat(rng.random((8, 8)), 4, axis=0), 4, axis=1)
     coarse, ones = np.full((32, 32), 0.5), np.ones((32, 32))

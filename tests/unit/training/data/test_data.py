@@ -93,6 +93,8 @@ def test_patches_of_one_exposure_share_level_and_peak(size: tuple[int, int]) -> 
 
 
 def test_a_dark_patch_stays_dark_beside_a_bright_one() -> None:
+    """One half of the scene is 10 000 times brighter. Patches of the dark half stay below a
+    thousandth of the well."""
     light = np.ones((120, 120))
     light[:, 60:] = 1e4
     cut = Cuts({"s": light}, batch=40, together=40, augment=False).train(0)
@@ -149,6 +151,7 @@ def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: boo
 
 
 def test_training_batches_differ_between_steps_and_are_reproducible() -> None:
+    """Step 5 gives the same light twice. Step 6 has other patches."""
     source = Cuts({"a": random_light(40, 50)}, together=2)
     one, two, again = source.train(5), source.train(6), source.train(5)
     assert torch.equal(one.light, again.light)
@@ -156,6 +159,7 @@ def test_training_batches_differ_between_steps_and_are_reproducible() -> None:
 
 
 def test_completely_dark_scenes_stay_finite() -> None:
+    """For a still and a clip of zeros the light stays 0 and the peak is finite and above 0."""
     for shape in ((30, 30), (6, 30, 30)):
         source = Cuts({"a": np.zeros(shape)}, together=2)
         cut = source.train(0)
@@ -349,6 +353,8 @@ def test_a_turning_camera_moves_the_whole_picture() -> None:
 
 
 def test_a_dark_panorama_and_one_pixel_of_light_stay_finite() -> None:
+    """A turned panorama of zeros is zero. With one pixel of a million it is finite and not
+    negative."""
     dark = np.zeros((64, 128), np.float32)
     assert (turned(dark, np.random.default_rng(1), 3, 32) == 0).all()
     dark[30, 60] = 1e6

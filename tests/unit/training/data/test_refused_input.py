@@ -38,6 +38,8 @@ def pictures(folder: Path, *extra: np.ndarray) -> None:
 
 @pytest.mark.parametrize("bad", [-5.0, np.inf, np.nan])
 def test_light_that_run_refuses_is_refused(tmp_path: Path, bad: float) -> None:
+    """A negative, infinite or NaN picture in the folder gives NS0736 with its name, as `nscc run`
+    does."""
     light = np.ones((32, 32), np.float32)
     light[:16] = bad
     pictures(tmp_path, light)
@@ -72,6 +74,8 @@ def test_scenes_that_are_mostly_dark_are_refused(tmp_path: Path, lit: float, ref
 
 
 def test_a_single_folder_is_split_and_the_split_is_reported(tmp_path: Path) -> None:
+    """Of five pictures the first is for validation, and a line says so. Procedural scenes have
+    validation scenes of their own."""
     pictures(tmp_path)
     told: list[str] = []
     found = scenes_of(tmp_path, told=told)
@@ -107,6 +111,7 @@ def test_pages_and_floats_of_255_are_clips_as_in_run(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["b", "c", "d", "e", "codebook"])
 def test_parameters_that_are_not_finite_stand_for_no_code(kind: str) -> None:
+    """One NaN among the parameters gives a ValueError, for each class with codes."""
     spec = ShutterSpec(
         kind, 8, (2, 2), length=2 if kind == "c" else None, rows=4 if kind == "codebook" else None
     )
@@ -145,11 +150,14 @@ def test_invalid_light_of_a_differentiable_capture_is_refused(
 def test_sensor_models_refuse_values_that_are_not_finite_and_above_0(
     values: dict[str, float],
 ) -> None:
+    """A full well or gain of 0, or a NaN, gives a ValueError."""
     with pytest.raises(ValueError, match=r"must be finite and above 0|is a finite number, not nan"):
         SensorModel(**{"full_well_e": 1.0, "electrons_per_lsb": 1.0, **values})
 
 
 def test_guesses_refuse_values_that_are_not_finite() -> None:
+    """One NaN in a frame of 256 values is counted in the ValueError. A frame of ones is
+    accepted."""
     frame = torch.ones(1, 16, 16)
     still_guess(frame, torch.ones(16, 16))
     frame[0, 3, 4] = torch.nan

@@ -347,6 +347,8 @@ def test_a_run_refuses_to_resume_with_other_files(
 def test_a_run_does_not_use_target_and_sensor_files_of_an_earlier_run_in_its_folder(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """The first run had a chip and sensor file of its own. The second, in the same folder, has
+    those of SCAMP-5."""
     monkeypatch.chdir(tmp_path)
     own_files(tmp_path)
     train(settings_of(OWN), tmp_path / "r", stop_after=1)
@@ -421,6 +423,7 @@ def test_baselines_are_evaluated_on_windows_of_clips(tmp_path: Path) -> None:
 
 
 def test_a_small_clip_is_named_with_its_own_size(tmp_path: Path) -> None:
+    """A clip of 64 x 300 pixels is left out with a reason that gives both sizes."""
     savemat(tmp_path / "flat.mat", {"orig": np.ones((64, 300, 16), np.uint8)})
     (left_out,) = windows(tmp_path / "flat.mat", load_protocol("video-v1"))
     assert isinstance(left_out, Unusable)
@@ -544,6 +547,8 @@ def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path
 
 
 def test_crops_are_exposed_so_that_the_stated_fraction_saturates() -> None:
+    """Fractions of 0.1, 0.3 and 0.5 of the pixels reach the well of 30 000 electrons. Dark, flat
+    and infinite crops are left out."""
     protocol = load_protocol("hdr-v1")
     rng = np.random.default_rng(2)
     light = np.exp(rng.normal(0, 2, (256, 256)))
@@ -556,6 +561,7 @@ def test_crops_are_exposed_so_that_the_stated_fraction_saturates() -> None:
 
 
 def test_encoding_with_the_srgb_curve_reverses_the_linearisation_of_scenes() -> None:
+    """Values of 0 to 1 come back to 1e-7. Without the curve, values are cut off at 0 and 1."""
     from nscc_runtime.scenes.colour import srgb_to_linear
 
     values = np.linspace(0, 1, 256)

@@ -36,6 +36,7 @@ def test_figures_are_drawn_of_given_scenes(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_scenes_to_show_is_refused(tmp_path: Path) -> None:
+    """An empty and a missing folder give NS0811."""
     (tmp_path / "d").mkdir()
     for folder in ("d", "nowhere"):
         made = invoke(["evaluate", "figures", "--data", folder, "-o", "f"], tmp_path)
@@ -44,6 +45,7 @@ def test_a_folder_without_scenes_to_show_is_refused(tmp_path: Path) -> None:
 
 
 def test_figures_refuse_unknown_effects(tmp_path: Path) -> None:
+    """The effect `moonlight` gives NS0756, and no folder is written."""
     made = invoke(["evaluate", "figures", "--effects", "moonlight", "-o", "f"], tmp_path)
     assert made.status == 2
     assert "NS0756" in made.err

@@ -131,5 +131,6 @@ def test_a_bracket_has_the_noise_of_its_readouts() -> None:
 
 
 def test_the_command_needs_panoramas(tmp_path: Path) -> None:
+    """A folder without panoramas gives NS0811."""
     asked = ["evaluate", "looks-2", "--data", ".", "--protocol", "hdr-v1"]
     assert invoke(asked, tmp_path).codes == ["NS0811"]

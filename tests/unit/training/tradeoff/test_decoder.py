@@ -72,6 +72,8 @@ def captures_of(point: StudyPoint) -> list[CapturedScene]:
 
 
 def test_the_study_has_every_clip_method_that_sees_the_capture() -> None:
+    """The methods are those of CLIPS that see the capture. GAP-TV has five settings, from 5 to 80
+    iterations."""
     methods = [method for method, *_ in decoder.untrained("clips")]
     assert set(methods) == {name for name, each in CLIPS.items() if each.sees == "capture"}
     assert [way[1] for way in decoder.untrained("clips") if way[0] == "gap-tv"] == [
@@ -106,6 +108,7 @@ def test_scores_of_the_method_adjoint_equal_those_computed_from_the_captures(qui
 
 
 def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
+    """A budget of 0 s ends after one of 50 repeats, with every point measured."""
     tight = decoder_study([], replace(TINY, repeats=50, budget_s=0.0))
     found = measure(tight)
     assert found.repeats == 1
@@ -113,6 +116,7 @@ def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
 
 
 def test_scores_depend_on_the_seed_alone(quick: None) -> None:
+    """The same seed gives the same errors, whatever the times were. Another seed gives others."""
     first, second, other = (
         [
             (p.case, p.method, p.setting, p.error)
@@ -157,6 +161,8 @@ def test_runs_with_equal_codes_share_captures_in_the_study(
 
 
 def test_the_study_decodes_with_the_network_of_the_run(clip_run: Path) -> None:
+    """The exact point is the run's own network, in electrons a slot. The rough one is less exact,
+    but near."""
     folder = load_run(clip_run)
     points = decoder_points([folder], replace(TINY, count=1))
     exact, rough = (each for each in points if each.method == "unet3d small")
@@ -184,6 +190,8 @@ def test_without_overlap_each_block_has_the_result_of_the_network_alone() -> Non
 
 
 def test_made_scenes_are_exposed_as_the_protocol_says() -> None:
+    """Of a still 30 % of the pixels saturate. Of a clip the 99th percentile of the sum is a full
+    well."""
     protocol = protocol_of("stills", 64, 1)
     [still] = some_scenes(protocol, None, 1)
     assert np.mean(still.light_e >= 30000) == pytest.approx(0.3, abs=0.005)
@@ -231,6 +239,7 @@ def test_tradeoff_decoder_refuses_wrong_usage(
 
 
 def test_data_that_a_run_has_seen_is_refused(clip_run: Path, tmp_path: Path) -> None:
+    """The clip is used, until its digest is among those that the run was trained with: NS0820."""
     (tmp_path / "d").mkdir()
     frames = np.random.default_rng(0).random((8, 64, 64)).astype(np.float32)
     savemat(tmp_path / "d/c.mat", {"orig": np.moveaxis(frames, 0, 2) * 255})

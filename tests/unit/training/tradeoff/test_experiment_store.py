@@ -76,6 +76,8 @@ def test_a_measurement_is_on_the_disk_when_it_is_measured(tmp_path: Path) -> Non
 
 
 def test_measurements_of_another_experiment_do_not_count(tmp_path: Path) -> None:
+    """The same key in another experiment is measured again, and both values are kept in the one
+    file."""
     file = tmp_path / "rows"
     for number, of in enumerate(("one", "other")):
         with ExperimentStore(file, of) as store:
@@ -84,6 +86,7 @@ def test_measurements_of_another_experiment_do_not_count(tmp_path: Path) -> None
 
 
 def test_without_a_file_everything_is_measured() -> None:
+    """Two stores without a file each measure the same key for themselves."""
     found = [once(ExperimentStore(), "a", lambda n=n: {"n": n}) for n in (1, 2)]
     assert found == [{"n": 1}, {"n": 2}]
 
@@ -92,12 +95,14 @@ def test_without_a_file_everything_is_measured() -> None:
 def test_measurements_that_are_not_finite_numbers_are_not_stored(
     tmp_path: Path, bad: object
 ) -> None:
+    """NaN, infinity and None raise a ValueError, and the file stays without rows."""
     with ExperimentStore(tmp_path / "s", "e") as store, pytest.raises(ValueError):  # noqa: PT011
         store.keep("a", bad)
     assert values(tmp_path / "s", "e") == {}
 
 
 def test_files_that_are_not_stores_are_refused(tmp_path: Path) -> None:
+    """A text, a database of another program and a path below a file give NS0834."""
     (tmp_path / "s").write_text("a text of more than a hundred bytes, " * 5)
     with pytest.raises(Rejected) as caught:
         ExperimentStore(tmp_path / "s")
@@ -259,6 +264,7 @@ def test_an_interrupted_measurement_resumes(
 
 
 def test_without_a_measurement_an_interrupt_says_nothing(tmp_path: Path) -> None:
+    """Nothing was kept, so the interrupt passes on without a note."""
     for nothing in (ExperimentStore(), ExperimentStore(tmp_path / "none", "x")):
         with pytest.raises(KeyboardInterrupt) as found, nothing:
             raise KeyboardInterrupt
@@ -266,6 +272,7 @@ def test_without_a_measurement_an_interrupt_says_nothing(tmp_path: Path) -> None
 
 
 def test_a_command_leaves_its_products_and_no_store(tmp_path: Path) -> None:
+    """Beside the program the folder has only the table and the picture that were asked for."""
     (tmp_path / "p.nsl").write_text(TEXT)
     command = ["tradeoff", "synthesis", "p.nsl", "--levels", "0", "--repeats", "1", "-o", "out"]
     done = invoke(command, tmp_path)

@@ -73,12 +73,16 @@ def test_the_fastest_point_within_the_target_error_is_advised() -> None:
 
 
 def test_if_no_point_is_within_the_target_error_the_fastest_of_the_best_is_advised() -> None:
+    """No error is within 1 %. Of those near the best, the one of 8 ms is advised; without points,
+    None."""
     points = [point(5.0, 30), point(5.2, 8), point(5.3, 2)]
     assert advised(points, 1.0) == (points[1], False)
     assert advised([], 1.0) == (None, False)
 
 
 def test_errors_are_of_the_worst_bucket() -> None:
+    """Pixels that do not count are left out. The first bucket's error of 3 is reported, and without
+    any pixel infinity."""
     ideal = np.full((2, 1, 4), 100.0)
     seen = ideal + np.array([[[3.0, -3.0, 3.0, 999.0]], [[1.0, 1.0, 1.0, 1.0]]])
     counted = np.array([[[True, True, True, False]], [[True] * 4]])
@@ -90,6 +94,7 @@ def test_errors_are_of_the_worst_bucket() -> None:
     ("text", "tenth"), [("1%", "0.1%"), ("5e", "0.5e"), (".5lsb", "0.05lsb"), ("1e2e", "10e")]
 )
 def test_a_part_of_a_target_error_keeps_its_unit(text: str, tenth: str) -> None:
+    """A tenth of 1 %, 5e, .5lsb and 1e2e is written in the same unit."""
     assert scaled_text(text, 0.1) == tenth
 
 
@@ -131,6 +136,8 @@ def test_advice_stays_readable_in_crowded_diagrams() -> None:
 
 
 def test_other_slot_times_change_the_frame_alone() -> None:
+    """Equal times change one number of the text. Unequal ones become a list, and the comment
+    stays."""
     source = Source("p.nsl", TEXT)
     equal = with_slot_us(source, [2.5] * SLOTS).text
     assert equal == TEXT.replace("8 slots of 1ms", "8 slots of 2.5us")
@@ -159,6 +166,7 @@ def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
 
 
 def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path) -> None:
+    """Six slots can be halved, but not quartered, and the refusal says so."""
     (folder / "p.nsl").write_text(TEXT.replace("8 slots", "6 slots").replace("[6, 8]", "[6, 6]"))
     asked = JointRequest(
         folder / "p.nsl", Scene("builtin:flat:9000"), "2%", stages=("slots",), options=QUICK
@@ -171,6 +179,8 @@ def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path)
 
 
 def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: Path) -> None:
+    """Of a target of 2e-9 electrons, a tenth and three tenths lie below the least tolerance, which
+    stands for them. Two notes say so."""
     asked = JointRequest(
         folder / "p.nsl", Scene("builtin:flat:9000"), "2e-9e", stages=("effects",), options=QUICK
     )
@@ -185,6 +195,8 @@ def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: 
 
 @pytest.mark.parametrize("scene", ["builtin:hdr", "builtin:motion", "builtin:flat:9000"])
 def test_less_light_falls_in_a_shorter_frame(folder: Path, scene: str) -> None:
+    """A quarter of the frame's time has a quarter of the light, twice the time has twice the light,
+    and fewer slots change nothing."""
     said: list[object] = []
     bench = Bench(JointRequest(folder / "p.nsl", Scene(scene), "2%", options=QUICK), said.append)
     for part, slots in ((0.25, 8), (2.0, 8), (0.5, 2)):
@@ -306,6 +318,7 @@ def test_invalid_requests_are_refused_before_measuring(
 
 
 def test_a_program_that_reads_only_planes_has_no_signal(folder: Path) -> None:
+    """Its planes are bits, so there is no signal to compare: NS0826."""
     text = "nsl 3 frame 1 slots of 1ms open when true plane p = exposure > 5% read p"
     (folder / "q.nsl").write_text(text)
     done = invoke(["tradeoff", "q.nsl", "--scene", "builtin:flat:9000"], folder)
@@ -314,6 +327,8 @@ def test_a_program_that_reads_only_planes_has_no_signal(folder: Path) -> None:
 
 
 def test_compiled_programs_have_no_optimisation_levels(folder: Path) -> None:
+    """The stage `compile` says that the program is compiled already, and the stage `effects`
+    runs."""
     assert invoke(["build", "p.nsl", "-O", "0", "-o", "p.icw"], folder).status == 0
     command = ["tradeoff", "p.icw", "--scene", "builtin:flat:9000", "--repeats", "1"]
     done = invoke([*command, "--stages", "compile,effects"], folder)
@@ -322,6 +337,8 @@ def test_compiled_programs_have_no_optimisation_levels(folder: Path) -> None:
 
 
 def test_pixels_that_look_have_one_lowering(folder: Path) -> None:
+    """The stage `lowering` says that there is one way. The study of the emulator is refused with
+    NS0828."""
     text = 'nsl 2\ntarget "small.toml"\nframe 8 slots of 1ms\n' + (
         "sense lit when light > 30% at n in [2, 4]\nstate shut : 0..2 = 0\n"
         "next shut = looks when lit and shut == 0\nopen when shut == 0\nread shut\n"
@@ -336,6 +353,8 @@ def test_pixels_that_look_have_one_lowering(folder: Path) -> None:
 
 
 def test_a_chip_that_is_sent_planes_has_no_plans(folder: Path) -> None:
+    """For the chip `dual-tap` the stage `effects` lists NS0750, and the study of the emulator is
+    refused with it."""
     (folder / "tap.nsl").write_text(
         "nsl 1\ntarget dual-tap\nframe 4 slots of 1ms\nopen when true\n"
     )
@@ -348,6 +367,7 @@ def test_a_chip_that_is_sent_planes_has_no_plans(folder: Path) -> None:
 
 
 def test_misspelt_names_of_studies_and_runs_get_suggestions(folder: Path) -> None:
+    """`emulater` proposes the study, and `hrd` lists the runs; both are NS0781."""
     done = invoke(["tradeoff", "emulater"], folder)
     assert (done.status, done.codes) == (2, ["NS0781"])
     assert "nscc tradeoff emulator" in done.err

@@ -91,6 +91,8 @@ def test_without_effects_words_with_equal_shutters_have_equal_errors() -> None:
 
 
 def test_programs_that_do_not_fit_are_listed_with_their_error() -> None:
+    """For clips of class e, both lowerings are refused with NS0412. The two points of stills are
+    measured."""
     asked = settings(
         classes=("e",), slots=(16,), stop_slots=(8,), codes=("open",), lowerings=("latch", "edges")
     )

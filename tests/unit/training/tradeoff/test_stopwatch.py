@@ -28,6 +28,7 @@ class Method:
 
 
 def test_more_iterations_take_longer_whichever_is_first() -> None:
+    """Each time is the method's own, though the first run of all is slower."""
     method = Method()
     for own_ms in (21.0, 84.0):
         made, taken_ms = method.watch.ms("m", f"{own_ms}", method(own_ms))
@@ -36,6 +37,7 @@ def test_more_iterations_take_longer_whichever_is_first() -> None:
 
 
 def test_long_runs_are_done_once_more_for_their_kind_and_not_for_each_setting() -> None:
+    """Two settings measured twice take four runs, and one more to warm up their kind."""
     method = Method()
     long_ms = 2 * SHORT_MS
     for repeat in range(2):
@@ -46,6 +48,7 @@ def test_long_runs_are_done_once_more_for_their_kind_and_not_for_each_setting() 
 
 
 def test_a_short_warm_up_run_comes_before_a_long_measurement() -> None:
+    """The given short call is run first, and only the long one is timed."""
     method = Method()
     _, taken_ms = method.watch.ms("m", "s", method(4000.0), method(1.0))
     assert taken_ms == pytest.approx(4000.0)
@@ -53,6 +56,8 @@ def test_a_short_warm_up_run_comes_before_a_long_measurement() -> None:
 
 
 def test_the_first_short_run_of_each_setting_does_not_count() -> None:
+    """A short setting is run twice and the second run counts, although its method is warm
+    already."""
     method = Method(cold_ms=0.0)
     method.watch.ran("m")
     method.cold_ms = 5.0
@@ -61,6 +66,7 @@ def test_the_first_short_run_of_each_setting_does_not_count() -> None:
 
 
 def test_a_method_that_has_run_is_timed_without_a_warm_up() -> None:
+    """The method and setting were noted as warm, so three measurements take three runs."""
     method = Method(cold_ms=0.0)
     method.watch.ran("m", "s")
     times_ms = [method.watch.ms("m", "s", method(7.0))[1] for _ in range(3)]

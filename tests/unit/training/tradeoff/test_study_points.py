@@ -26,6 +26,8 @@ def point(case: str, setting: str, error: float, *times_ms: float, bound: float 
 
 
 def test_times_are_medians_and_spreads() -> None:
+    """Of an even number of times, the median is the mean of the middle two. The spread is the
+    largest less the least."""
     assert point("a", "0", 1, 5.0, 1.0, 3.0).time_ms == 3.0
     assert point("a", "0", 1, 5.0, 1.0, 3.0, 4.0).time_ms == 3.5
     assert point("a", "0", 1, 5.0, 1.0, 3.0).spread_ms == 4.0
@@ -50,6 +52,7 @@ def test_a_point_is_dominated_by_one_that_is_better_in_all_units() -> None:
 
 
 def test_points_with_higher_scores_dominate() -> None:
+    """Only `worse` is dominated: `fast` has a higher score in less time."""
     found = dominated(
         [
             replace(point("a", name, psnr_db, ms), more_is_better=True)
@@ -60,6 +63,8 @@ def test_points_with_higher_scores_dominate() -> None:
 
 
 def test_csv_lists_refused_points_and_the_origin_of_each() -> None:
+    """A point has its own device, and a refused one the code in the column of the error and the
+    study's device."""
     points = [replace(point("a", "1", 2, 0.0021), device="a card")]
     text = csv_text(points, "chip", [Refused("a", "m", "2", "NS0412", "too many bits")])
     assert list(csv.reader(io.StringIO(text)))[1:] == [
@@ -69,6 +74,8 @@ def test_csv_lists_refused_points_and_the_origin_of_each() -> None:
 
 
 def test_settings_that_are_refused_for_one_reason_share_a_line() -> None:
+    """-O1 and -O2, refused for the same reason, share a line. A refusal without method or code has
+    a short one."""
     refused = [
         Refused("a", "m", "-O1", "NS0412", "too many bits"),
         Refused("b", "", "", "", "it has none"),
@@ -117,6 +124,8 @@ def test_the_table_of_a_study_names_each_case_only_in_its_first_row() -> None:
 
 
 def test_the_processor_has_a_name(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The name comes from the first `model name` of the file. Without the file, or a name in it,
+    there is a name all the same."""
     assert processor_name()
     info = tmp_path / "cpuinfo"
     monkeypatch.setattr(study, "_CPUINFO", info)

@@ -98,6 +98,8 @@ def test_a_program_that_is_wrong_is_rejected() -> None:
 
 
 def test_builtin_programs_have_all_classes() -> None:
+    """Each class but a occurs. The codebook has 64 different rows of 16 bits, about half of them
+    1."""
     classes = {
         compile_source(c.source, c.base, Options(level=0, codes=c.codes)).program.class_name
         for c in builtin_programs()
@@ -158,6 +160,8 @@ def test_tradeoff_synthesis_measures_the_chosen_levels_and_lowerings(folder: Pat
 
 
 def test_tradeoff_synthesis_lists_programs_that_do_not_fit(folder: Path) -> None:
+    """The latch cannot lower this program at any level, so the status is 1 and no file is
+    written."""
     (folder / "d.nsl").write_text(BUMPS)
     arguments = ["tradeoff", "synthesis", "d.nsl", "--lowerings", "latch", "--repeats", "1"]
     done = invoke([*arguments, "-o", "out"], folder)
