@@ -72,6 +72,7 @@ def test_commands_on_pages_work(page: str, tmp_path: Path) -> None:
     for line in "".join(blocks(page, "console")).splitlines():
         assert line.startswith("$ ")
         program, *arguments = shlex.split(line[2:], comments=True)
+        # A target may take hours, so it is only looked up.
         if program == "make":
             assert f"\n{arguments[0]}:" in (ROOT / "Makefile").read_text()
         else:

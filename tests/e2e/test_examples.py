@@ -116,6 +116,7 @@ def test_frames_are_the_light_of_open_slots(path: Path, lowering: str, tmp_path:
     arguments = ["run", path, "--lowering", lowering, "-o", "f.npz", "--keep", "light,shutter"]
     arguments += ["--scene", "builtin:motion"]
     served = {"accumulate": set(RULES), "latch": LATCH_SERVES, "edges": set(RULES) - NO_EDGES}
+    # This lowering cannot serve the example: the refusal is tested.
     if path.stem not in served[lowering]:
         refused = invoke(arguments, tmp_path)
         assert (refused.status, refused.codes[-1:]) == (1, [REFUSALS[lowering]])

@@ -315,6 +315,7 @@ def test_damaged_plans_are_refused_or_are_plans(folder: Path) -> None:
             (folder / "plan.json").write_text(json.dumps(changed))
             outcome = run(folder, "--plan", "plan.json")
             assert outcome.status in (0, 2), (name, junk, outcome.err)
+            # Other damage may leave a plan that is valid.
             if outcome.status == 2:
                 assert outcome.codes == ["NS0747"]
 

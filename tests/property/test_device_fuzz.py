@@ -155,6 +155,8 @@ def test_noise_gets_no_answer_from_either_twin(core: Lockstep, pieces: list[byte
     st.lists(st.one_of(packets, packets, st.binary(max_size=60)), max_size=12),
 )
 def test_the_twins_answer_packets_alike(core: Lockstep, begun: int, more: list[bytes]) -> None:
+    """After any part of an upload and any packets or bytes, firmware and Python answer the same
+    bytes."""
     pieces = [*WHOLE_UPLOAD[:begun], *more]
     assert said(core, pieces) == said(twin(), pieces)
 

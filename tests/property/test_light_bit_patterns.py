@@ -119,6 +119,7 @@ def test_arrays_are_refused_or_right(values: np.ndarray, ending: str) -> None:
         values = values.astype(np.float32)  # MATLAB has none
     bad = [v for v in values.reshape(-1).tolist() if is_bad(v)]
     with saved(values, ending) as path:
+        # A single bad value refuses the whole array.
         if bad:
             with pytest.raises(Rejected) as caught:
                 loaded(path)
@@ -211,6 +212,7 @@ def test_arrays_in_python_mark_values_that_are_not_numbers(seed: int) -> None:
         stop = place % COLS % 5
         column = [float(v) for v in values[:, place // COLS, place % COLS]]
         value = float(found.exposure_e[0].reshape(-1)[place])
+        # Only pixels of finite light have a value to compare.
         if all(map(math.isfinite, column)):
             size = math.fsum(column)
             assert found.valid[0].reshape(-1)[place]

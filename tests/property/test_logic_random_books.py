@@ -34,6 +34,7 @@ def books(draw):
 @given(books(), machines, st.sampled_from(["accumulate", "edges"]), st.sampled_from([3000, 20_000]))
 def test_cascades_answer_every_demand(table, machine, lowering, steps):
     asked = asked_of(table, lowering)
+    # All shutters are alike, so nothing is asked.
     if not asked.demands:
         return
     try:

@@ -54,6 +54,7 @@ def test_words_open_the_shutters_of_random_rules(text, lowering, level):
     except Rejected:
         return
     lowered = lowered_as(program, lowering, level)
+    # The rule does not fit the chip: there are no words.
     if isinstance(lowered, Misfit):
         return
     container = container_of(lowered, level)

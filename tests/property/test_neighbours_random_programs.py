@@ -59,6 +59,7 @@ def test_words_of_random_version_3_programs_equal_scipy(chunk: int) -> None:
     for seed in range(chunk * size, (chunk + 1) * size):
         program = random_program(seed)
         container = proved_or_refused(program.text, 1, (ROWS, COLS), ALLOWED)
+        # The program does not fit the chip.
         if container is None:
             refused += 1
             continue

@@ -70,6 +70,7 @@ def test_expressions_of_rules_equal_python(rule: str, require: str) -> None:
         with pytest.raises(Rejected, match=r"NS030[2-5]"):
             program_of(text)
         return
+    # No code satisfies the rule, which is an error.
     if not expected:
         with pytest.raises(Rejected, match=r"NS0317"):
             program_of(text)

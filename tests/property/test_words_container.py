@@ -177,6 +177,7 @@ def test_a_forged_container_is_refused_or_written_back_unchanged(
         body[at] = data.draw(st.sampled_from([*b'0123456789-[]{}",.eN', 0, 255, body[at] ^ 1]))
     forged = bytes(body) + sha256(body).digest()
     found = result_or_codes(lambda: from_bytes(forged, "x.icw"))
+    # A set holds the codes of the errors: the file was refused.
     if isinstance(found, set):
         assert found == {"NS0707"}
     else:

@@ -41,6 +41,7 @@ def test_case_14_codes_never_fall_around_the_full_well(lowering: str, effects: s
     assert np.all(beyond == beyond.max())
     if "register" not in effects:
         assert np.all(beyond == 255)
+    # Only the well acts: a charge just below it is kept to the bit.
     if effects == "full_well":
         assert np.all(frame.frame[0] == 255)
         assert frame.exposure_e[0, 0, 0] == light.frames[0, 0, 0]

@@ -25,6 +25,7 @@ def test_a_pixel_that_never_opens_is_0_and_invalid_with_gradient_0() -> None:
 
 
 def test_nan_in_pixels_that_never_open_is_ignored() -> None:
+    """The first pixel opens and keeps its 1.0. The second never opens, and its NaN becomes 0."""
     exposure = torch.tensor([[[1.0, float("nan")]]])
     shutters = torch.tensor([[1.0, 0.0]]).reshape(1, 1, 2)
     assert lifted(exposure, shutters)[0].tolist() == [[[[1.0, 0.0]]]]

@@ -465,6 +465,7 @@ def test_doctor_names_an_extra_that_cannot_be_imported(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def import_module(name: str) -> object:
+        # The package is there, but a library that it needs is not.
         if name == "matplotlib":
             raise OSError("libfreetype.so: cannot open\nshared object file")
         return importlib.import_module(name)

@@ -103,6 +103,7 @@ def test_dark_frames_that_are_lit_or_of_another_program_are_refused(by: str, fol
     for name in ("d", "zeros"):
         done = invoke([*line, f"{name}.npz"], folder)
         assert (done.status, done.codes) == (0, []), done.err
+    # `--force` makes the error a warning.
     if by == "r":
         forced = invoke([*line, "lit.npz", "--force"], folder)
         assert (forced.status, forced.codes) == (0, ["NS0819"]), forced.err

@@ -49,6 +49,7 @@ def test_arrays_are_clips_or_stills_and_light_is_light() -> None:
 
 
 def test_integers_and_float64_are_taken_as_their_values() -> None:
+    """A clip of whole numbers gives the same bytes in its own dtype and in float64."""
     whole = np.round(CLIP)
     first = capture(PROGRAM, whole.astype(np.float64), effects="auto")
     assert (

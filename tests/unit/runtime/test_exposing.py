@@ -111,6 +111,7 @@ def test_a_photo_of_any_size_is_exposed_as_by_the_command(
 
 
 def test_only_formats_that_there_are_are_written(program: nscc.ShutterProgram) -> None:
+    """A capture saved as `x.doc` gives NS0786."""
     with pytest.raises(nscc.Rejected, match="NS0786"):
         nscc_runtime.capture(program, LIGHT).save("x.doc")
 

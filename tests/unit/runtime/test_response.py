@@ -101,6 +101,8 @@ def test_the_longest_unsaturated_exposure_of_a_tile_tells_its_light(
 
 
 def test_the_merge_estimates_light_over_all_decades(taken: tuple[Capture, Light]) -> None:
+    """In each decade of light the median estimate is right within 5 %. Pixels too bright for every
+    exposure get more than the shortest can hold."""
     frames, scene = taken
     (readout,) = readouts(frames.container, frames, frames.response)
     light, known = light_estimate(readout)

@@ -232,6 +232,8 @@ def test_summaries_leave_out_infinity_and_bootstrap_intervals() -> None:
 
 
 def test_paired_scores_compare_only_the_items_of_both_results() -> None:
+    """Of `a`, `b` and `d`, which both results have, the two finite pairs gain 1 and 3 dB, 2 on
+    average. `c` and `e` are counted apart."""
     first = {"a": 20.0, "b": 30.0, "c": 1.0, "d": math.inf}
     second = {"a": 21.0, "b": 33.0, "d": 5.0, "e": 2.0}
     found = paired(first, second, {"a": "s", "b": "t", "d": "t"})

@@ -168,6 +168,7 @@ def test_unusable_measurements_are_refused(
 
 
 def test_damaged_files_are_refused(tmp_path: Path) -> None:
+    """Files of the text `nothing`, named `.mat`, `.npz` and `.npy`, give NS0845."""
     for name in ("m.mat", "m.npz", "m.npy"):
         (tmp_path / name).write_bytes(b"nothing")
         with pytest.raises(Rejected, match="NS0845"):

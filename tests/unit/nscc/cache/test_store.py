@@ -169,6 +169,7 @@ def test_a_folder_that_cannot_be_written_stores_nothing(place: str) -> None:
     store.write(KEYS[0], b"data")
     assert store.read(KEYS[0]) is None
     assert store.entries() == 0
+    # Below a device file there can never be a folder.
     if place.startswith("/dev"):
         assert cache_folder({"NSCC_CACHE_DIR": place}) is None
 

@@ -147,6 +147,8 @@ LONG_TABLES = {
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 @pytest.mark.parametrize("table", [*TABLES, *LONG_TABLES])
 def test_every_family_answers_its_demands(table, lowering, machine):
+    """Each solution of a family gives the demanded values, or the family gives up within 100 000
+    steps."""
     asked = problem(table, lowering)
     for number, family in enumerate(FAMILIES):
         try:

@@ -79,6 +79,8 @@ def test_bits_beyond_the_array_are_as_declared(outside: int) -> None:
 
 
 def test_reports_list_the_positions_of_bits() -> None:
+    """Without a bit set the count is 0 and the box is four times -1. Of four bits the first three
+    are listed as (column, row), and an overflow is noted."""
     text = (
         HEAD + "plane p = exposure > 50% report events p at most 3 report any p report box p read p"
     )

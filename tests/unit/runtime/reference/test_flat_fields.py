@@ -195,6 +195,8 @@ def test_errors_of_analog_words_have_their_mean_and_variance(lowering: str) -> N
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_leakage_has_its_mean_noise_and_pattern(lowering: str) -> None:
+    """For each stop, charge falls by exp(-t / tau) from its write to the end of the frame. The
+    spread of tau makes the pattern's."""
     tau = 5 * SLOT_S
     values = {"leakage_tau_s": tau, "leakage_spread_fraction": 0.0}
     found = run(lowering, "leakage", 1, **values)

@@ -192,6 +192,7 @@ def test_a_chunk_that_unpacks_to_more_is_refused(tmp_path: Path) -> None:
 
 
 def test_measurements_beyond_single_precision_are_refused(tmp_path: Path) -> None:
+    """A value of -1e300 in a measurement is refused: the limit is 1e15."""
     np.savez(tmp_path / "a.npz", meas=np.array([[1.0, -1e300]]))
     with pytest.raises(Rejected, match="beyond 1e\\+15"):
         real_array(tmp_path / "a.npz", "meas")

@@ -264,6 +264,7 @@ def test_radiance_files_of_every_orientation_are_read_upright(
 
 
 def test_radiance_in_xyz_is_refused_with_the_reason(tmp_path: Path) -> None:
+    """A file of the format `32-bit_rle_xyze` is refused, and the message names XYZ."""
     head = b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 8 +X 10\n"
     (tmp_path / "p.hdr").write_bytes(head + bytes(320))
     assert "XYZ" in refusal(tmp_path / "p.hdr").message

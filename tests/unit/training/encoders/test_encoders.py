@@ -240,6 +240,8 @@ def test_the_quad_is_the_two_by_two_pattern() -> None:
 def test_projection_keeps_parameters_where_gradients_live(
     spec: ShutterSpec, relaxation: str
 ) -> None:
+    """After three steps of a huge rate the parameters are still in their ranges. The hard shutters
+    have changed and are those of the codes."""
     encoder = make_encoder(spec, "random", 0, relaxation)
     generator = torch.Generator().manual_seed(0)
     encoder.noise = 0.1
