@@ -50,6 +50,7 @@ def remade(folder: Path, given: str, name: str, change: Callable[[dict[str, Any]
 
 @pytest.mark.parametrize("plan", [[1, 2], HALF, {"effects": 5}, "all", {"effects": [3]}], ids=str)
 def test_a_damaged_plan_in_a_frame_file_is_refused(plan: object, folder: Path) -> None:
+    """A plan of another type in the meta data gives NS0819 for a run and for any program."""
     remade(folder, "f", "bad", lambda arrays: arrays["meta"].update(plan=plan))
     for by in (["r"], ["any"], ["any", "--program", "r/shutter.nsl"]):
         done = invoke(["reconstruct", by[0], "bad.npz", "-o", "o.npz", *by[1:]], folder)
@@ -58,6 +59,7 @@ def test_a_damaged_plan_in_a_frame_file_is_refused(plan: object, folder: Path) -
 
 @pytest.mark.parametrize("value", [None, "7", float("nan"), [1], True], ids=str)
 def test_a_dark_frame_says_the_offset_of_its_converter(value: object, folder: Path) -> None:
+    """A missing offset, or one that is no finite number, gives NS0819 with the key's name."""
     remade(folder, "d", "bad", lambda arrays: arrays["meta"].update(adc_offset=value))
     for by in ("r", "any"):
         line = ["reconstruct", by, "f.npz", "-o", "o.npz", "--dark", "bad.npz"]
@@ -123,6 +125,8 @@ def test_a_dark_frame_of_a_chip_gives_a_warning_if_its_pixels_are_saturated(
 
 
 def test_reconstruct_in_python_refuses_a_dark_frame_that_was_exposed_to_light(folder: Path) -> None:
+    """A frame of the scene `dark` is accepted. The frame of `hdr`, given as the dark one, is
+    refused."""
     from nscc.diagnostics.diagnostic import Rejected
     from nscc_training import load_run
 

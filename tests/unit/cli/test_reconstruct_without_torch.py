@@ -56,6 +56,8 @@ def test_any_decodes_stills_without_torch(
 
 
 def test_methods_refuse_the_wrong_kind_of_result(folder: Path) -> None:
+    """`merge` with `video`, and `gap-tv` with `image`, have status 2. So has a method beside a
+    run."""
     for arguments in (
         ["--method", "merge", "--as", "video"],
         ["--method", "gap-tv", "--as", "image"],
@@ -71,6 +73,7 @@ def test_methods_refuse_the_wrong_kind_of_result(folder: Path) -> None:
 
 @pytest.mark.parametrize("run", ["any", "hdr"])
 def test_a_missing_frame_comes_before_a_missing_extra(folder: Path, run: str) -> None:
+    """A missing file is named, and torch is not. With the file there, torch is."""
     outcome = invoke(["reconstruct", run, "nowhere.npz", "-o", "out.npz"], folder)
     assert outcome.status == 2
     assert "the file does not exist" in outcome.err
@@ -79,6 +82,7 @@ def test_a_missing_frame_comes_before_a_missing_extra(folder: Path, run: str) ->
 
 
 def test_products_make_their_folders(folder: Path) -> None:
+    """Two products in folders that do not exist are written into them."""
     command = ["reconstruct", "any", "still.npz", "-o", "new/deep/out.npz", "--png", "other/p.png"]
     assert invoke(command, folder).status == 0
     assert (folder / "new/deep/out.npz").is_file()

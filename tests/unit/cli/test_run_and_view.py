@@ -111,6 +111,7 @@ def test_a_frame_is_the_sum_of_open_slots(capsys: pytest.CaptureFixture[str]) ->
 
 
 def test_containers_and_sources_give_the_same_file(capsys: pytest.CaptureFixture[str]) -> None:
+    """The frame files of `ok.nsl` and of its container have equal bytes."""
     assert main(["build", "ok.nsl", "-o", "ok.icw"]) == 0
     assert run("ok.nsl", "--scene", "builtin:hdr", capsys=capsys)[0] == 0
     assert run("ok.icw", "--scene", "builtin:hdr", "-o", "b.npz", capsys=capsys)[0] == 0
@@ -118,6 +119,8 @@ def test_containers_and_sources_give_the_same_file(capsys: pytest.CaptureFixture
 
 
 def test_pixel_codes_are_read_from_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    """Without codes NS0741. With stop 3 everywhere, three of four equal slots give 75 of 100
+    electrons."""
     arguments = ("open.nsl", "--scene", "builtin:flat:100")
     status, err = run(*arguments, capsys=capsys)
     assert status == 2
@@ -129,6 +132,7 @@ def test_pixel_codes_are_read_from_a_file(capsys: pytest.CaptureFixture[str]) ->
 
 
 def test_json_messages_of_a_run_omit_the_summary(capsys: pytest.CaptureFixture[str]) -> None:
+    """Each line on stderr is JSON. The frames and the file of times are written."""
     arguments = ("ok.nsl", "--scene", "builtin:dark", "--repeat", "3", "--timings", "t.json")
     status, err = run(*arguments, "--message-format", "json", capsys=capsys)
     assert status == 0
@@ -164,6 +168,8 @@ def test_refused_runs_write_no_file(
 
 
 def test_view_draws_both_kinds(capsys: pytest.CaptureFixture[str]) -> None:
+    """Programs of fixed and open codes and a container each give a PNG file, and nothing on
+    stdout."""
     assert main(["build", "ok.nsl", "-o", "ok.icw"]) == 0
     for program in ("ok.nsl", "open.nsl", "ok.icw"):
         assert main(["view", program, "-o", program + ".png"]) == 0
@@ -174,6 +180,8 @@ def test_view_draws_both_kinds(capsys: pytest.CaptureFixture[str]) -> None:
 def test_shutters_that_light_decides_are_refused_before_it_falls(
     root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """The function that exposes is taken away, so NS0444 must come before it. No file is
+    written."""
     from nscc_runtime import pieces
 
     monkeypatch.setattr(pieces, "simulate_scene", None)  # nothing is exposed

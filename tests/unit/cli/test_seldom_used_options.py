@@ -62,6 +62,7 @@ def test_points_of_kind_limits_name_the_largest_program_that_builds(tmp_path: Pa
 
 
 def test_points_of_kind_design_leave_programs(tmp_path: Path) -> None:
+    """Designs of two and three looks each leave a program that passes `nscc check`."""
     grid = (
         '[looks]\nkind = "design"\nscene = "builtin:hdr"\nlooks = [2, 3]\nslots = 16\nlevel = 0\n'
     )
@@ -90,6 +91,8 @@ def test_points_of_kind_evaluate_have_the_scores_of_the_command_evaluate(tmp_pat
 
 
 def test_a_sweep_with_another_number_of_threads_trains_its_points_again(tmp_path: Path) -> None:
+    """A second sweep with one thread trains nothing. With two threads the point is trained
+    again."""
     import torch
 
     before = torch.get_num_threads()
@@ -105,6 +108,8 @@ def test_a_sweep_with_another_number_of_threads_trains_its_points_again(tmp_path
 
 
 def test_resume_continues_restarts_or_copies_another_run(tmp_path: Path) -> None:
+    """`never` writes the same log anew, `--resume a` gives the weights of `a`, and a missing folder
+    gives NS0816."""
     (tmp_path / "c.toml").write_text(CONFIG)
     run("train c.toml --out a", tmp_path)
     log = (tmp_path / "a/metrics.csv").read_bytes()
@@ -118,6 +123,7 @@ def test_resume_continues_restarts_or_copies_another_run(tmp_path: Path) -> None
 
 
 def test_the_option_first_leaves_out_earlier_frames_of_a_clip(tmp_path: Path) -> None:
+    """`--first 2` gives the light of a clip without the first two frames."""
     frames = [np.full((256, 256, 3), 40 * k + 20, np.uint8) for k in range(5)]
     for name, shown in (("all", frames), ("late", frames[2:])):
         first, *others = map(Image.fromarray, shown)
@@ -150,6 +156,8 @@ def test_a_given_crosstalk_replaces_the_measured_one(tmp_path: Path) -> None:
 
 
 def test_a_design_stays_within_its_words(tmp_path: Path) -> None:
+    """A limit of 40 words gives another design than no limit. No design takes 0.5 words, so no file
+    is written."""
     line = "design --motion fast --slots 16 -O 0"
     run(f"{line} --max-words 40 -o many.nsl", tmp_path)
     run(f"{line} -o usual.nsl", tmp_path)
@@ -159,6 +167,7 @@ def test_a_design_stays_within_its_words(tmp_path: Path) -> None:
 
 
 def test_a_dictionary_of_made_scenes_is_the_same_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Twelve atoms of length 1 are learned twice with equal values."""
     monkeypatch.setattr(dictionary, "ATOMS", 12)
     atoms = dictionary.made_dictionary.__wrapped__(2)
     assert atoms.shape == (2 * dictionary.SIDE**2, 12)
@@ -167,6 +176,7 @@ def test_a_dictionary_of_made_scenes_is_the_same_each_time(monkeypatch: pytest.M
 
 
 def test_a_dictionary_of_another_seed_is_another() -> None:
+    """Seed 3 gives equal atoms twice, and seed 4 others."""
     blocks = np.random.default_rng(1).random((40, 6))
     atoms = [dictionary.learned(blocks, 5, 2, 1, seed) for seed in (3, 3, 4)]
     np.testing.assert_array_equal(atoms[0], atoms[1])

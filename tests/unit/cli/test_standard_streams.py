@@ -33,6 +33,8 @@ def run(folder: Path, line: str, redirections: str) -> tuple[int, str]:
 def test_products_are_written_although_standard_streams_are_closed_or_full(
     tmp_path: Path, closed: str
 ) -> None:
+    """With stdin, stdout or stderr closed or full, files are written with the same bytes and status
+    0."""
     assert run(tmp_path, "build p.nsl -o p.icw", closed)[0] == 0
     whole = (tmp_path / "p.icw").read_bytes()
     (tmp_path / "p.icw").unlink()
@@ -47,12 +49,14 @@ def test_products_are_written_although_standard_streams_are_closed_or_full(
 def test_a_product_that_cannot_be_printed_is_an_error(
     tmp_path: Path, line: str, closed: str
 ) -> None:
+    """If the product itself goes to a closed or full stdout, the status is 2 with NS0784."""
     assert run(tmp_path, "build p.nsl -o p.icw", "")[0] == 0
     status, said = run(tmp_path, line, closed)
     assert (status, "NS0784" in said) == (2, True), said
 
 
 def test_a_rejected_program_keeps_its_status(tmp_path: Path) -> None:
+    """With a closed or full stream a wrong program has status 1, and a wrong command 2."""
     (tmp_path / "q.nsl").write_text("nsl 1\nopen when true\n")
     for closed in (">&-", "2>&-", "2>/dev/full"):
         assert run(tmp_path, "check q.nsl", closed)[0] == 1

@@ -21,6 +21,7 @@ class Terminal(io.StringIO):
 
 
 def test_progress_yields_its_items_unchanged(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Five items pass in order. Nothing is drawn, as they take less than a second."""
     for stream in (io.StringIO(), Terminal()):
         monkeypatch.setattr(sys, "stderr", stream)
         assert list(progress(range(5), "counting")) == [0, 1, 2, 3, 4]
@@ -28,6 +29,8 @@ def test_progress_yields_its_items_unchanged(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_the_bar_shows_share_and_time_left() -> None:
+    """At 25 of 100 after 3 s, 9 s are left. Without a total the count is shown, and beyond the
+    total 100 %."""
     assert bar_line("light", 25, 100, 3.0) == f"light [{'#' * 8}{'.' * 22}]  25%, 9 s left"
     assert bar_line("light", 7, None, 2.0) == "light: 7, 2 s"
     assert "100%" in bar_line("light", 300, 100, 1.0)
@@ -51,6 +54,7 @@ def test_waiting_is_shown_on_a_terminal_and_erased_afterwards(
 
 
 def test_nothing_is_drawn_in_a_pipe_or_within_a_second(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A pipe shows nothing at once, and a terminal nothing before the delay is over."""
     for stream, delay_s in ((io.StringIO(), 0.0), (Terminal(), 60.0)):
         monkeypatch.setattr("nscc_cli.support._BAR_DELAY_S", delay_s)
         monkeypatch.setattr(sys, "stderr", stream)

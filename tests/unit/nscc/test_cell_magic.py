@@ -26,6 +26,8 @@ def shell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Interacti
 
 
 def test_a_cell_is_shown_and_named(shell: InteractiveShell) -> None:
+    """`%%nsl stops` sets the variable `stops` to the program, with the options of the line. Without
+    options the level is 2."""
     result = shell.run_cell(f"%%nsl stops -O 1 --target scamp7\n{CELL}", store_history=False)
     program = result.result
     assert isinstance(program, nscc.ShutterProgram)
@@ -40,6 +42,8 @@ def test_a_cell_is_shown_and_named(shell: InteractiveShell) -> None:
 def test_messages_of_cells_have_no_traceback(
     shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """A misspelt name gives NS0214 with the number of the cell, line and column, and no
+    traceback."""
     result = shell.run_cell(f"%%nsl\n{CELL.replace('n < stop', 'n < stp')}")
     assert isinstance(result.error_in_exec, nscc.Rejected)
     said = "".join(capsys.readouterr())
@@ -68,6 +72,8 @@ def test_invalid_arguments_of_the_magic_are_explained(
 
 
 def test_every_option_of_the_cell_magic_is_passed_to_the_compiler(shell: InteractiveShell) -> None:
+    """Level, codes, lowering, target and limit of words in the line are those of the program's
+    options."""
     line = "-O 0 --codes open --lowering edges --target scamp7 --max-words-per-slot 99"
     options = shell.run_cell(f"%%nsl {line}\n{CELL}").result.options
     assert options.level == 0

@@ -79,6 +79,8 @@ PLAIN = {
 
 
 def test_records_survive_json() -> None:
+    """A record becomes plain values and JSON with a schema, and comes back equal. A note is written
+    only if there is one."""
     assert to_plain(WHOLE) == PLAIN
     assert from_plain(Whole, PLAIN) == WHOLE
     noted = replace(WHOLE, note="n")
@@ -172,6 +174,8 @@ def test_texts_of_other_formats_are_refused(text: str | bytes, reason: str) -> N
 
 
 def test_trees_that_are_too_deep_are_refused() -> None:
+    """A tree of 2000 levels is refused. One of 200, as deep as an expression may be, comes back
+    equal."""
     plain: Any = ["Leaf", "a"]
     for _ in range(2000):
         plain = ["Several", plain]

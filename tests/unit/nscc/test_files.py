@@ -21,6 +21,7 @@ from nscc.files import inputs_kept, reads, refuse_same, write_together, write_wh
 
 
 def test_a_file_is_written_and_replaced(tmp_path: Path) -> None:
+    """Three writes leave one file with the last bytes, and an empty write leaves it empty."""
     for data in (b"one", b"", b"three"):
         write_whole(tmp_path / "file", data)
         assert (tmp_path / "file").read_bytes() == data
@@ -56,6 +57,8 @@ def test_products_with_the_longest_names_keep_their_own_bytes(tmp_path: Path) ->
 
 
 def test_commands_write_products_under_the_longest_names(tmp_path: Path, run_nscc: RunNscc) -> None:
+    """A name of 255 characters, the most that a file system allows, has no room for a longer
+    temporary name. Both products are written."""
     (tmp_path / "a.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
     stem = "n" * 251
     assert run_nscc(["build", "a.nsl", "-o", f"{stem}.icw", "--emit", "asm"], tmp_path).status == 0
@@ -87,6 +90,7 @@ def test_new_files_have_the_usual_rights(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("mode", [0o600, 0o755, 0o666, 0o444])
 def test_a_file_that_is_replaced_keeps_its_rights(tmp_path: Path, mode: int) -> None:
+    """Written through a link, the file keeps its mode, also one that forbids writing."""
     (tmp_path / "real").write_bytes(b"old")
     (tmp_path / "real").chmod(mode)
     (tmp_path / "link").symlink_to(tmp_path / "real")
@@ -110,6 +114,7 @@ def test_private_files_stay_private_while_they_are_written(tmp_path: Path) -> No
 
 
 def test_mending_a_program_keeps_its_rights(tmp_path: Path, run_nscc: RunNscc) -> None:
+    """`nscc fmt` and `nscc check --fix` change the text and keep mode 600."""
     path = tmp_path / "a.nsl"
     for text, line in (
         ("nsl 1\nframe 4 slots of 1ms\nopen   when n < 2\n", ["fmt", "a.nsl"]),
@@ -123,6 +128,7 @@ def test_mending_a_program_keeps_its_rights(tmp_path: Path, run_nscc: RunNscc) -
 
 
 def test_follows_a_link_and_leaves_a_device_alone(tmp_path: Path) -> None:
+    """A link stays a link and its target is written. The null device stays a device."""
     (tmp_path / "link").symlink_to(tmp_path / "real")
     write_whole(tmp_path / "link", b"x")
     assert (tmp_path / "link").is_symlink()
@@ -133,6 +139,7 @@ def test_follows_a_link_and_leaves_a_device_alone(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("name", [".", "file/under", "n" * 300])
 def test_write_whole_refuses_bad_paths_and_writes_nothing(tmp_path: Path, name: str) -> None:
+    """A folder, a path below a file and a name that is too long give NS0784."""
     (tmp_path / "file").write_bytes(b"old")
     with pytest.raises(Rejected) as raised:
         write_whole(tmp_path / name, b"new")
@@ -142,6 +149,8 @@ def test_write_whole_refuses_bad_paths_and_writes_nothing(tmp_path: Path, name: 
 
 
 def test_all_files_or_none_are_written(tmp_path: Path) -> None:
+    """The second of two files cannot be written, so the first is not there either. If both can,
+    both are."""
     (tmp_path / "file").write_bytes(b"old")
     with pytest.raises(Rejected):
         write_together({tmp_path / "a": b"a", tmp_path / "file" / "b": b"b"})
@@ -151,6 +160,7 @@ def test_all_files_or_none_are_written(tmp_path: Path) -> None:
 
 
 def test_two_products_in_one_file_are_refused(tmp_path: Path) -> None:
+    """`a` and its absolute path are one file: NS0745. Two names are accepted."""
     refuse_same([tmp_path / "a", tmp_path / "b"], "-o and --png")
     with pytest.raises(Rejected) as raised:
         refuse_same([Path("a"), Path("a").absolute()], "-o and --png")

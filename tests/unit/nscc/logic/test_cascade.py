@@ -107,6 +107,7 @@ def test_demands_take_fewer_words_if_flag_keeps_its_value_between_them():
 
 
 def test_cascade_gives_up_with_more_than_4096_kinds_of_shutters():
+    """Too few steps or registers and 5000 kinds of shutters each raise GaveUp with that reason."""
     asked = asked_of(book(64, 16, 1))
     with pytest.raises(GaveUp, match="steps"):
         cascade(asked, SCAMP5, 100)

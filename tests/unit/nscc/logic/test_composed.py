@@ -106,6 +106,8 @@ def test_rules_with_exclusive_or_of_three_parts_run(rule):
 
 
 def test_masked_gates_change_only_where_the_mask_is_set():
+    """The gate inverts s0 where t0 is set and keeps it elsewhere. A chip without masks cannot run
+    the solution."""
     gate = Gate("NOT", "s0", ("s0",), masked=True)
     assert gate.reads == ("s0", "t0", "s0")
     assert gate.result({"s0": 0b0011, "t0": 0b0101}, 0b1111) == 0b0110

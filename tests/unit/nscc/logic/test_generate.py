@@ -206,6 +206,7 @@ def test_every_family_solves_some_long_table():
 
 @pytest.mark.parametrize("level", [0, 1, slow(2)])
 def test_solutions_are_the_same_every_time(level):
+    """The generator run twice gives equal solutions in equal order, at each level."""
     asked = problem("book", "edges")
     first = list(solutions(asked, MACHINES["scamp5"], level))
     assert first
@@ -245,6 +246,7 @@ def test_covers_contain_all_required_codes_and_no_forbidden_ones(seed):
 
 
 def test_a_cover_gives_up_if_equal_codes_must_differ():
+    """Two shutters of one code that must differ, and too few steps, raise GaveUp."""
     with pytest.raises(GaveUp, match="same code"):
         cover(0b01, [0b11, 0b00], 0b11, Budget(1000))
     with pytest.raises(GaveUp, match="steps"):

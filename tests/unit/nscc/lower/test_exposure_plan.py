@@ -81,6 +81,8 @@ def behaves(program, lowering, level):
 
 @pytest.mark.parametrize("name", TEXTS)
 def test_every_class_has_the_same_shutters_in_all_lowerings(name):
+    """A lowering that serves a program at level 0 serves it at level 1. At least one serves
+    each."""
     program = program_of(f"nsl 1\n{TEXTS[name]}\n", "open")
     served = {(w, level): behaves(program, w, level) for w in LOWERINGS for level in (0, 1)}
     assert any(served.values())
@@ -108,6 +110,7 @@ BEHAVIOURS = {
 @pytest.mark.parametrize("chip", ["scamp5", "scamp7"])
 @pytest.mark.parametrize("behaviour", BEHAVIOURS)
 def test_every_variant_of_a_chip_serves_accumulate_and_edges(name, chip, behaviour):
+    """Each variant of SCAMP-5 and SCAMP-7 exposes all six programs by `accumulate` and `edges`."""
     target = replace(load_target(chip, Path()), **BEHAVIOURS[behaviour])
     program = program_of(f"nsl 1\n{TEXTS[name]}\n", "open", target=target)
     served = [lowering for lowering in LOWERINGS if behaves(program, lowering, 1)]
@@ -115,6 +118,8 @@ def test_every_variant_of_a_chip_serves_accumulate_and_edges(name, chip, behavio
 
 
 def test_seven_buckets_need_seven_registers():
+    """Of six registers each bucket takes one, and each lowering but `edges` one more. Only six
+    buckets by `edges` fit."""
     table = np.arange(4)[:, None, None] <= np.arange(9)
     for lowering in LOWERINGS:
         for buckets in (6, 7):
@@ -127,6 +132,7 @@ def test_seven_buckets_need_seven_registers():
 
 
 def test_latch_needs_shutters_that_open_with_the_frame():
+    """A shutter of 011 opens late and is refused. Shutters of 000 and 110 are accepted."""
     lowered = lowered_as(program_from([[0, 1, 1], [1, 1, 0]]), "latch")
     assert isinstance(lowered, Misfit)
     assert "latch requires" in lowered.reason

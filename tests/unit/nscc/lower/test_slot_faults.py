@@ -125,6 +125,7 @@ def check_ways_out(found, slots, more=None):
 
 
 def test_suggestions_for_too_many_free_bits_compile():
+    """The error for 16 free bits offers fixed codes and 13 slots first. Each offer compiles."""
     text = E16 + "\npixels bits = tile [[1, 2], [3, 4]]"
     offered = check_ways_out(
         fault(text),
@@ -155,6 +156,7 @@ def test_ways_out_of_a_general_rule_fit():
 @pytest.mark.slow
 @pytest.mark.parametrize(("slots", "code"), [(200, "NS0412"), (127, "NS0502")])
 def test_suggestions_for_too_many_bumps_compile(slots, code):
+    """The number of slots that is offered compiles, and one slot more does not."""
     found = fault(f"frame {slots} slots of 1ms\n{BUMPS}")
     assert found.code == code
     offered = check_ways_out(found, slots)
@@ -194,6 +196,8 @@ def test_too_many_buckets_are_refused(buckets, lowering, required, most):
 
 
 def test_the_lowering_latch_is_refused_for_shutters_that_open_later():
+    """A shutter that opens at slot s gives NS0414 for `latch`. With the lowering left open it
+    compiles."""
     text = "frame 8 slots of 1ms\ncode s : 0..7\nopen when n == s"
     found = fault(text, lowering="latch")
     assert found.code == "NS0414"
@@ -202,6 +206,7 @@ def test_the_lowering_latch_is_refused_for_shutters_that_open_later():
 
 
 def test_a_lowering_that_was_refused_is_not_advised():
+    """The help for NS0414 proposes `auto` and not the refused `accumulate`, and `auto` compiles."""
     text = (
         "frame 8 slots of 1ms\nsense b when light > 45% at n in [2, 4]\n"
         "state c : 0..2 = 0\nnext c = looks when b and c == 0\nopen when c == 0 and n > 1\nread c"
@@ -274,6 +279,7 @@ def test_bits_that_decay_in_a_slot_or_a_readout_are_refused(slot_s, readout_s, b
 
 
 def test_a_search_without_gates_is_an_unproved_error():
+    """The search finds nothing for 13 bits by `edges`: NS0502 says that this is not proved."""
     found = fault("frame 13 slots of 1ms\ncode b : bit[13]\nopen when b[n]", lowering="edges")
     assert found.code == "NS0502"
     assert found.data["proved"] is False
@@ -281,6 +287,7 @@ def test_a_search_without_gates_is_an_unproved_error():
 
 
 def test_too_many_stored_words_are_reported_with_the_number_that_suffices():
+    """A store of 20 words gives NS0501 with a number. A store of that number is enough."""
     text = f"frame 40 slots of 1ms\n{STOPS}"
     tiny = replace(load_target("scamp5", Path()), store_words=20)
     found = fault(text, target=tiny)
@@ -294,6 +301,7 @@ def test_too_many_stored_words_are_reported_with_the_number_that_suffices():
 
 
 def test_check_prints_a_note_if_only_build_can_decide():
+    """What is an error of `build` is a note NS0503 here, and nothing is lowered."""
     done = compiled(f"frame 127 slots of 1ms\n{BUMPS}", unproved_is_error=False)
     (note,) = (d for d in done.diagnostics if d.code == "NS0503")
     assert note.severity is Severity.NOTE
@@ -304,6 +312,7 @@ def test_check_prints_a_note_if_only_build_can_decide():
     ("slot", "proved"), [("1us", True), ("2.39us", True), ("2.41us", False), ("2.5us", False)]
 )
 def test_too_short_slots_are_reported_with_a_length_that_compiles(slot, proved):
+    """NS0601 says whether it is proved. Slots of the length in its help compile."""
     found = fault(f"frame 64 slots of {slot}\n{STOPS}", level=1)
     assert (found.code, found.data["proved"]) == ("NS0601", proved)
     assert found.data["required"] > found.data["available"] == float(slot[:-2])
@@ -320,6 +329,8 @@ def test_words_that_only_one_lowering_needs_prove_nothing():
 
 
 def test_slots_longer_than_the_memory_are_refused():
+    """Slots of 2 s exceed 0.9 of the retention: NS0602. Slots of 1 s compile, and so do those of 2
+    s without codes."""
     found = fault(f"frame 4 slots of 2s\n{STOPS}")
     assert found.code == "NS0602"
     assert found.data["required"] == 2e6

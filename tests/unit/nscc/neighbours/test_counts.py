@@ -152,6 +152,7 @@ def test_python_films_keep_the_state(cell: Path, tmp_path: Path) -> None:
 
 
 def test_a_film_needs_images_and_light(cell: Path) -> None:
+    """A program without images, and a film of no light, give NS0789."""
     plain = nscc.compile("nsl 3 frame 1 slots of 1ms open when true", level=0)
     with pytest.raises(Rejected, match="NS0789"):
         nscc_runtime.film(plain, [np.zeros((1, 256, 256))])
@@ -237,6 +238,8 @@ def test_bits_fade_where_registers_keep_them_for_less_than_a_frame() -> None:
 
 
 def test_a_state_without_next_is_refreshed() -> None:
+    """The state keeps its start of 1 in both frames. The container, disassembled and assembled, has
+    the same bytes."""
     container = small(HEAD + "state h : bit = 1 kept plane p = not h read p, h")
     text = disassemble(container)
     again = assemble(Source("p.asm", text), Path())
@@ -328,6 +331,8 @@ def test_counts_that_cancel_are_counts(image: str, times: float) -> None:
 
 
 def test_nodes_of_counts_survive_a_file() -> None:
+    """A condition on a count becomes lists and comes back equal. A bit in place of a source is
+    refused."""
     node = Exceeds(ImageSource("f"), Fraction(3, 2))
     plain = to_plain(node, Condition)
     assert plain == ["Exceeds", ["Source", "f"], 3, 2]

@@ -51,6 +51,7 @@ def refused(text: str) -> list[str]:
 
 @pytest.mark.parametrize("version", [1, 2, 3])
 def test_words_of_version_4_are_names_before_it(version: int) -> None:
+    """`param` and `input` are free names in versions 1 to 3."""
     text = f"nsl {version} frame 4 slots of 1ms let param = 1 let input = 2 open when n < param"
     assert parse(Source("p.nsl", text))[1] == ()
 
@@ -106,6 +107,8 @@ def test_invalid_statements_of_version_4_are_refused(text: str, code: str) -> No
     "statement", ["param t : 1% .. 20% = 4%", "input plane p", "state s : image kept = 4%"]
 )
 def test_values_of_the_host_that_nothing_uses_are_refused(statement: str) -> None:
+    """A parameter, an input plane or a kept image that nothing reads gives an error at its
+    statement."""
     text = f"nsl 4\nframe 4 slots of 1ms\n{statement}\nopen when true\n"
     with pytest.raises(Rejected, match="reads out and reports nothing") as refusal:
         run_passes(Source("p.nsl", text), Path(), Options(level=1))
@@ -140,6 +143,8 @@ def test_values_of_the_host_are_checked(params: Any, inputs: Any) -> None:
 
 
 def test_meta_has_the_parameters() -> None:
+    """Parameters that a frame does not name keep the value of the frame before. Levels are rounded
+    to whole steps."""
     program = nscc.compile(HEAD + BRIGHT + "param m : 0 .. 4 = 2 plane r = p[m, 0] read r")
     lights = np.ones((3, 4, 256, 256))
     film = nscc_runtime.film(program, lights, params=[{"m": 1}, {"t": 2362.2}, {}])
@@ -221,6 +226,7 @@ def test_the_proof_notices_wrong_loops() -> None:
     ],
 )
 def test_programs_beyond_every_loader_are_refused(text: str, why: str) -> None:
+    """A level and a range beyond what any loader takes give NS0765 with the number."""
     with pytest.raises(Rejected) as caught:
         upload_of(container_of(HEAD + text), bytes(32))
     assert [each.code for each in caught.value.diagnostics] == ["NS0765"]
@@ -266,6 +272,8 @@ def test_a_chain_of_choices_writes_in_place_when_no_register_is_free() -> None:
 
 
 def test_the_error_for_sixteen_counts_names_the_largest_number_that_fits() -> None:
+    """Twelve counts fit, sixteen beside a sum do not, and the message says twelve."""
+
     def counts(number: int) -> str:
         return " ".join(
             f"plane above{k} = exposure > {6 * k + 6}% report count above{k}" for k in range(number)
@@ -323,6 +331,8 @@ def flooded(pixels: int, light: Any) -> tuple[Any, bool]:
 
 @pytest.mark.parametrize("pixels", [0, 1, 7, 128])
 def test_propagation_and_steps_flood_the_same_pixels(pixels: int) -> None:
+    """Whether a propagation reaches no pixel (so steps are taken), 1, 7 or 128, the flood is
+    scipy's."""
     rng = np.random.default_rng(5)
     light = (rng.integers(0, 4, (1, 30, 37)) * 1600 + 800).astype(np.float32).repeat(4, axis=0)
     exposure = light.sum(axis=0)
@@ -390,6 +400,8 @@ def test_leakage_and_errors_of_copies_are_keys_of_the_target() -> None:
 
 
 def test_every_step_of_a_loop_takes_time() -> None:
+    """A loop of 100 steps takes 99 launches and twice 99 digital words longer than one of a single
+    step."""
     containers = [
         container_of(HEAD + f"plane p = exposure > 6% plane q = p repeat {steps} q[1, 0] read q")
         for steps in (1, 100)

@@ -51,6 +51,7 @@ def test_the_error_for_a_range_names_a_state_for_each_of_its_bits() -> None:
 
 @pytest.mark.parametrize("version", [1, 2])
 def test_words_of_version_3_are_names_before_it(version: int) -> None:
+    """`kernel`, `image` and others are free names in versions 1 and 2."""
     names = ("kernel", "image", "plane", "outside", "report", "assume")
     lets = " ".join(f"let {name} = {number}" for number, name in enumerate(names))
     text = f"nsl {version} frame 4 slots of 1ms {lets} open when n < {' + '.join(names)}"
@@ -63,6 +64,7 @@ def test_words_of_version_3_are_names_before_it(version: int) -> None:
     ["image i = exposure", "plane p = x > 6%", "outside 0", "report any p", "kernel k = [[1]]"],
 )
 def test_statements_of_version_3_are_refused_before_it(version: int, statement: str) -> None:
+    """Each statement of version 3 gives NS0109 in a text of version 1 or 2."""
     text = f"nsl {version} frame 4 slots of 1ms open when true\n{statement}"
     found = [diagnostic.code for diagnostic in parse(Source("p.nsl", text))[1]]
     assert found[:1] == ["NS0109"]
@@ -142,6 +144,7 @@ def test_invalid_statements_of_version_3_are_refused(text: str, codes: list[str]
 
 
 def test_images_beside_senses_are_refused() -> None:
+    """A program that looks at the light while exposing has no images: NS0539."""
     text = (
         ONE.replace("open when true", "open when not full")
         + "sense full when light > 45% at n in [2] image i = exposure / 2 read i"
@@ -150,6 +153,7 @@ def test_images_beside_senses_are_refused() -> None:
 
 
 def test_a_chip_that_sees_no_neighbours_is_refused() -> None:
+    """The chip `dual-tap` has no words that read a neighbour: NS0538."""
     text = (
         "nsl 3 target dual-tap frame 4 slots of 20ms bucket a open when n < 2 "
         "bucket b open when n > 1 image i = a - b read i"
@@ -199,6 +203,8 @@ def test_a_remainder_in_next_stays_one() -> None:
 def test_changes_of_a_program_are_tried_for_a_limited_number_of_steps(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
+    """The limit of steps is set to 0, so no changed program is tried and the help gives only
+    general advice."""
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     monkeypatch.setattr("nscc.neighbours.passes._STEPS_OF_CHANGES", 0)
     with pytest.raises(Rejected) as caught:
@@ -208,6 +214,7 @@ def test_changes_of_a_program_are_tried_for_a_limited_number_of_steps(
 
 
 def test_a_divisor_beyond_2_to_the_40_needs_too_many_halvings() -> None:
+    """Dividing by 2^40 compiles. By 2^41 it gives NS0535, whose help names the limit."""
     options = Options(level=1, cache=False)
     source = Source("p.nsl", ONE + f"image i = exposure / {2**41} read i")
     with pytest.raises(Rejected) as caught:
@@ -257,6 +264,7 @@ def test_kernels_that_do_not_fit_name_the_largest_that_do() -> None:
 
 
 def test_suggestions_for_too_large_values_compile() -> None:
+    """NS0540 offers a divisor and a smaller exposure. Both changes compile."""
     kernel = "kernel s = [[1, 0, -1], [2, 0, -2], [1, 0, -1]] image i = s(exposure) read i"
     with pytest.raises(Rejected) as caught:
         program(ONE + kernel)
@@ -296,6 +304,8 @@ def test_a_kernel_is_read_from_a_file(tmp_path: Path) -> None:
 
 
 def test_chained_comparisons_and_shifts_become_nodes() -> None:
+    """`a < x < b` is the conjunction of two comparisons. `p[-1, 2]` is p one to the left and two
+    down."""
     text = ONE + "outside 0 plane p = -4% < exposure < 40% plane q = p[-1, 2] read q"
     pictures = program(text).pictures
     first, second = (item.node for item in pictures.items)
@@ -307,6 +317,8 @@ def test_chained_comparisons_and_shifts_become_nodes() -> None:
 
 
 def test_nodes_of_images_are_read_back_as_they_were_written() -> None:
+    """Each node becomes plain values and comes back equal. A factor that is no fraction is refused
+    with its place."""
     text = (
         TWO + KERNEL + "outside 1 plane p = a > b and not all(b > 2%, k) "
         "image i = abs(k(a) - 3 * b / 4) / 4 if p else -(b / 2) read i"

@@ -211,6 +211,8 @@ def test_all_forms_are_used_where_a_target_allows_them() -> None:
 
 @pytest.mark.parametrize("sources", [1, 2, 3])
 def test_words_that_a_chip_lacks_are_replaced(sources: int) -> None:
+    """For chips of one to three sources a word, each stored program has only allowed words and
+    still computes its kernel."""
     forms = WordForms(sources=sources)
     for line in filter(None, ROWS.split("\n")):
         program = program_from_text(line)
@@ -264,6 +266,7 @@ def test_kernels_share_halvings_and_are_computed_in_the_best_order() -> None:
 
 @pytest.mark.parametrize("kernels", [MAX_POOLED, ANALOGNET2, [outer([1, 2, 1], [1, 2, 1])]])
 def test_more_forms_never_make_programs_longer(kernels: list[list[list[int]]]) -> None:
+    """More forms of words give at most as many words, and fewer forms at least as many."""
     public = words_of(kernels, 4, level=2)
     assert words_of(kernels, 4, level=2, **ALL_FORMS) <= public
     assert public <= words_of(kernels, 4, level=2, directed_sources=1)

@@ -45,6 +45,8 @@ def plane(program: Program, k: int) -> np.ndarray:
 
 @pytest.mark.parametrize("dtype", ["u1", "i2", ">i4", "<u8", "i8"])
 def test_pixel_codes_of_any_integer_type_are_read(tmp_path: Path, dtype: str) -> None:
+    """Arrays of any integer type and order in memory are read, and a digest in capitals is
+    accepted."""
     values = np.random.default_rng(3).integers(0, 8, (256, 256)).astype(dtype)
     digest = save(tmp_path, a=np.asfortranarray(values), b=values + 1, other="text")
     text = PIXELS + f'pixels from "f.npz" sha256 "{digest.upper()}"'
@@ -54,6 +56,8 @@ def test_pixel_codes_of_any_integer_type_are_read(tmp_path: Path, dtype: str) ->
 
 
 def test_statements_of_pixels_take_precedence_over_the_file(tmp_path: Path) -> None:
+    """The file's values of `a` are out of range, but `pixels a` replaces them. `b` comes from the
+    file."""
     save(tmp_path, a=np.full((256, 256), 99), b=np.full((256, 256), 5))
     program = program_of(PIXELS + 'pixels a = x % 5 pixels from "f.npz"', base=tmp_path)
     assert (plane(program, 1) == 5).all()
@@ -84,6 +88,8 @@ def test_arrays_of_wrong_type_shape_or_range_are_refused_as_pixels(
 
 
 def test_a_missing_array_is_named(tmp_path: Path) -> None:
+    """The file has `A` in place of `a`: the message names `a`, proposes `A` and lists what the file
+    has."""
     save(tmp_path, A=np.zeros((256, 256), int), b=np.zeros((256, 256), int))
     with pytest.raises(Rejected) as caught:
         program_of(PIXELS + 'pixels from "f.npz"', base=tmp_path)
@@ -95,6 +101,7 @@ def test_a_missing_array_is_named(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("digest", ["0" * 64, "", "12", "x" * 64])
 def test_a_file_with_another_digest_is_refused(tmp_path: Path, digest: str) -> None:
+    """A wrong, empty or short digest, and one that is no hexadecimal number, give NS0315."""
     save(tmp_path, a=np.zeros((256, 256), int), b=np.zeros((256, 256), int))
     assert refused(PIXELS + f'pixels from "f.npz" sha256 "{digest}"', tmp_path) == "NS0315"
 
@@ -127,12 +134,14 @@ BROKEN = {
 
 @pytest.mark.parametrize("name", BROKEN)
 def test_broken_files_are_refused(tmp_path: Path, name: str) -> None:
+    """Each damaged file of `BROKEN` gives NS0313 or NS0314."""
     (tmp_path / "f.npz").write_bytes(BROKEN[name])
     assert refused(PIXELS + 'pixels b = 3 pixels from "f.npz"', tmp_path) in {"NS0313", "NS0314"}
 
 
 @pytest.mark.parametrize("path", ["", ".", "no/such.npz", "a" * 5000])
 def test_paths_without_a_readable_file_are_refused_as_pixels(tmp_path: Path, path: str) -> None:
+    """An empty path, a folder, a missing file and a name that is too long give NS0313."""
     assert refused(PIXELS + f'pixels from "{path}"', tmp_path) == "NS0313"
 
 
@@ -176,6 +185,8 @@ def test_arrays_of_wrong_type_shape_or_values_are_refused_as_codebooks(
 
 
 def test_codes_of_a_file_are_found_in_a_compiled_table(tmp_path: Path) -> None:
+    """Two arrays of field values are found as int32 numbers of rows in the table of 5 x 7
+    pixels."""
     text = "code a : -3..7 code b : 0..8 require a < b open when a <= n < b"
     table = program_of(FRAME + text).table
     rng = np.random.default_rng(1)

@@ -42,6 +42,7 @@ CLASSES = [
 
 @pytest.mark.parametrize(("name", "text"), CLASSES)
 def test_a_rule_has_the_class_of_its_shutters(name: str, text: str) -> None:
+    """Each rule of `CLASSES` has the class beside it, with a reason."""
     program = program_of(FRAME + text)
     assert program.class_name == name
     assert program.class_reason
@@ -108,6 +109,7 @@ ADVICE = [
 
 @pytest.mark.parametrize(("text", "codes"), ADVICE)
 def test_a_program_gets_the_advice_of_its_kind(text: str, codes: list[str]) -> None:
+    """The messages of each program of `ADVICE` have the codes beside it, and no others."""
     assert [d.code for d in program_of(FRAME + text).messages] == codes
 
 
@@ -126,6 +128,7 @@ def test_unused_codes_are_counted_by_check_without_a_diagnostic() -> None:
 
 
 def test_the_listing_shows_shutters_and_their_codes() -> None:
+    """The listing has the field with its range and a row of bits for each of the two shutters."""
     text = program_text(program_of(FRAME + "code s : 6..7 open when n < s pixels s = 6 + x % 2"))
     assert re.search(r"^field +s : 6\.\.7$", text, re.MULTILINE)
     assert re.search(r"^ +0  11111100  1 code$", text, re.MULTILINE)
@@ -133,6 +136,8 @@ def test_the_listing_shows_shutters_and_their_codes() -> None:
 
 
 def test_printing_cuts_long_tables() -> None:
+    """Of 300 slots 256 are shown and of 301 shutters 64, and the text says how many more there
+    are."""
     text = program_text(program_of("nsl 1 frame 300 slots of 1us code s : 0..N open when n < s"))
     # 256 of 300 slots and 64 of 301 shutters are shown.
     assert "(44 slots more)" in text
@@ -141,6 +146,7 @@ def test_printing_cuts_long_tables() -> None:
 
 
 def test_a_target_is_named_by_the_file_or_the_caller(tmp_path: Path) -> None:
+    """The program names scamp7. If the caller gives a target, that very object is used."""
     seven = program_of("nsl 1 target scamp7 frame 8 slots of 1ms open when n < rows")
     assert seven.target.name == "scamp7"
     assert seven.target_span is not None
@@ -154,4 +160,5 @@ def test_a_target_is_named_by_the_file_or_the_caller(tmp_path: Path) -> None:
     ("shutters", "registers"), [(1, 0), (2, 1), (3, 2), (4, 2), (5, 3), (256, 8), (257, 9)]
 )
 def test_bits_needed_is_the_logarithm_rounded_up(shutters: int, registers: int) -> None:
+    """One shutter needs no register, 256 need 8 and 257 need 9."""
     assert bits_needed(shutters) == registers

@@ -108,6 +108,7 @@ ONE_ERROR = [
 
 @pytest.mark.parametrize(("text", "code", "place"), ONE_ERROR)
 def test_one_mistake_is_one_error_at_its_place(text: str, code: str, place: str | None) -> None:
+    """Each text of `ONE_ERROR` has one error with the code beside it, at the text beside it."""
     (found,) = errors(text)
     assert found.code == code
     if place is not None:
@@ -115,6 +116,7 @@ def test_one_mistake_is_one_error_at_its_place(text: str, code: str, place: str 
 
 
 def test_all_errors_come_at_once_by_place() -> None:
+    """Six mistakes give six errors in the order of their places."""
     found = errors(
         "nsl 1 let a = b frame 8 slots of 1ms code c : 5..3 code d : bit[0] "
         "require d open when n < zz pixels c = 4 pixels d = true"
@@ -126,12 +128,14 @@ def test_all_errors_come_at_once_by_place() -> None:
 
 
 def test_an_unknown_name_gets_the_closest_known_one() -> None:
+    """`stpo` gets a help and a fix with `stop`."""
     (found,) = errors(STOP + "open when n < stpo")
     assert found.helps == ("did you mean `stop`?",)
     assert found.fixes[0].replacement == "stop"
 
 
 def test_the_first_pixel_and_the_count_are_named() -> None:
+    """`x + y` leaves the range first at x = 9. The data counts all 65 491 pixels outside."""
     (found,) = errors(STOP + "open when n < stop pixels stop = x + y")
     assert "x = 9, y = 0 (row 0, column 9)" in found.message
     # x + y is at most 8 in 1 + 2 + .. + 9 = 45 pixels.
@@ -144,6 +148,7 @@ def test_a_fault_names_code_and_slot() -> None:
 
 
 def test_several_rules_are_judged_separately() -> None:
+    """Each of two buckets that divide by n = 0 has its own NS0302."""
     found = errors(FRAME + "bucket a open when 1 / n > 0 bucket b open when 1 % n > 0")
     assert [d.code for d in found] == ["NS0302", "NS0302"]
 
@@ -160,6 +165,8 @@ def test_several_rules_are_judged_separately() -> None:
     ],
 )
 def test_parts_that_are_not_reached_have_no_faults(rule: str) -> None:
+    """As in Python, what `and`, `or`, chained comparisons and `if` leave out is not computed: a
+    division by 0 there is no error."""
     assert program_of(STOP + "open when " + rule).table.codes.shape == (9, 1)
 
 
@@ -168,11 +175,14 @@ def test_parts_that_are_not_reached_have_no_faults(rule: str) -> None:
     ["n / stop > 1 and stop != 0", "true xor n / stop > 1", "min(n / stop, 3) > 1"],
 )
 def test_parts_that_are_reached_have_their_faults_reported(rule: str) -> None:
+    """A division by stop = 0 is NS0302 if it comes before its guard, or where all parts are
+    computed."""
     (found,) = errors(STOP + "open when " + rule)
     assert found.code == "NS0302"
 
 
 def test_faults_of_unused_codes_do_not_matter_with_fixed_codes() -> None:
+    """Stop 0 divides by 0, but no pixel has it: that is an error only for open codes."""
     text = STOP + "open when n / stop > 1 pixels stop = 1 + x % 8"
     assert len(program_of(text, codes="fixed").table.codes) == 8
     assert [d.code for d in errors(text, codes="open")] == ["NS0302"]
@@ -269,6 +279,7 @@ def test_the_part_of_a_looking_program_that_is_too_large_is_named(
 
 
 def test_too_many_operations_are_refused() -> None:
+    """3000 comparisons for 1000 slots and 60 000 codes give NS0450."""
     rules = [f"n == {k} * stop" for k in range(3000)]
     while len(rules) > 1:
         rules = [f"({' or '.join(rules[k : k + 2])})" for k in range(0, len(rules), 2)]

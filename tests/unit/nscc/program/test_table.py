@@ -41,6 +41,7 @@ CASES = {
 
 @pytest.mark.parametrize("name", CASES)
 def test_the_table_is_what_the_rule_says(name: str) -> None:
+    """For each program of `CASES`, codes and shutters are those of the rule evaluated in Python."""
     text, fields = CASES[name]
     program = program_of(FRAME + text, codes="open")
     assert table_of(program) == shutters(FRAME + text, fields, N=9)
@@ -92,6 +93,7 @@ def test_pixels_get_the_rows_of_their_codes() -> None:
 
 
 def test_a_file_without_pixels_is_compiled_for_every_code() -> None:
+    """Without `pixels`, fixed codes become open ones: all nine are in the table."""
     program = program_of(FRAME + "code stop : 1..9 open when n < stop", codes="fixed")
     assert program.mode == "open"
     assert program.pixel_codes is None
@@ -99,6 +101,7 @@ def test_a_file_without_pixels_is_compiled_for_every_code() -> None:
 
 
 def test_a_program_without_fields_has_one_code_everywhere() -> None:
+    """The one code has no fields, is open in the first three slots, and every pixel has it."""
     program = program_of(FRAME + "open when n < 3")
     assert program.table.codes.shape == (1, 0)
     assert program.table.shutters[0, 0].tolist() == [True] * 3 + [False] * 6
@@ -128,11 +131,13 @@ def test_a_table_of_many_codes_and_slots_is_right() -> None:
 
 @pytest.mark.parametrize("slots", [1, 2, 7, 63, 64, 65])
 def test_tables_of_any_number_of_slots_equal_the_oracle(slots: int) -> None:
+    """Around the width of a machine word, 64 slots, the table is that of the rule in Python."""
     text = f"nsl 1 frame {slots} slots of 1us code stop : 0..N open when n < stop"
     assert table_of(program_of(text)) == shutters(text, [("stop", range(slots + 1))], N=slots)
 
 
 def test_slots_are_equal_if_their_times_are() -> None:
+    """50us, 1.6ms, 2s and 250ns are read as microseconds. 1ms and 1000us are equal slots."""
     program = program_of("nsl 1 frame slots [50us, 1.6ms, 2s, 250ns] open when n < 2")
     assert program.frame.slot_us == (50.0, 1600.0, 2e6, 0.25)
     assert not program.frame.equal

@@ -40,6 +40,7 @@ def test_every_bit_of_every_pixel_is_a_slot(count: int, tmp_path: Path) -> None:
 
 
 def test_registers_hold_only_codes_in_use(tmp_path: Path) -> None:
+    """Of 100 bits a pixel only four patterns occur, and the program has just these shutters."""
     few = np.random.default_rng(0).integers(0, 2, (4, 100))
     np.savez(tmp_path / "bits.npz", bits=few[np.arange(ROWS * COLS).reshape(ROWS, COLS) % 4])
     program = nscc.compile(text(100), target=SCAMP, folder=tmp_path)
@@ -47,6 +48,7 @@ def test_registers_hold_only_codes_in_use(tmp_path: Path) -> None:
 
 
 def test_numbers_give_the_lowest_bits() -> None:
+    """The number 5 sets bits 0 and 2 of 70, and 13 bit 3 too."""
     program = nscc.compile(text(70, pixels="pixels bits = 5 + 8 * (x % 2)"), target=STREAM)
     found = program.shutters(pixels=True)[0]
     assert np.flatnonzero(found[:, 0, 0]).tolist() == [0, 2]

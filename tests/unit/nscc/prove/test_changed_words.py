@@ -182,6 +182,7 @@ def test_bits_that_no_frame_writes_are_not_relied_on():
 
 
 def test_bits_that_decay_inside_a_frame_are_not_relied_on():
+    """In slots of 0.2 s the code bits fade within the second frame, and the proof says so."""
     container, kernels = built("stops", "scamp5", "accumulate")
     slow = replace(container, slot_us=(200_000.0,) * 9)
     proof = prove(slow, kernels)

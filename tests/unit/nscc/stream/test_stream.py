@@ -115,6 +115,8 @@ def test_planes_load_in_turn_and_act_when_complete(pipelined: bool) -> None:
 
 
 def test_a_slot_of_just_the_loading_time_fits_a_pipelined_chip_only() -> None:
+    """Six rows of 0.5 us load in 3 us, which is the slot. Without a pipeline or with slower rows it
+    gives NS0508."""
     text = STOPS.replace("1ms", "3us")
     assert built(text, replace(CHIP, row_load_us=0.5)).container.stream is not None
     for chip in (replace(CHIP, row_load_us=0.5, pipelined=False), replace(CHIP, row_load_us=0.6)):
@@ -245,6 +247,8 @@ def test_a_single_latch_loses_light_while_planes_load() -> None:
 
 
 def test_effects_of_words_are_absent_by_name() -> None:
+    """A chip without words has no error of analog words, registers or decay. Effects of light and
+    readout stay."""
     taken = nscc_runtime.capture(built(SPLIT), np.ones((8, 6, 11), np.float32), effects="all")
     plan = taken.exposed.simulated.origin.plan
     assert plan is not None

@@ -25,6 +25,8 @@ def formatted(text: str) -> str:
 
 @pytest.mark.parametrize("path", CASES, ids=lambda path: path.stem)
 def test_formatting_a_case_gives_the_recorded_text(path: Path) -> None:
+    """The formatted text is the recorded one. Formatted again it stays, and no line exceeds
+    WIDTH."""
     expected = path.with_suffix(".expected").read_text(encoding="utf-8")
     assert formatted(path.read_text(encoding="utf-8")) == expected
     assert formatted(expected) == expected
@@ -33,6 +35,7 @@ def test_formatting_a_case_gives_the_recorded_text(path: Path) -> None:
 
 @pytest.mark.parametrize("path", sorted((ROOT / "examples").glob("*.nsl")), ids=lambda p: p.stem)
 def test_the_examples_are_in_the_style(path: Path) -> None:
+    """`nscc fmt` changes nothing in an example."""
     text = path.read_text(encoding="utf-8")
     assert formatted(text) == text
 
@@ -80,6 +83,7 @@ def test_a_file_is_written_in_place_once(
 def test_a_bad_file_is_left_alone_and_the_others_are_written(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """The status is 1, the bad file has its old text and the good one is formatted."""
     good, bad = tmp_path / "good.nsl", tmp_path / "bad.nsl"
     good.write_text(UGLY)
     bad.write_text("nsl 1\nopen wen n < 3\n")
@@ -92,6 +96,7 @@ def test_a_bad_file_is_left_alone_and_the_others_are_written(
 def test_fmt_reads_standard_input_and_prints_the_result(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    """With `-` as its name, the text from stdin is printed in its style."""
     monkeypatch.setattr("sys.stdin", io.TextIOWrapper(io.BytesIO(UGLY.encode())))
     assert main(["fmt", "-"]) == 0
     assert capsys.readouterr().out == NICE

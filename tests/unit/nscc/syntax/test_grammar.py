@@ -57,6 +57,8 @@ def replace_tables(folder: Path, tables: bytes) -> None:
 
 
 def test_tables_are_made_once_and_kept(folder: Path, made: list[str]) -> None:
+    """A second process reads the one stored file and makes no tables. Both parsers accept and
+    refuse alike."""
     first = grammar.parser()
     assert grammar.parser() is first
     second = another_process()
@@ -70,6 +72,7 @@ def test_tables_are_made_once_and_kept(folder: Path, made: list[str]) -> None:
 def test_another_grammar_has_other_tables(
     folder: Path, made: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """A changed grammar file makes tables of its own, and its parser takes the changed text."""
     grammar.parser()
     text = grammar.grammar_path().read_text(encoding="utf-8")
     changed = tmp_path / "changed.lark"
@@ -82,6 +85,7 @@ def test_another_grammar_has_other_tables(
 def test_another_version_of_lark_makes_the_tables_again(
     folder: Path, made: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """Tables stored by one version of lark are not read by another."""
     grammar.parser()
     monkeypatch.setattr(lark, "__version__", "99.0")
     another_process()
@@ -90,6 +94,7 @@ def test_another_version_of_lark_makes_the_tables_again(
 
 @pytest.mark.parametrize("value", [None, {}, {"data": {}, "memo": {1: 2}}, [1], "text"])
 def test_invalid_stored_tables_are_made_again(folder: Path, made: list[str], value: object) -> None:
+    """A stored file that holds no tables is replaced once, and the next process reads it."""
     grammar.parser()
     replace_tables(folder, pickle.dumps(value))
     assert takes(another_process(), "open when true")
@@ -98,6 +103,8 @@ def test_invalid_stored_tables_are_made_again(folder: Path, made: list[str], val
 
 
 def test_kept_tables_run_no_code(folder: Path, made: list[str], tmp_path: Path) -> None:
+    """A pickle that would make a file when it is loaded makes none: the tables are made again."""
+
     class Evil:
         def __reduce__(self) -> tuple[object, ...]:
             return Path.touch, (tmp_path / "touched",)
@@ -113,6 +120,7 @@ def test_kept_tables_run_no_code(folder: Path, made: list[str], tmp_path: Path) 
 def test_parsing_works_without_stored_tables(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, switched_off: bool
 ) -> None:
+    """With the cache off, and with a file in place of its folder, texts are parsed."""
     if switched_off:
         monkeypatch.setenv("NSCC_CACHE", "off")
     else:
@@ -123,6 +131,7 @@ def test_parsing_works_without_stored_tables(
 
 @pytest.mark.parametrize("text", ["", "12abc", '"', "é", "\0", "\ud800", "1.2.3", "target -"])
 def test_the_lexer_takes_any_text(text: str) -> None:
+    """Any text comes out of the lexer whole, but for blanks."""
     state = grammar.parser().parse_interactive(text, start=grammar.START)
     assert "".join(state.lexer_thread.lex(None)) == text.replace(" ", "")
 

@@ -162,6 +162,7 @@ def test_an_incomplete_statement_is_reported_at_its_end(text: str) -> None:
 
 
 def test_a_range_after_in_is_an_error_that_suggests_a_list() -> None:
+    """`n in 1..3` gives NS0107, which proposes `n in [1, 2, 3]`."""
     error = the_error("nsl 2\nopen when n in 1..3\n")
     assert error.code == "NS0107"
     assert "`n in [1, 2, 3]`" in words_of(error)
@@ -194,6 +195,7 @@ def test_all_errors_come_at_once_and_in_order() -> None:
 
 
 def test_parsing_continues_with_the_statement_that_a_misspelt_word_suggests() -> None:
+    """`Frame` and `opne` are errors NS0109, and the tree still has the frame and the rule."""
     file, errors = read("nsl 1\nFrame 8 slots of 1ms\nopne when true")
     assert [e.code for e in errors] == ["NS0109", "NS0109"]
     assert [type(s).__name__ for s in file.statements] == ["Version", "EqualSlots", "Open"]
@@ -201,6 +203,7 @@ def test_parsing_continues_with_the_statement_that_a_misspelt_word_suggests() ->
 
 @pytest.mark.parametrize("count", [MOST_ERRORS - 1, MOST_ERRORS, MOST_ERRORS + 1, 500])
 def test_errors_beyond_the_limit_are_only_counted(count: int) -> None:
+    """MOST_ERRORS are shown. A last message counts the rest."""
     _, errors = read("nsl 1\n" + "let = 1\n" * count)
     assert [e.code for e in errors[:MOST_ERRORS]] == ["NS0107"] * min(count, MOST_ERRORS)
     rest = [e.message for e in errors[MOST_ERRORS:]]
@@ -255,6 +258,7 @@ def test_files_of_the_hardware_language_get_one_friendly_error(text: str) -> Non
 
 
 def test_too_long_texts_are_refused() -> None:
+    """300 000 letters, and 90 000 characters of three bytes, give NS0103."""
     _, errors = parse(Source("long.nsl", "nsl 1 #" + "x" * 300_000))
     assert [e.code for e in errors] == ["NS0103"]
     _, errors = parse(Source("long.nsl", "nsl 1 #" + "\u4e2d" * 90_000))

@@ -62,6 +62,7 @@ def pythons(text: str) -> Any:
 
 @pytest.mark.parametrize("first", OPERATORS)
 def test_three_operators_in_a_row_bind_as_in_python(first: str) -> None:
+    """For every three operators the tree is that of Python's own parser."""
     for second, third in product(OPERATORS, repeat=2):
         text = f"a {first} b {second} c {third} d"
         assert ours(text) == pythons(text), text
@@ -84,6 +85,8 @@ def test_unary_operators_bind_as_in_python(operator: str) -> None:
 
 @pytest.mark.parametrize("operator", OPERATORS)
 def test_choices_bind_loosest_as_in_python(operator: str) -> None:
+    """`if` and `else` hold less tightly than any operator, and a second one belongs to the
+    `else`."""
     for text in (
         f"a {operator} b if c {operator} d else e {operator} f",
         f"a if b else c if d {operator} e else f",
@@ -116,6 +119,7 @@ def test_operators_that_python_lacks_bind_as_documented(text: str, brackets: str
 
 
 def test_comparisons_chain_as_in_python() -> None:
+    """`start <= n < stop != 3` is one node of three signs. Brackets make another tree."""
     assert ours("start <= n < stop != 3") == (
         "Compare",
         ("Name", "start"),

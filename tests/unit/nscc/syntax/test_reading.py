@@ -21,6 +21,7 @@ def refusal(path: Path) -> tuple[str, int]:
 
 
 def test_source_text_keeps_its_line_ends_and_characters(tmp_path: Path) -> None:
+    """CR LF, umlauts and Chinese characters are in the text as in the file."""
     path = tmp_path / "a.nsl"
     path.write_bytes("nsl 1\r\n# \u00fc \u4e2d\n".encode())
     source = read_source(path)
@@ -36,12 +37,14 @@ def test_a_byte_order_mark_is_left_out_of_the_text(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("data", [b"nsl 1\xff", "nsl 1".encode("utf-16"), b"nsl 1\0", bytes(9)])
 def test_files_that_are_not_utf_8_are_refused(tmp_path: Path, data: bytes) -> None:
+    """A byte 255, UTF-16 and zero bytes give NS0102."""
     path = tmp_path / "a.nsl"
     path.write_bytes(data)
     assert refusal(path) == ("NS0102", 1)
 
 
 def test_files_above_the_limit_of_bytes_are_refused(tmp_path: Path) -> None:
+    """A file of MOST_BYTES is read. One byte more, and ten times as many bytes, give NS0103."""
     path = tmp_path / "a.nsl"
     path.write_bytes(b"nsl 1\n" + b"#" * (MOST_BYTES - 6))
     assert parse(read_source(path))[1] == ()
@@ -52,6 +55,8 @@ def test_files_above_the_limit_of_bytes_are_refused(tmp_path: Path) -> None:
 
 
 def test_unreadable_paths_are_refused(tmp_path: Path) -> None:
+    """A missing file, a folder, a zero in the name, a long name and a circle of links give
+    NS0101."""
     assert refusal(tmp_path / "missing.nsl") == ("NS0101", 2)
     assert refusal(tmp_path) == ("NS0101", 2)
     assert refusal(tmp_path / "a\0b.nsl") == ("NS0101", 2)
@@ -64,6 +69,7 @@ def test_unreadable_paths_are_refused(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("data", [b"nsl 1\xff", b"#" * (MOST_BYTES + 1)])
 def test_messages_about_unreadable_text_name_the_file(tmp_path: Path, data: bytes) -> None:
+    """The JSON, annotation and short forms each name the file, although there is no place in it."""
     path = tmp_path / "a.nsl"
     path.write_bytes(data)
     with pytest.raises(Rejected) as caught:
@@ -79,6 +85,8 @@ def test_messages_about_unreadable_text_name_the_file(tmp_path: Path, data: byte
 def test_files_of_other_kinds_are_told_apart(
     name: str, words: str, size: int, tmp_path: Path
 ) -> None:
+    """A container is said to be compiled already and a picture to belong to `--scene`, at any
+    size."""
     (tmp_path / name).write_bytes(b"\0" * size)
     with pytest.raises(Rejected) as caught:
         read_source(tmp_path / name)

@@ -58,12 +58,14 @@ FORMS_READ: dict[str, tuple[Any, ...]] = {
 
 @pytest.mark.parametrize("text", FORMS_READ)
 def test_a_statement_spans_its_text(text: str) -> None:
+    """Each form gives its recorded tree and begins and ends where its text does."""
     node = statement(text)
     assert bare(node) == FORMS_READ[text]
     assert (node.span.start, node.span.end) == (6, 6 + len(text))
 
 
 def test_every_statement_has_forms_to_show() -> None:
+    """`FORMS` has an entry for each statement word of version 4, in its order."""
     assert list(FORMS) == list(statement_words(4))
     assert all(form.split()[0] == word for word, forms in FORMS.items() for form in forms)
 
@@ -95,6 +97,7 @@ def test_places_are_those_of_the_text() -> None:
 
 
 def test_newlines_blanks_and_comments_mean_nothing() -> None:
+    """Line ends, tabs, comments and form feeds in place of blanks give the same tree."""
     text = "nsl 1 frame 8 slots of 1ms bucket a open when n < 3 open when true"
     plain, _ = read(text)
     for blank in ("\n", "\r\n", "\t", ' # nsl 2 "\n', "\f"):
@@ -106,6 +109,7 @@ def test_newlines_blanks_and_comments_mean_nothing() -> None:
 
 
 def test_signs_need_no_blanks() -> None:
+    """`a:0..7` and `1<<2<-3` are read as with blanks."""
     dense, errors = read("nsl 1 code a:0..7 let b=1<<2<-3 open when n<=a require not(a==7)")
     assert not errors
     spaced, _ = read(
@@ -116,6 +120,7 @@ def test_signs_need_no_blanks() -> None:
 
 @pytest.mark.parametrize("name", ["_", "Frame", "nsl1", "minute", "max_", "openwhen", "ms", "us"])
 def test_words_that_only_look_reserved_are_names(name: str) -> None:
+    """`_`, `Frame`, `openwhen` and even the units `ms` and `us` can be names."""
     assert statement(f"let {name} = {name} + 1").name.text == name
 
 
@@ -156,6 +161,7 @@ def test_nesting_has_a_limit_and_no_recursion(deep: str) -> None:
     "broad", ["0 < " * 5000 + "n", "max(" + "1, " * 5000 + "1)", "1" + " * 2" * 90]
 )
 def test_long_expressions_without_nesting_are_accepted(broad: str) -> None:
+    """5000 comparisons or arguments in a row, and 90 factors, have no error."""
     assert codes(f"nsl 1 require {broad}") == []
 
 
@@ -174,6 +180,8 @@ def test_programs_on_syntax_pages_give_their_messages() -> None:
 
 
 def test_the_tree_is_a_frozen_value() -> None:
+    """Equal texts give equal nodes with equal hashes. A node's fields cannot be set, and none may
+    be missing."""
     one, other = statement("let a = 1"), statement("let a = 1")
     assert one == other
     assert hash(one) == hash(other)

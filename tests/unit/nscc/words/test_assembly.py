@@ -107,6 +107,8 @@ def test_the_listing_reads_well_and_reads_back() -> None:
 
 
 def test_bare_instructions_give_words() -> None:
+    """`AND` is four words. `SET R13` needs a chip with R13: NS0708 without the line `.target
+    scamp7`."""
     words = assemble_words(Source("-", "AND R6, R2, R3\n"), Path())
     assert word_text(words[0]) == "0x80020 0x10000 0x20000 0x31100 0x40000"
     assert len(words) == 4
@@ -231,6 +233,8 @@ def test_a_wrong_line_is_explained(line: str, code: str, words: str) -> None:
 
 
 def test_missing_parts_of_an_assembly_text_are_named() -> None:
+    """A text of words alone lacks two parts. `.pixels` without codes gets a help with both ways
+    out."""
     found = rejected("nop\n")
     assert [d.code for d in found] == ["NS0715", "NS0715"]
     found = rejected(HAND + ".pixels tile 1 1\n| 0\n")
@@ -314,6 +318,8 @@ def test_diff_shows_lines_of_text_and_only_tells_that_data_differ() -> None:
 
 
 def test_unreadable_containers_are_refused(tmp_path: Path) -> None:
+    """A missing file and a folder have status 2. `/dev/zero` is refused with status 1 and not read
+    for ever."""
     for name, status in (("missing.icw", 2), (".", 2), ("/dev/zero", 1)):
         with pytest.raises(Rejected) as caught:
             read_container(tmp_path / name)
@@ -344,6 +350,7 @@ def test_ranges_of_boundaries_read_back() -> None:
 
 @pytest.mark.parametrize(("wrong", "shown"), [(49, 49), (50, 50), (51, 50), (80, 50)])
 def test_at_most_fifty_faults_of_a_text_are_shown(wrong: int, shown: int) -> None:
+    """49 and 50 wrong lines give as many errors; 51 and 80 give 50."""
     text = "nonsense R1\n" * wrong
     with pytest.raises(Rejected) as raised:
         assemble_words(Source("a.asm", text), Path())

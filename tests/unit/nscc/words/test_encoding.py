@@ -21,6 +21,7 @@ EXAMPLES = json.loads((ROOT / "tests" / "data" / "icw_examples.json").read_text(
 
 @pytest.mark.parametrize("example", EXAMPLES, ids=lambda e: " ".join([e["op"], *e["args"]]))
 def test_published_examples_encode_and_decode(example: dict[str, list[str]]) -> None:
+    """Each published example gives its published words, and these give back its operations."""
     ops = expand(str(example["op"]), example["args"])
     assert [word_text(encode(o)).split() for o in ops] == example["icw"]
     words = [[int(text, 16) for text in word] for word in example["icw"]]
@@ -53,6 +54,8 @@ def test_registers_beyond_r12_lie_in_bits_that_scamp5_leaves_unused() -> None:
 
 
 def test_a_word_that_is_no_operation_is_explained() -> None:
+    """NS0701 says where the word stands, which part differs and what is nearest. Numbers out of
+    range match nothing."""
     with pytest.raises(Rejected, match="NS0701") as caught:
         decode((0x80020, 0x10000, 0x20000, 0x31101, 0x30000), "word 3 of kernel 'step'")
     found = caught.value.diagnostics[0]
@@ -103,6 +106,8 @@ MEANING: dict[str, tuple[int, Callable[..., bool]]] = {
 
 @pytest.mark.parametrize("name", MEANING)
 def test_digital_macro_computes_what_its_name_says(name: str) -> None:
+    """For all values of the registers, R1 holds the logic function after which the macro is
+    named."""
     count, meaning = MEANING[name]
     registers = ["R1", "R2", "R3", "R4"][:count]
     for values in itertools.product([False, True], repeat=count + 2):
@@ -181,6 +186,7 @@ def test_wrong_operands_are_explained(line: str, index: int | None, words: str) 
 
 
 def test_every_mnemonic_shows_its_usage() -> None:
+    """Each usage begins with the mnemonic, and each whole operation has one."""
     for name, mnemonic in MNEMONICS.items():
         assert mnemonic.usage.startswith(name)
     whole = {row.name for row in OPERATIONS if row.phase is Phase.WHOLE}
@@ -188,6 +194,8 @@ def test_every_mnemonic_shows_its_usage() -> None:
 
 
 def test_target_limits_hold_for_words() -> None:
+    """SCAMP-5 takes eleven sources of NOR. It has no R13, and WHERE cannot read the FLAG that it
+    writes."""
     scamp5 = builtin_target("scamp5")
     wide = op("NOR", ["R1"], [f"R{i}" for i in range(2, 13)])
     assert target_fault(wide, scamp5) is None
@@ -197,6 +205,8 @@ def test_target_limits_hold_for_words() -> None:
 
 
 def test_words_of_a_pair_must_stand_together() -> None:
+    """A pair with a word between, in the wrong order or of two kinds gives an error for each
+    half."""
     read, write = pair("OR", "R1", ["R1", "R2"])
     nop = op("nop")
     assert split_pairs("k", [nop, read, write, nop]) == []

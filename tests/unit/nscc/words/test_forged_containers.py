@@ -169,6 +169,7 @@ def test_forged_pictures_are_refused(change: Callable[[dict[str, Any]], object],
 
 @pytest.mark.parametrize("time_us", [np.nan, np.inf, -2.0, 5e-324, 1e300])
 def test_invalid_times_are_refused(kept: Container, time_us: float) -> None:
+    """An open time of NaN, infinity, below 0, denormal or 1e300 us is the fault that is named."""
     assert faults(kept) == []
     open_us = kept.machine.open_us.copy()
     open_us[-1, 0] = time_us
@@ -177,6 +178,7 @@ def test_invalid_times_are_refused(kept: Container, time_us: float) -> None:
 
 
 def test_every_behaviour_has_one_start() -> None:
+    """Its start is overwritten by another node, so the first behaviour has none."""
     container = built(TWO_SENSES)
     machine = container.machine
     assert len(container.encoding) > 1
@@ -190,6 +192,7 @@ def test_every_behaviour_has_one_start() -> None:
 
 @pytest.mark.parametrize(("length_us", "sound"), [(1e-9, True), (9e-10, False), (1e-300, False)])
 def test_slots_shorter_than_a_femtosecond_are_refused(length_us: float, sound: bool) -> None:
+    """Slots of 1e-9 us are valid; shorter ones are a fault."""
     container = built("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
     changed = replace(container, slot_us=(length_us,) * container.slots)
     assert (faults(changed) == []) == sound

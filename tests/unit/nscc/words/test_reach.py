@@ -44,6 +44,8 @@ def test_a_value_from_a_pixel_away_depends_on_what_is_around_that_pixel() -> Non
 
 @pytest.mark.parametrize("shape", [(1, 1), (3, 5), (5, 3), (7, 1), (1, 9)])
 def test_the_middle_of_a_kernel_is_the_pixel_itself(shape: tuple[int, int]) -> None:
+    """For kernels of odd sizes, tap (0, 0) is the middle weight divided by 4. The upper right
+    weight is that of the pixel there."""
     weights = 1 + np.arange(shape[0] * shape[1]).reshape(shape)
     taps = Weights("k", tuple(map(tuple, weights.tolist())), 4).taps
     assert len(taps) == weights.size

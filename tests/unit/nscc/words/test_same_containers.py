@@ -41,6 +41,7 @@ def test_every_program_of_versions_1_to_3_has_a_digest_or_a_reason() -> None:
 
 @pytest.mark.parametrize("name", DIGESTS)
 def test_a_program_builds_to_the_same_bytes(name: str) -> None:
+    """Built at level 1 without a cache, the container has the recorded SHA-256."""
     path = ROOT / name
     source = Source(path.name, path.read_text())
     made = run_passes(source, path.parent, Options(level=1, cache=False))

@@ -143,18 +143,21 @@ def test_a_short_clip_becomes_a_film(folder: Path, run_nscc: RunNscc, how: list[
 
 
 def test_several_readouts_need_a_decoder(folder: Path, run_nscc: RunNscc) -> None:
+    """`--merge` beside `--readouts 3` has status 2 and the help to leave it out."""
     outcome = run_nscc(["demo", "short.gif", "--merge", "--readouts", "3"], folder)
     assert outcome.status == 2
     assert "leave out --merge" in outcome.err
 
 
 def test_demo_refuses_several_readouts_of_a_photo(folder: Path, run_nscc: RunNscc) -> None:
+    """`--readouts` is for clips: with a photo it gives NS0821."""
     outcome = run_nscc(["demo", "photo.jpg", "--readouts", "2"], folder)
     assert (outcome.status, outcome.codes) == (2, ["NS0821"])
     assert "leave --readouts out" in outcome.err
 
 
 def test_black_and_missing_scenes_are_refused(folder: Path, run_nscc: RunNscc) -> None:
+    """A black picture gives NS0738 and a missing one NS0730, and no folder is made."""
     assert run_nscc(["demo", "black.png"], folder).codes == ["NS0738"]
     assert run_nscc(["demo", "nothing.jpg"], folder).codes == ["NS0730"]
     assert not list(folder.glob("*_demo"))
@@ -191,6 +194,8 @@ def test_demo_chooses_the_part_of_a_clip_with_the_most_motion_and_no_cut() -> No
 def test_examples_are_listed_copied_and_never_overwritten(
     tmp_path: Path, run_nscc: RunNscc
 ) -> None:
+    """Each example is listed and has a text. A copy has the same bytes, and a second copy gives
+    NS0788."""
     listed = run_nscc(["examples"], tmp_path).out
     for name, path in examples().items():
         assert name in listed
@@ -201,6 +206,7 @@ def test_examples_are_listed_copied_and_never_overwritten(
 
 
 def test_a_new_program_passes_check(tmp_path: Path, run_nscc: RunNscc) -> None:
+    """`nscc new mine` writes the start program, which `nscc check` accepts."""
     assert run_nscc(["new", "mine"], tmp_path).status == 0
     assert (tmp_path / "mine.nsl").read_text() == START
     assert run_nscc(["check", "mine.nsl"], tmp_path).status == 0
@@ -208,6 +214,7 @@ def test_a_new_program_passes_check(tmp_path: Path, run_nscc: RunNscc) -> None:
 
 @pytest.mark.parametrize("name", ["", ".", "..", "a/..", "/", ".nsl"])
 def test_a_new_program_has_a_name(name: str, tmp_path: Path, run_nscc: RunNscc) -> None:
+    """An empty name, a folder and a suffix alone are refused, and nothing is written."""
     assert run_nscc(["new", name], tmp_path).status == 2
     assert not [*tmp_path.iterdir()]
 
@@ -236,6 +243,7 @@ def test_files_that_cannot_be_viewed_are_refused_with_their_contents(tmp_path: P
 def test_an_unknown_tone_curve_is_refused_where_nothing_is_drawn(
     line: str, tmp_path: Path, run_nscc: RunNscc
 ) -> None:
+    """`--tone nope` gives NS0739, although neither command draws a picture."""
     (tmp_path / "a.nsl").write_text(START)
     outcome = run_nscc([*line.split(), "--tone", "nope"], tmp_path)
     assert (outcome.status, outcome.codes) == (2, ["NS0739"])

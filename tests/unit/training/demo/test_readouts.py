@@ -134,6 +134,7 @@ def test_readouts_are_not_joined_without_an_always_open_one(buckets: int, name: 
 
 
 def test_a_burst_shares_out_the_frame() -> None:
+    """Two to four readouts divide 16 slots: each slot is in one, in the order of time."""
     for frames in (2, 3, 4):
         shutters = camera(16, 125.0, frames=frames).table.shutters[0]
         assert shutters.shape == (frames, 16)
