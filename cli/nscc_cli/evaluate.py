@@ -209,7 +209,7 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     with all seeds together."""
     if len(results) % 2:
         raise click.UsageError(
-            f"the number of results is odd, {len(results)}: name A.json B.json for each seed"
+            f"results are compared in pairs, not {len(results)}: name A.json B.json for each seed"
         )
     from nscc_training.evaluation import results as saved
 
