@@ -69,7 +69,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 class _LongTests:
     """Adds up the seconds that each test takes, in the process that reports, and writes the
-    functions whose tests take 1 s each on average, or 10 s together."""
+    functions whose tests take 1 s each on average, or 10 s together. Functions that did not run
+    stay in the list."""
 
     def __init__(self) -> None:
         self.seconds: dict[str, float] = {}
@@ -81,11 +82,13 @@ class _LongTests:
         cases: dict[str, list[float]] = {}
         for nodeid, seconds in self.seconds.items():
             cases.setdefault(_function_of(nodeid), []).append(seconds)
-        long_tests = sorted(
+        long_tests = [
             function
             for function, times in cases.items()
             if sum(times) >= min(_LONG_CASE_S * len(times), _LONG_FUNCTION_S)
-        )
+        ]
+        listed = LONG_TESTS.read_text(encoding="utf-8").split()
+        long_tests = sorted(long_tests + [each for each in listed if each not in cases])
         LONG_TESTS.write_text("".join(f"{line}\n" for line in long_tests), encoding="utf-8")
 
 

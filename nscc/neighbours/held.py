@@ -137,5 +137,5 @@ class Emitter(ABC):
         """Emit the words of the one of `ways` that has the fewest words per share, and return its
         result; of equals, the first.
 
-        `shares` is a number of images for each way, by which its number of words is divided. Raises
+        `shares` has a number of images for each way; the words of the way are divided by it. Raises
         PictureRefused if no way fits the chip."""

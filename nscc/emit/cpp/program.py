@@ -81,7 +81,7 @@ def _margins(container: Container) -> tuple[list[dict[str, Reach]] | None, str]:
     """Return the reach of every plane (by name) in each case, and the C++ expression for the number
     of a frame's case.
 
-    Cases are frames, of which the last one stands for all later ones, or the values of the
+    Cases are frames, where the last one stands for all later ones, or the values of the
     parameters that set numbers of steps. The list is empty without reports, and None if margins
     grow with every frame, if there are too many values, or if earlier values count."""
     pictures, row, names = container.pictures, "0", []

@@ -166,7 +166,7 @@ class Resets:
     def read_level(self, pixels: Pixels, charge: Floats, word: Word, boundary: float) -> Floats:
         """Return the electrons (pixels,) that `word` reads from PIX (the photodiode) at `boundary`
         when PIX contains `charge`: reset level and charge. Where PIX was reset at this boundary,
-        only the level is read. Effects by which light falls during a reset add their charge."""
+        only the level is read. If light falls during a reset, its effects add their charge."""
         charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
         for lit in self._letting_in:
             charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)

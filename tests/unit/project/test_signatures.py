@@ -18,7 +18,7 @@ OPTIONS = {
     "lay_out": "pixels of a scene: threads and known means are options",
     "picture_light": "a picture of a file: how its samples are read are options",
 }
-"""Functions with more arguments, most of which are keywords with defaults."""
+"""Functions with more arguments; most arguments are keywords with defaults."""
 LOOPS = {"compiled", "inlined", "loop"}
 """Decorators of compiled loops, which take arrays and numbers."""
 MIXED = "dict[str, Any]"
