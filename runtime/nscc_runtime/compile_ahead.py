@@ -3,8 +3,8 @@
     python -m nscc_runtime.compile_ahead nscc_runtime nscc_training
     python -m nscc_runtime.compile_ahead --wasm loops.wasm      # the emulator's, for web pages
 
-This is the last step of an installation and takes half a minute. Loops are in modules whose names
-end in `loop` or `loops` (see `nscc_runtime.loop`)."""
+This is the last step of an installation and takes half a minute. Loops must be in modules whose
+names end in `loop` or `loops` (see `nscc_runtime.loop`)."""
 
 from __future__ import annotations
 

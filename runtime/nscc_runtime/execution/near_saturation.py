@@ -5,21 +5,19 @@ The charge of pixels is computed with all requested effects."""
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Annotated
 from weakref import WeakKeyDictionary
 
 import numpy as np
 
-from nscc.arrays import Bytes, Floats, Ints, Ints32
+from nscc.arrays import Floats, Ints
 from nscc_runtime.effects.parts import Moving, Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
-from nscc_runtime.execution.moment_loop import on_side
+from nscc_runtime.execution.candidate_loop import Bounding, find_candidates
 from nscc_runtime.execution.moments import exchanged_fraction, on_chip
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.execution.sum_loop import SlotWeights, light_at, light_sums
 from nscc_runtime.light import Light
-from nscc_runtime.loop import Written, loop, record
 
 Places = Ints
 
@@ -79,49 +77,6 @@ class _Limits:
     dark_part: Floats
     saturation_e: Floats
     mean_e: Floats
-
-
-@record
-class Bounding:
-    """Sizes for `find_candidates`. `exchanged`: fraction of its charge that a pixel gives to each
-    neighbour."""
-
-    rows: int
-    cols: int
-    exchanged: float
-
-
-@loop
-def find_candidates(
-    sizes: Bounding,
-    sum_e: Annotated[Floats, "rows cols"],
-    factor: Annotated[Floats, "pixels"],
-    dark_e: Annotated[Floats, "pixels"],
-    lanes: Annotated[Ints32, "pixels"],
-    most_part: Annotated[Floats, "lane_count"],
-    mean_e: Annotated[Floats, "lane_count"],
-    gained_e: Written[Annotated[Floats, "pixels"]],
-    may_saturate: Written[Annotated[Bytes, "pixels"]],
-) -> None:
-    """Set `may_saturate` to whether the charge of a pixel may reach mean_e[lane], and `gained_e` to
-    the light that it gets from its neighbours.
-
-    The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the light
-    that PIX (the photodiode) or a register of the lane can contain, `most_part`."""
-    cols = sizes.cols
-    for row in range(sizes.rows):
-        first, stop = row * cols, (row + 1) * cols
-        for p in range(first, stop):
-            gained_e[p] = 0.0
-        for side in range(4 if sizes.exchanged > 0.0 else 0):
-            step, begin, end = on_side(row, sizes.rows, cols, side)
-            for p in range(begin, end):
-                gained_e[p] += sum_e[p + step] * factor[p + step]
-        for p in range(first, stop):
-            gained_e[p] *= sizes.exchanged
-            own_e = most_part[lanes[p]] * (sum_e[p] * factor[p])
-            bound_e = own_e + dark_e[p] + gained_e[p]
-            may_saturate[p] = bound_e >= mean_e[lanes[p]]
 
 
 def _search(
