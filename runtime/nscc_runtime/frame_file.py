@@ -181,8 +181,9 @@ class WrittenAsJson(Protocol):
 class Provenance:
     """The origin of a frame. `program_sha256`: digest of the container (a compiled program).
     `sensor`: of the simulation or, for a device, the one that is assumed. Seeds are None if nothing
-    was simulated. `fidelity`: how the frame was made, such as "planned" or "reference". `plan`:
-    JSON values, or a plan (the effects that are simulated), which is converted when it is written.
+    was simulated. `fidelity`: "reference" for a frame of the reference with effects; "planned" for
+    any other simulated frame, also without a plan; or how else the frame was made. `plan`: JSON
+    values, or a plan (the effects that are simulated), which is converted when it is written.
     `audit`: JSON values. Both are None if there is none."""
 
     program_sha256: str
@@ -209,13 +210,17 @@ _UNPLANNED = (
 
 
 def unplanned(
-    chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
+    chosen: Selection,
+    moving: bool,
+    word_reasons: Sequence[str],
+    absent: Mapping[str, str] = MappingProxyType({}),
 ) -> JsonObject:
-    """Return the `plan` entry of a run without a plan, whose words were executed slot by slot: the
-    keys of a plan, with None for what only plans have, and a row for every effect.
+    """Return the `plan` entry of a run without a plan: the keys of a plan, with None for what only
+    plans have, and a row for every effect.
 
-    `chosen`: the selected effects. `moving`: whether the light moves within slots. `absent`: names
-    of effects that the chip cannot have, with the reason, which has priority over others."""
+    `chosen`: the selected effects. `moving`: whether the light moves within slots. `word_reasons`:
+    why pixels run through their words (`RunKind.word_reasons`). `absent`: names of effects that the
+    chip cannot have, with the reason, which has priority over others."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     rows = []
     # Later conditions override earlier ones: an effect that is absent cannot have been simulated.
@@ -242,8 +247,8 @@ def unplanned(
         )
     return {
         **dict.fromkeys(_UNPLANNED),
-        "slot_loop": True,
-        "slot_loop_reasons": ["words are executed slot by slot"],
+        "slot_loop": bool(word_reasons),
+        "slot_loop_reasons": [*word_reasons],
         "sampled_fraction": 0.0,
         "effects": rows,
     }

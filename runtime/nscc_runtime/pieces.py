@@ -155,7 +155,7 @@ def _for_all(
 
     A fraction of the noise is converted to electrons only for an audit, because measuring it takes
     as long as a frame. Raises Rejected if a light does not fit the program."""
-    if not request.planned or KINDS.of(container).without_plan:
+    if not request.by_plan or KINDS.of(container).without_plan:
         return request
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.planned_scene import PlannedScene, planning_of

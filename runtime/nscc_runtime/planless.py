@@ -16,6 +16,6 @@ def refuse_planless(container: Container, subject: str) -> None:
         raise rejected(
             "NS0750",
             f"{subject} needs a plan, but plans do not apply to this program",
-            notes=(f"{reason}, so every selected effect is simulated slot by slot",),
-            helps=(f"leave {subject} out: the simulation makes no approximation",),
+            notes=(f"{reason}, so all selected effects are simulated",),
+            helps=(f"leave {subject} out",),
         )

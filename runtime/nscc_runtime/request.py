@@ -27,14 +27,16 @@ _NONE = type(None)
 class Request:
     """How to expose a scene.
 
-    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.15noise of the frame's own noise, or electrons). The plan is the given `plan`, read from a
-    file, or made now; if `plan` names a file that does not exist, its text is returned. Otherwise
-    words are executed one by one, without effects or with all of `effects` exactly. `audit`
-    measures the error of a plan on all pixels, in the loop over words. With a `turn`, the plan of
-    an earlier scene is reused if it is valid for this scene. `repeat`: number of frames, None for a
-    single frame without an axis of repeats. `params`, `inputs`: what the user gave; `settings` is
-    what follows from them. Results do not depend on `threads` (None: all processors)."""
+    With `by_plan`, a plan chooses which of `effects` are simulated, to `tolerance` (5e, 0.1lsb, 1%
+    of the mean signal, 0.15noise of the frame's own noise, or electrons); if `effects` are not
+    automatic, the plan keeps all of them. The plan is the given `plan`, read from a file, or made
+    now; if `plan` names a file that does not exist, its text is returned. Programs with images have
+    no plan: with `by_plan`, sums simulate all of `effects`. Without `by_plan` words are executed
+    one by one, without effects or with `effects` by the reference. `audit` measures the error of a
+    plan on all pixels, in the loop over words. With a `turn`, the plan of an earlier scene is
+    reused if it is valid for this scene. `repeat`: number of frames, None for a single frame
+    without an axis of repeats. `params`, `inputs`: what the user gave; `settings` is what follows
+    from them. Results do not depend on `threads` (None: all processors)."""
 
     effects: Selection = key(
         Instance(
@@ -86,7 +88,7 @@ class Request:
         "Bits of input planes, loaded before the frame",
         None,
     )
-    planned: bool = True
+    by_plan: bool = True
     turn: Turn | None = None
     settings: tuple[HostSetting, ...] = ()
     """What the host sets before each frame of a program of version 4; the last one also holds for
@@ -144,10 +146,10 @@ class Request:
                 "an existing plan already fixes the effects and the tolerance",
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
-        planned = not reference and (bool(planning_options) or not chosen.noiseless)
+        by_plan = not reference and (bool(planning_options) or not chosen.noiseless)
         if tolerance is not None:
             options["tolerance"] = tolerance
-        return cls(chosen, planned=planned, plan=plan, audit=audit, fidelity=fidelity, **options)
+        return cls(chosen, by_plan=by_plan, plan=plan, audit=audit, fidelity=fidelity, **options)
 
 
 def _contradiction(options: str, note: str, help_text: str) -> Rejected:

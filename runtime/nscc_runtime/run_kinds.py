@@ -48,7 +48,7 @@ class RunKind:
     The classes of other kinds change it, and may be combined: they call `super`."""
 
     without_plan = ""
-    """Why frames are simulated slot by slot, without a plan; empty if plans apply."""
+    """Why frames are simulated without a plan; empty if plans apply."""
     note_without_plan = ""
     """What is said if effects are chosen automatically, and there is no plan."""
     is_fast = False
@@ -67,15 +67,22 @@ class RunKind:
     def exposing(
         self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
     ) -> Exposing:
-        """Return how frames of `light` (a `Light`) are exposed slot by slot: without effects, or
-        with the reference.
+        """Return how frames of `light` (a `Light`) are exposed without a plan: without effects by
+        the emulator, else by the reference.
 
         `effects`: the requested effects that the chip has (a `Selection`). `request`: the other
         options (a `Request`)."""
-        exposing: Exposing = LazyFunctions("nscc_runtime.runs.without_plan").exposing(
+        exposing: Exposing = LazyFunctions("nscc_runtime.runs.without_plan").exact_or_reference(
             container, light, sensor, effects, request
         )
         return exposing
+
+    def word_reasons(
+        self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
+    ) -> tuple[str, ...]:
+        """Return why pixels run through their words in the frames of `exposing`, which has the same
+        arguments; empty if sums of light give all exposures."""
+        return ("every pixel runs through its words",)
 
     def sheet(self, container: Container, title: str) -> Any:
         """Return the figure of `nscc view`: when shutters are open."""

@@ -1,4 +1,4 @@
-"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
+"""One run of a program over a scene on the emulated chip: by a plan, or with all selected effects.
 
 `nscc run` adds files to it, and `nscc_runtime.capture` is its Python interface."""
 
@@ -107,28 +107,29 @@ def _simulated(
     if reason:
         # The tolerance is not used, but a wrong one is still an error.
         check_tolerance(request.tolerance, sensor)
-    if request.planned and not reason:
-        return _planned(container, light, sensor, request, listener)
+    if request.by_plan and not reason:
+        return _by_plan(container, light, sensor, request, listener)
     noiseless = request.effects.noiseless
     if kind.note_without_plan and request.effects.auto:
         _say_once(listener, kind.note_without_plan)
     absent = {} if noiseless else kind.absent_effects(container, request.effects)
     effects = request.effects.without(*absent) if absent else request.effects
+    # Fixed shutters: runs/without_plan.py; images: runs/images_run.py; looks: runs/looks_run.py.
     exposing = kind.exposing(container, light, sensor, effects, request)
     if exposing.loop is not None:
         _say_compiling(listener, exposing.loop, exposing.subject)
     with listener.timings.measure("expose_s"):
         made = exposing.run()
         frame = made if isinstance(made, Frame) else _gathered(made, request.repeat, listener)
-    plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
-    if reason:
-        plan["slot_loop_reasons"] = [reason]
+    word_reasons = kind.word_reasons(container, light, sensor, effects, request)
+    moving = light.motion is not None
+    plan = frame_file.unplanned(request.effects, moving, word_reasons, absent)
     origin = Provenance(
         digest_of(container),
         sensor,
         request.seed,
         request.device_seed,
-        fidelity="planned" if noiseless or (kind.is_fast and request.planned) else "reference",
+        fidelity="planned" if noiseless or (kind.is_fast and request.by_plan) else "reference",
         plan=plan,
     )
     values = [setting.plain(container) for setting in request.settings]
@@ -136,7 +137,7 @@ def _simulated(
     return Simulated(frame, origin, effects=effects)
 
 
-def _planned(
+def _by_plan(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
     """Simulate `light` by a plan (the effects that are simulated) that is made here, read from a

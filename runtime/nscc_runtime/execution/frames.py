@@ -10,7 +10,7 @@ covariance; the random numbers are others."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -94,17 +94,35 @@ class FrameSource:
 
 
 @lru_cache(64)
-def slow_effects(effects: Selection) -> tuple[str, ...]:
-    """Return the names of those `effects` that only the reference simulates for fixed shutters:
-    neither sums of light nor the loop over words have them. Empty if the reference is not
-    needed."""
+def reference_reasons(effects: Selection) -> tuple[str, ...]:
+    """Return a reason, with its name, for each of those `effects` that only the reference simulates
+    for fixed shutters: neither sums of light nor the loop over words have them. Empty if the
+    reference is not needed."""
     # Programs with fixed shutters compare nothing, so effects of comparators do not act.
     return tuple(
-        effect.name
+        f"{effect.name}: only the reference has it"
         for effect in effects.effects
         if isinstance(effect.words, CannotHave)
         or (isinstance(effect.sums, CannotHave) and not {"compare"} >= effect.reference.keys())
     )
+
+
+def word_reasons(
+    container: Container,
+    sensor: Sensor,
+    lights: Sequence[Light],
+    effects: Selection,
+    device_seed: int,
+) -> tuple[str, ...]:
+    """Return why `frame_source` runs pixels through their words in frames of `lights`: effects that
+    only the reference has, or the largest number of pixels near saturation in a frame. Empty if
+    sums suffice for all pixels."""
+    reasons = reference_reasons(effects)
+    if reasons:
+        return reasons
+    program = analysed(container, sensor)
+    near = max(len(near_saturation(program, x, device_seed, effects).places) for x in lights)
+    return (f"{near} pixels may saturate",) if near else ()
 
 
 def frame_source(
@@ -148,7 +166,7 @@ def frame_source(
     count = threads_of(threads)
     chip = container, sensor, light, effects, device_seed, count
     # Some effects exist word by word only; then the reference exposes every pixel.
-    if by_words or slow_effects(effects):
+    if by_words or reference_reasons(effects):
         return FrameSource(*chip, Reference.of(container, sensor, effects), NO_PIXELS.places)
     program = analysed(container, sensor)
     # Pixels that cannot saturate are exposed by sums of light; the others run their words.

@@ -17,7 +17,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
 from nscc_runtime.execution.block_scene import BlockScene, PixelExposures, expose_pixels, lay_out
-from nscc_runtime.execution.frames import frame_source, slow_effects
+from nscc_runtime.execution.frames import frame_source, reference_reasons
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.frame_file import Frame
@@ -88,7 +88,7 @@ class PlannedScene:
         compiled simulations do."""
         if self.looks:
             return lacks(self.container, self.sensor, effects)
-        return tuple(f"{name}: only the reference has it" for name in slow_effects(effects))
+        return reference_reasons(effects)
 
     def frames(self, effects: Selection, seed: int, count: int) -> Iterable[Frame]:
         """Return an iterator over frames 0 to `count` - 1 with `effects` and the noise of `seed`,

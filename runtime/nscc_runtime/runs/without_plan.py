@@ -15,7 +15,7 @@ from nscc_runtime.run_kinds import Exposing
 from nscc_runtime.sensor import Sensor
 
 
-def exposing(
+def exact_or_reference(
     container: Container, light: Light, sensor: Sensor, effects: Selection, request: Request
 ) -> Exposing:
     """Return the function without arguments that exposes the frames of `light`, and the compiled

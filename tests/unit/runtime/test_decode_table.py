@@ -29,7 +29,7 @@ def test_gain_bias_and_variance_are_those_of_the_reference(name: str) -> None:
     program = case(name, rows=ROWS, cols=COLS)
     sensor = sensor_of(program, leakage_tau_s=0.1, analog_gain=0.99, analog_noise_lsb=0.3)
     chosen = selected(EFFECTS)
-    table = decode_arrays(program, sensor, unplanned(chosen, False))
+    table = decode_arrays(program, sensor, unplanned(chosen, False, ()))
     row = table["decode_row"]
     shutter = np.unpackbits(table["decode_shutter"], axis=-1, count=8, bitorder="little")[row]
     gain, bias, variance = (

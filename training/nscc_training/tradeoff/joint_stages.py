@@ -152,7 +152,7 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
     time is that of emulating a frame.
 
     Errors are those of the audit: differences from all effects with the same random numbers. Raises
-    Rejected (NS0750) for a program without plans, whose simulation has no approximations."""
+    Rejected (NS0750) for a program without plans, which is simulated with all effects."""
     container, request = bench.container, bench.request
     refuse_planless(container, "comparing tolerances")
     height, cols = bench.light.shape

@@ -226,7 +226,31 @@ def test_python_has_images_planes_and_reports(tmp_path: Path) -> None:
         captured.light_e_per_s()
 
 
-def test_plans_of_programs_with_images_are_refused() -> None:
+def test_a_frame_with_images_says_which_pixels_ran_through_their_words() -> None:
+    """With effects, sums expose all pixels but the 256 that 40,000 e bring near saturation. Without
+    effects, and in the reference, words run in every pixel."""
     program = nscc.compile(HEAD + "image i = exposure / 2 read i", level=0)
-    with pytest.raises(Rejected, match="NS0750"):
+    dim = np.full((1, 256, 256), 900, np.float32)
+    bright = dim.copy()
+    bright[:, 0] = 40_000
+    every = ["every pixel runs through its words"]
+
+    def reasons(light: NDArray[np.float32], **settings: str) -> tuple[bool, list[str]]:
+        plan = nscc_runtime.capture(program, light, **settings).meta["plan"]
+        return plan["slot_loop"], plan["slot_loop_reasons"]
+
+    assert reasons(dim, effects="all") == (False, [])
+    assert reasons(bright, effects="all") == (True, ["256 pixels may saturate"])
+    assert reasons(bright) == (True, every)
+    assert reasons(dim, effects="shot", fidelity="reference") == (True, every)
+
+
+def test_plans_of_programs_with_images_are_refused() -> None:
+    """The error NS0750 of a program with images claims neither words slot by slot nor exactness."""
+    program = nscc.compile(HEAD + "image i = exposure / 2 read i", level=0)
+    with pytest.raises(Rejected) as refused:
         nscc_runtime.plan(program, np.zeros((1, 256, 256), np.float32))
+    (error,) = refused.value.diagnostics
+    assert error.code == "NS0750"
+    reason = "images and planes depend on the neighbours of every pixel"
+    assert error.notes == (f"{reason}, so all selected effects are simulated",)
