@@ -3,7 +3,7 @@ words read before they write them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from itertools import islice, repeat
 from types import MappingProxyType
 from typing import NamedTuple
@@ -15,7 +15,7 @@ from nscc.chips.target import Target
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Op, Phase, WordEffect
 from nscc.truth import unpacked_bits
 from nscc.words.container import Container
-from nscc.words.legality import picture_words
+from nscc.words.legality import picture_kernels
 
 _FLAG = (WordEffect.FLAG_ANALOG, WordEffect.FLAG_DIGITAL, WordEffect.FLAG_ALL)
 
@@ -48,6 +48,8 @@ class Reach(NamedTuple):
     def without(self, known: Reach) -> Reach:
         """Return the reach of a bit that is known along each side in as many columns and rows as
         `known` says; 0 where this covers all pixels that depend on values outside the array."""
+        if not (any(self) and any(known)):
+            return self
         return Reach(*(0 if far <= width else far for far, width in zip(self, known, strict=True)))
 
     def margin(self, shape: tuple[int, int]) -> Bools:
@@ -128,8 +130,7 @@ class RegisterReaches:
         self.target, self.bits_known = target, bits_known
         self.reach: dict[str, Reach] = {**before}
         self._borders = {name: Border.of_bits(bits) for name, bits in fixed.items()}
-        for word in words:
-            self._run(word)
+        self.run(words)
 
     def of(self, name: str) -> Reach:
         """Return the reach of a register, or of a neighbour's NEWS (`XN`, `XE`, `XS`, `XW`); zeros
@@ -142,6 +143,34 @@ class RegisterReaches:
         """Return the known border of a digital register, of FLAG or of the bus; empty if nothing
         is known."""
         return self._borders.get(name, Border())
+
+    def run(self, words: Iterable[Op]) -> None:
+        """Run further words, in order."""
+        for word in words:
+            self._run(word)
+
+    def repeat(self, words: Sequence[Op], least: int, most: int) -> None:
+        """Run `words` again and again, any number of times from `least` to `most`.
+
+        A register then has the largest reach, and the border that is known, after each of these
+        numbers of times."""
+        ends: list[tuple[dict[str, Reach], dict[str, Border]]] = []
+        for step in range(most + 1):
+            now = dict(self.reach), dict(self._borders)
+            if step >= least:
+                ends.append(now)
+            if step < most:
+                self.run(words)
+            if now == (self.reach, self._borders):  # further steps change nothing
+                ends = ends or [now]
+                break
+        (joined, known), *others = ends
+        for reach, borders in others:
+            changed = reach.items() - joined.items()
+            joined |= {name: far.joined(joined.get(name, Reach())) for name, far in changed}
+            for name, border in borders.items() - known.items():
+                known[name] = Border(*map(_narrower, border, known.get(name, Border())))
+        self.reach, self._borders = joined, known
 
     def _run(self, op: Op) -> None:
         """Update the reach and the known border of the registers that one word writes.
@@ -222,15 +251,15 @@ def beyond_reaches(
     container: Container,
     before: Mapping[str, Reach] = MappingProxyType({}),
     params: Mapping[str, int] = MappingProxyType({}),
+    any_value: Collection[str] = (),
 ) -> dict[str, Reach]:
     """Return how far around a pixel each output and each state depends on values outside the array,
     by name.
 
     `before` is the result for the previous frame, on whose states this frame depends; a missing
     state depends on nothing outside. `params` has values of parameters by name, by default their
-    starts."""
+    starts. The result is the largest one for all values of the parameters `any_value`."""
     pictures = container.pictures
-    words = (op for op, _ in picture_words(container, params))
     states = pictures.stepping
     registers, shape = pictures.registers, (container.target.rows, container.target.cols)
     kept = {registers[name]: before.get(name, Reach()) for name in states}
@@ -239,7 +268,27 @@ def beyond_reaches(
         for plane in pictures.inputs
         if not plane.is_open
     }
-    reaches = RegisterReaches(container.target, words, bits_known=True, before=kept, fixed=fixed)
+    reaches = RegisterReaches(container.target, (), bits_known=True, before=kept, fixed=fixed)
+    kernels, next_launch = picture_kernels(container), 0
+    values: dict[str, tuple[int, ...]] = {
+        param.name: param.ends
+        if param.name in any_value
+        else (params.get(param.name, param.start),)
+        for param in pictures.params
+    }
+
+    def words(first: int, end: int | None) -> list[Op]:
+        """Return the words of the launches from number `first` up to `end`, without it."""
+        launches = pictures.launches[first:end]
+        return [op for launch in launches for op in kernels[launch.kernel]]
+
+    for loop in pictures.loops:
+        name, begin = loop.times.param, next_launch
+        next_launch = loop.first + loop.launches
+        times = [loop.times.at({name: value}) for value in values.get(name, (0,))]
+        reaches.run(words(begin, loop.first))
+        reaches.repeat(words(loop.first, next_launch), min(times), max(times))
+    reaches.run(words(next_launch, None))
     names = dict.fromkeys((*pictures.outputs, *states))
     return {name: reaches.of(registers[name]) for name in names}
 
@@ -248,19 +297,21 @@ def reaches_of_frames(
     container: Container,
     first: dict[str, Reach] | None = None,
     params: Iterable[Mapping[str, int]] = repeat(MappingProxyType({})),
+    any_value: Collection[str] = (),
 ) -> Iterator[dict[str, Reach]]:
     """Yield the result of `beyond_reaches` frame by frame: how far each output and state depends on
     values outside the array, by name.
 
     `first` is the result for the first frame, None if it is not known. `params` has the values of
-    parameters in each frame; by default their starts, without end."""
+    parameters in each frame; by default their starts, without end. The parameters `any_value` may
+    have any value in every frame."""
     names = container.pictures.stepping
     before: dict[str, Reach] = {}
     known: dict[object, dict[str, Reach]] = {}
     for values in params:
         key = tuple(before.items()), tuple(values.items())
         if key not in known:
-            known[key] = first or beyond_reaches(container, before, values)
+            known[key] = first or beyond_reaches(container, before, values, any_value)
         first = None
         yield known[key]
         before = {name: known[key][name] for name in names}
@@ -268,17 +319,20 @@ def reaches_of_frames(
         before = before if any(reach != Reach() for reach in before.values()) else {}
 
 
-def film_reaches(container: Container) -> list[dict[str, Reach]] | None:
+def film_reaches(
+    container: Container, any_value: Collection[str] = ()
+) -> list[dict[str, Reach]] | None:
     """Return how far each output and state depends on values outside the array, by name, in
     consecutive frames.
 
     The list ends with the frame from which this stays the same, so the last entry holds for all
-    later frames. Return None if it grows with every further frame. Parameters have their starts."""
+    later frames. Return None if it grows with every further frame. Parameters have their starts, or
+    for the names `any_value` any values in every frame."""
     film: list[dict[str, Reach]] = []
     # Growth from state to state passes each state once, unless it goes on for ever.
     kept = len(container.pictures.stepping)
     # One frame without the reach of states, one more for each state, and one to find no change.
-    for reaches in islice(reaches_of_frames(container), kept + 2):
+    for reaches in islice(reaches_of_frames(container, any_value=any_value), kept + 2):
         if film and reaches == film[-1]:
             return film
         film.append(reaches)

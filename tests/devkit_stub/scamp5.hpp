@@ -10,6 +10,7 @@
 //   trigger MODE RATE       display NAME ROW COL SIZE
 //   pattern REG R C RX CX   draw REG R C R C ...    request FILE BITS
 //   output REG DISPLAY      integrate NUM DEN       wait US
+//   scan REG COL            scan_bits REG ROW       post TEXT
 //
 // NS is the time on a clock that words, launches, waits and looks at it move on: as long as they
 // should take, and some more that is different each time.
@@ -663,8 +664,9 @@ public:
 inline void vs_disable_frame_trigger() {}
 inline void vs_vision_chip_rest() { std::printf("rest\n"); }
 template <class... Values>
-inline void vs_post_text(const char *, Values...) {
-    std::printf("post\n");
+inline void vs_post_text(const char *format, Values... values) {
+    std::printf("post ");
+    std::printf(format, values...);
 }
 
 inline vs_handle vs_gui_add_display(const char *name, uint8_t row, uint8_t col, int size = 1) {

@@ -159,7 +159,7 @@ def loaded_planes(
         elif name == "loop":
             chip.now_us += 1e6 / rate
         else:
-            assert name in ("display", "request", "in", "wait"), name
+            assert name in ("display", "request", "in", "slider", "wait"), name
     chip.run("nop", (), ())
     corner = (slice(0, target.rows), slice(0, target.cols))
     return {name: plane[corner][:, ::-1] for name, plane in chip.digital.items()}
@@ -193,7 +193,8 @@ def exposures(recording: Recording, container: Container) -> list[list[Event]]:
     for events in recording.frames:
         outputs = [values for name, values in events if name == "output"]
         assert outputs == [[register, str(i)] for i, register in enumerate(shown)]
-        exposure = [event for event in events if event[0] not in ("output", "post", "scan_bits")]
+        reading = ("output", "post", "scan", "scan_bits")
+        exposure = [event for event in events if event[0] not in reading]
         check_readout(exposure, recording, container)
         found.append(exposure)
     return found

@@ -198,13 +198,15 @@ class PlaneLoad:
 
     Without `patterns`, it is loaded from the image `file`. `masked` tells whether it is the chip's
     masked register. `scratch` is a register that holds each pattern before it is added; without it,
-    several patterns are drawn pixel by pixel."""
+    several patterns are drawn pixel by pixel. `input_plane` is the name of the input plane that the
+    host may load again, "" for other planes."""
 
     register: str
     masked: bool
     patterns: Patterns | None
     scratch: str | None
     file: str
+    input_plane: str = ""
 
     @property
     def gathered(self) -> bool:
@@ -234,6 +236,11 @@ class CodeLoading:
     def images(self) -> tuple[PlaneLoad, ...]:
         """The loads that need images."""
         return tuple(load for load in self.loads if load.patterns is None)
+
+    @property
+    def inputs(self) -> tuple[PlaneLoad, ...]:
+        """The loads of input planes that the host may load again."""
+        return tuple(load for load in self.loads if load.input_plane)
 
     @property
     def words(self) -> int:
@@ -293,12 +300,16 @@ class CodeLoading:
         return kernels
 
 
-def loading_of(planes: Mapping[str, Bools], target: Target, stem: str) -> CodeLoading:
+def loading_of(
+    planes: Mapping[str, Bools], target: Target, stem: str, inputs: Mapping[str, str]
+) -> CodeLoading:
     """Choose how to load bit planes, bool (rows, cols), which are given by register in loading
     order.
 
-    The file names of images start with `stem`. The scratch register (for intermediate results) of a
-    plane is an unused register, or one that is loaded later; None if there is neither."""
+    The file names of images start with `stem`. `inputs` has the names of the input planes that the
+    host may load, by register; these are always loaded from images. The scratch register (for
+    intermediate results) of a plane is an unused register, or one that is loaded later; None if
+    there is neither."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -308,13 +319,15 @@ def loading_of(planes: Mapping[str, Bools], target: Target, stem: str) -> CodeLo
         # A register that is loaded later is free until then, but the mask must be 1 for the masked
         # register.
         usable = [r for r in (*free, *later) if not (r == mask and register == masked)]
+        name = inputs.get(register, "")
         loads.append(
             PlaneLoad(
                 register,
                 register == masked,
-                patterns_of(plane),
+                None if name else patterns_of(plane),
                 usable[0] if usable else None,
-                f"{stem}.{register}.bmp",
+                f"{stem}.input_{name}.bmp" if name else f"{stem}.{register}.bmp",
+                name,
             )
         )
     return CodeLoading(target, tuple(loads))

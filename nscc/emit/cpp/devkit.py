@@ -61,11 +61,7 @@ def devkit_fault(container: Container, devkit: Devkit) -> str | None:
 
     It checks what the host must do, registers, words, the size of the array and the range of IN
     (the level sent to all pixels)."""
-    target, pictures = container.target, container.pictures
-    if any(plane.is_open for plane in pictures.inputs):
-        return "has no C++ for input planes that the host loads"
-    if any(report.kind == "sum" for report in pictures.reports):
-        return "has no C++ for sums of images"
+    target = container.target
     fault = loader_fault(container)
     if fault is not None:
         return f"cannot do what the program needs: {fault}"

@@ -255,18 +255,32 @@ void load_image(const char *file, const Plane &plane) {
         vs_wait(@settle@);
 #endif
 
-//: report
+//: margins
 uint32_t frame;                     // so many frames came before
 
+// Writes the numbers of columns on the left and right and of rows at the top and bottom that depend
+// on values beyond the array and are left out of a report: the smallest in the rows `cases` of
+// `margins`. A row is for the number of this frame, where the last row is for all later frames, or
+// for the values of the sliders.
+template <uint32_t rows, uint32_t count>
+void choose(const uint16_t (&margins)[rows][4], const uint32_t (&cases)[count], int (&margin)[4]) {
+    for (int side = 0; side < 4; ++side) {
+        margin[side] = 65535;
+        for (uint32_t row : cases) {
+            const int width = margins[row < rows ? row : rows - 1][side];
+            margin[side] = width < margin[side] ? width : margin[side];
+        }
+    }
+}
+
+//: report
 // Sends the bits of a plane to the host as text: the first `most` coordinates, then the number of
-// bits and the box around them. `margins` are the numbers of columns on the left and right and of
-// rows at the top and bottom that depend on values beyond the array and are left out. `row` chooses
-// them: the number of this frame, where the last row is for all later frames, or the values of the
-// sliders. (In the simulator, the displays show the planes.)
-template <class Plane, uint32_t rows>
-void report(const char *name, const Plane &plane, const uint16_t (&margins)[rows][4], uint32_t row,
-            int most) {
-    const uint16_t *margin = margins[row < rows ? row : rows - 1];
+// bits and the box around them. (In the simulator, the displays show the planes.)
+template <class Plane, uint32_t rows, uint32_t count_of_cases>
+void report(const char *name, const Plane &plane, const uint16_t (&margins)[rows][4],
+            const uint32_t (&cases)[count_of_cases], int most) {
+    int margin[4];
+    choose(margins, cases, margin);
     int count = 0, box[] = {@cols@, @rows@, -1, -1};
     for (int y = margin[2]; y < @rows@ - margin[3]; ++y) {
         uint8_t bits[32];
@@ -287,10 +301,37 @@ void report(const char *name, const Plane &plane, const uint16_t (&margins)[rows
     }
     vs_post_text("%s: %d in %d %d to %d %d\n", name, count, box[0], box[1], box[2], box[3]);
 }
-#endif
+
+//: sum
+// Sends the sum of an image to the host as text, in steps of the converter, of which `zero` stand
+// for 0. (In the simulator, the displays show the image.)
+template <class Image, uint32_t rows, uint32_t count_of_cases>
+void sum(const char *name, const Image &image, const uint16_t (&margins)[rows][4],
+         const uint32_t (&cases)[count_of_cases], double zero) {
+    int margin[4];
+    choose(margins, cases, margin);
+    double total = 0;
+    for (int x = margin[0]; x < @cols@ - margin[1]; ++x) {
+        uint8_t codes[@rows@];
+        const uint8_t col = uint8_t(@cols@ - 1 - x);
+        scamp5_scan_areg(image, codes, 0, col, @rows@ - 1, col, 1, 1);
+        for (int y = margin[2]; y < @rows@ - margin[3]; ++y) {
+            total += codes[y] - zero;
+        }
+    }
+    vs_post_text("%s: %d\n", name, int(total < 0 ? total - 0.5 : total + 0.5));
+}
+
+//: input
+        if (wanted_@number@ != loaded_@number@) {
+            // The host changed the slider: its image is loaded again, while codes are refreshed.
+            loaded_@number@ = wanted_@number@;
+            vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, @rate@);
+            load_@register@();
+            refresh_codes();
+        }
 
 //: frames
-    while (true) {
         // No frame waits for the next: codes fade meanwhile.
         vs_disable_frame_trigger();
         vs_frame_loop_control();

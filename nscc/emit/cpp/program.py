@@ -8,8 +8,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from itertools import product
-from math import ceil, prod
+from math import ceil
 from pathlib import PurePath
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
@@ -32,6 +31,7 @@ from nscc.emit.cpp.frame import (
     schedule_of,
 )
 from nscc.emit.cpp.kernels import MOST_SOURCES, TOO_WIDE, calls, kernel_lines, narrowed
+from nscc.emit.cpp.reports import Margins, margins_of, report_lines, reporting_lines
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.pipeline import KINDS
@@ -48,59 +48,12 @@ from nscc.words.container import (
     with_picture_words,
 )
 from nscc.words.encoding import decode
-from nscc.words.reach import Reach, beyond_reaches, film_reaches
 from nscc.words.readout import converter_of, preparation_of
 
-_MOST_MARGINS = 4096
-"""Most margins of a report that are stored."""
-MARGINS_FOLLOW = (
-    f"the margins of its reports depend on more than {_MOST_MARGINS} values of parameters, or on "
-    "those of earlier frames"
-)
 MARGINS_GROW = (
     "the states carry what is beyond the border one step further with every frame, so that reports "
     "soon cover no pixel"
 )
-
-
-def report_lines(container: Container, film: list[dict[str, Reach]]) -> Iterator[str]:
-    """Yield the C++ function `report` and, for each report, the margins of its plane.
-
-    A margin is how far from each side of the array pixels depend on light beyond it. `film` has the
-    reach of every plane (by name) in each case (`_margins`), at least one."""
-    pictures, target = container.pictures, container.target
-    yield "#ifdef __LPC43XX__"
-    for number, report in enumerate(pictures.reports):
-        rows = (f"{{{', '.join(map(str, reaches[report.plane]))}}}" for reaches in film)
-        yield f"const uint16_t margin_{number}[][4] = {{{', '.join(rows)}}};"
-    yield from template_lines("report", rows=target.rows, cols=target.cols)
-    yield ""
-
-
-def _margins(container: Container) -> tuple[list[dict[str, Reach]] | None, str]:
-    """Return the reach of every plane (by name) in each case, and the C++ expression for the number
-    of a frame's case.
-
-    Cases are frames, where the last one stands for all later ones, or the values of the
-    parameters that set numbers of steps. The list is empty without reports, and None if margins
-    grow with every frame, if there are too many values, or if earlier values count."""
-    pictures, row, names = container.pictures, "0", []
-    if not pictures.reports or not pictures.steps_are_set:
-        return (film_reaches(container) if pictures.reports else []), "frame"
-    ranges = []
-    for number, param in enumerate(pictures.params):
-        if any(loop.times.param == param.name for loop in pictures.loops):
-            names.append(param.name)
-            ranges.append(range(param.low, param.high + 1))
-            row = f"({row}) * {len(ranges[-1])} + param_{number} - ({param.low})"
-    if prod(map(len, ranges)) > _MOST_MARGINS:
-        return None, row
-    cases = [
-        beyond_reaches(container, {}, dict(zip(names, values, strict=True)))
-        for values in product(*ranges)
-    ]
-    carried = any(case[state] != Reach() for case in cases for state in pictures.stepping)
-    return (None if carried else cases), row
 
 
 _SIDE = 1 << ADDRESS_BITS
@@ -134,17 +87,17 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     fault = devkit_fault(container, devkit)
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
-    film, margin_row = _margins(exposure)
-    # Margins are constant tables in C++.
-    if film is None:
+    margins = margins_of(exposure) if exposure.pictures.reports else Margins([], [])
+    if margins is None:
         way_out = "read the plane instead of reporting it"
-        reason = MARGINS_FOLLOW if exposure.pictures.steps_are_set else MARGINS_GROW
-        raise Rejected(_no_cpp(program, devkit, reason, way_out))
+        raise Rejected(_no_cpp(program, devkit, MARGINS_GROW, way_out))
     if container.pixel_codes is None:
         reason = "without `pixels`, the pixels have no codes to load"
         raise Rejected(_no_cpp(program, devkit, reason, _DATA))
     planes = container.planes()
-    loading = loading_of(planes, target, stem)
+    registers = exposure.pictures.registers
+    opened = [plane.name for plane in exposure.pictures.inputs if plane.is_open]
+    loading = loading_of(planes, target, stem, {registers[name]: name for name in opened})
     _check_store(program, container, loading, devkit)
     schedule = schedule_of(container, steered_launches(exposure))
     lines = [
@@ -169,8 +122,8 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         kinds = PixelsExpr | PixelsTile | PixelsFromFile
         statements = [node.span for node in tree.statements if isinstance(node, kinds)]
         lines += [*(_statement(program, span) for span in statements), *loading_lines(loading), ""]
-    lines += report_lines(exposure, film) if film else []
-    lines += ["}  // namespace", "", *_main(container, loading, margin_row)]
+    lines += report_lines(exposure, margins) if margins.cases else []
+    lines += ["}  // namespace", "", *_main(container, loading, margins)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
     return DevkitProgram("".join(f"{devkit.named(line)}\n" for line in lines), images)
 
@@ -278,8 +231,8 @@ def _header(
         data = hashlib.sha256(bitmap(container.planes()[load.register])).hexdigest()
         yield from entry(
             "image",
-            f"{load.file}, in the host application's folder: the code in {load.register}, "
-            f"SHA-256 {data}",
+            f"{load.file}, in the host application's folder: "
+            f"{load.input_plane or 'the code'} in {load.register}, SHA-256 {data}",
         )
     yield from entry(
         "source", f"SHA-256 {hashlib.sha256(program.source.text.encode()).hexdigest()}"
@@ -406,11 +359,9 @@ def _kernels(
         yield ""
 
 
-def _main(container: Container, loading: CodeLoading, margin_row: str) -> Iterator[str]:
+def _main(container: Container, loading: CodeLoading, margins: Margins) -> Iterator[str]:
     """Yield the lines of the function `main`: displays, loading of codes, frames, readout and
-    reports of planes. What the program does not have is left out.
-
-    `margin_row` is the C++ expression for the row of the margins of a frame."""
+    reports of planes, which leave out `margins`. What the program does not have is left out."""
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     pictures = container.pictures
     names = {register: name for name, register in pictures.registers.items()}
@@ -429,6 +380,10 @@ def _main(container: Container, loading: CodeLoading, margin_row: str) -> Iterat
         name = f"{param.name} (steps of {step_e} e)" if param.kind == "level" else param.name
         values = f"{param.low}, {param.high}, {param.start}"
         yield f"    vs_gui_add_slider({literal(name)}, {values}, &param_{number});"
+    for number, load in enumerate(loading.inputs):
+        yield f"    int wanted_{number} = 0, loaded_{number} = 0;"
+        title = literal(f"load {load.input_plane} again")
+        yield f"    vs_gui_add_slider({title}, 0, 1, 0, &wanted_{number});"
     yield ""
     yield from template_lines("record")
     if loading.images:
@@ -444,20 +399,17 @@ def _main(container: Container, loading: CodeLoading, margin_row: str) -> Iterat
     readout_calls = calls(preparing.words)
     assert readout_calls is not None, "every bus of at most four registers has a call"
     prepare += section((call for call, _ in readout_calls), " " * 8)
-    yield from ["", *template_lines("frames", prepare="\n".join(prepare))]
+    yield from ["", "    while (true) {"]
+    for number, load in enumerate(loading.inputs):
+        rate, register = loading_rate(container.target), load.register.lower()
+        yield from template_lines("input", number=number, rate=rate, register=register)
+    yield from template_lines("frames", prepare="\n".join(prepare))
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):
         gain = gains.get(register, 1.0)
         remark = "" if gain == 1 else f"  // times {number_text(gain)}"
         yield f"        scamp5_output_image({register}, display_{number});{remark}"
     if pictures.reports:
-        yield "#ifdef __LPC43XX__"
-        for number, report in enumerate(pictures.reports):
-            title = literal(f"{report.kind} {report.plane}")
-            register = pictures.registers[report.plane]
-            margins = f"margin_{number}, uint32_t({margin_row})"
-            yield f"        report({title}, {register}, {margins}, {report.most});"
-        yield "        frame += frame < 65535;"
-        yield "#endif"
+        yield from reporting_lines(container, margins)
     yield "    }"
     yield "}"

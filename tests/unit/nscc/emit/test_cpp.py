@@ -22,6 +22,7 @@ from devkit_oracle import (
     check_syntax,
     compile_program,
     exposures,
+    loaded_planes,
     needs_compiler,
     record,
     run,
@@ -29,10 +30,11 @@ from devkit_oracle import (
 from marks import slow
 from nscc_command import invoke
 
-from nscc.emit.cpp.codes import patterns_of
+from nscc.emit.cpp.codes import bitmap, patterns_of
 from nscc.words.container import Container, Launch, StoredKernel, with_picture_words
 from nscc.words.encoding import decode
 from nscc.words.file import read_container
+from nscc.words.reach import Reach, reaches_of_frames
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
@@ -468,21 +470,79 @@ def test_margins_of_reports_follow_the_sliders(
         assert scanned == [*range(256 - k)]
 
 
-def test_programs_that_the_devkit_cannot_run_yet_are_refused(tmp_path: Path) -> None:
-    head = "nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\nplane p = exposure > 4%\n"
-    for text, why in (
-        ("input plane q\nplane r = p and q\nread r\n", "input planes"),
-        ("image v = exposure / 2\nread p\nreport sum v\n", "sums of images"),
-        (
-            "param m : 0 .. 4 = 2\nstate s : bit = 0 kept\nkernel k = [[1, 2, 1]] / 4\n"
-            "plane q = k(exposure) > 2%\nplane r = q[m, 0]\nnext s = r\nreport count s\n",
-            "those of earlier frames",
-        ),
-    ):
-        (tmp_path / "p.nsl").write_text(head + text)
-        outcome = invoke(["build", "p.nsl", "--emit", "cpp=-"], tmp_path)
-        assert (outcome.status, outcome.codes) == (1, ["NS0520"])
-        assert why in outcome.err
+@needs_compiler
+@pytest.mark.parametrize("combinations", [9, 2500])
+def test_margins_cover_every_film_of_values_of_sliders(
+    combinations: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A state carries a plane that a slider moved in an earlier frame; another slider moves in
+    another direction. The margin is that of this frame's values, after any values before."""
+    most = round(combinations**0.5) - 1
+    file, container = build(
+        tmp_path,
+        f"nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\nparam m : 0 .. {most} = 1\n"
+        f"param k : {-most} .. 0 = 0\nstate s : bit = 0 kept\nkernel g = [[1], [2], [1]] / 4\n"
+        "plane q = g(exposure) > 2%\nplane r = q[k, m]\nplane t = s[0, -1] or r\nnext s = q\n"
+        "read t\nreport count t\n",
+    )
+    assert ("all values of the other sliders" in file.read_text()) == (combinations > 1024)
+    for m, k in ((0, 0), (2, -1), (most, -most)):
+        monkeypatch.setenv("DEVKIT_STUB_SLIDERS", f"{m},{k}")
+        (frame, *_) = record(file, "-std=c++11", CHIP).frames
+        scanned = [int(values[-1]) for name, values in frame if name == "scan_bits"]
+        films = (
+            [*reaches_of_frames(container, params=[{"m": before}, {"m": m, "k": k}])][-1]
+            for before in range(most + 1)
+        )
+        reach = Reach().joined(*(film["t"] for film in films))
+        assert scanned == [*range(reach.up, 256 - reach.down)]
+
+
+@needs_compiler
+def test_input_planes_are_loaded_at_the_start_and_when_a_slider_moves(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The picture of an open input plane, which the host may replace, is what the plane holds."""
+    text = (
+        "nsl 4\nframe 4 slots of 1ms\ncode stop : 3..4\nopen when n < stop\noutside 0\n"
+        "input plane mask\nplane lit = exposure > 4% and mask\npixels stop = 3 + x % 2\n"
+        "pixels mask = x < 9 and y != 4\nread lit\n"
+    )
+    file, container = build(tmp_path, text)
+    executed = with_picture_words(container)
+    for slider, loads in (("0", 1), ("1", 2)):
+        monkeypatch.setenv("DEVKIT_STUB_SLIDERS", slider)
+        recording = record(file, "-std=c++11", CHIP)
+        check(recording, executed)
+        requests = [values for name, values in recording.loading if name == "request"]
+        # The stub does not answer the first request of all.
+        assert requests == [["p.input_mask.bmp", "1"]] * (1 + loads)
+    other = np.arange(65536).reshape(256, 256) % 7 == 3
+    (tmp_path / "p.input_mask.bmp").write_bytes(bitmap(other))
+    recording = record(file, "-std=c++11", CHIP)
+    planes = loaded_planes(recording, container.target, rest_is_cleared=False)
+    assert np.array_equal(planes[container.pictures.registers["mask"]], other)
+    check_syntax(file, "-std=c++17")
+
+
+@needs_compiler
+def test_sums_of_images_are_those_of_the_converter_codes(tmp_path: Path) -> None:
+    """An image is 0 at code 128. An exposure that is read has all codes for itself, 0 at code 0."""
+    text = (
+        "nsl 4\nframe 4 slots of 1ms\nbucket a open when true\nkernel k = [[1, 2, 1]] / 4\n"
+        "image v = k(a) - 10%\nread a\nreport sum v\nreport sum a\n"
+    )
+    file, container = build(tmp_path, text)
+    recording = record(file, "-std=c++11", CHIP)
+    check_frames(recording, with_picture_words(container))
+    said = [" ".join(values) for name, values in recording.frames[0] if name == "post"]
+    row, col = np.mgrid[0:256, 0:256]
+    registers, target = container.pictures.registers, container.target
+    for name, margin, zero, wells in (("v", 1, 128, 2), ("a", 0, target.zero_lsb, 1)):
+        codes = (3 * row + 5 * col + ord(registers[name])) % 256  # what the stub's scans return
+        total = round(float((codes[:, margin : 256 - margin] - zero).sum()))
+        step_e = round(wells * target.full_well_e / 255, 3)
+        assert f"sum {name} (steps of {step_e:g} e): {total}" in said
 
 
 def test_reports_whose_margin_grows_for_ever_are_refused(tmp_path: Path) -> None:
