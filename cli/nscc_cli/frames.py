@@ -162,14 +162,15 @@ def write_frame(
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.content import frame_content
     from nscc_runtime.frame_file import FrameFile
-    from nscc_runtime.response import with_table
+    from nscc_runtime.response import with_decode_arrays
 
     container, light, frame, meta, *_ = exposed
     with timings.measure("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
+        # For a name in .npz, `file_of` returns the `write` of the frame file.
         content = frame_content(
-            with_table(file, container),
+            with_decode_arrays(file, container),
             container,
             light,
             lambda: replayed(container),

@@ -200,7 +200,7 @@ def _run_on_emulator(
         say(messages_so_far)
     exposed = simulate_scene(container, laid, sensor, request, listener)
     simulated, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
-    about = meta(container, exposed.light, frame, simulated.origin) | exposed.laid
+    about = meta(container, exposed.light, frame, simulated.origin) | exposed.meta_entries
     shown = ExposedFrame(
         container,
         exposed.light,
@@ -223,8 +223,8 @@ def _run_on_emulator(
             say_done(str(simulated.audit))
     # The summary gives one set of figures if all repeated frames are equal.
     kept = container.keeps_states
-    alike = request.effects.noiseless and not kept
-    colours = "colours" in exposed.laid
+    alike = request.effects.without_effects and not kept
+    colours = "colours" in exposed.meta_entries
     say_done(summary(container, frame, files, alike=alike, colours=colours))
     if simulated.broken is not None:
         raise simulated.broken

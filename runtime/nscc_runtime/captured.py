@@ -30,7 +30,7 @@ from nscc_runtime.pieces import Taken
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_file import plan_table
-from nscc_runtime.response import Response, with_table
+from nscc_runtime.response import Response, with_decode_arrays
 from nscc_runtime.run_messages import frame_lines
 
 _SIDE, _MOST = 256, 1024
@@ -165,7 +165,7 @@ class Capture(Frame):
     def meta(self) -> JsonObject:
         """The settings of the capture as JSON values: `meta` of a frame file."""
         origin = self.exposed.simulated.origin
-        return meta(self.container, self.light, self, origin) | self.exposed.laid
+        return meta(self.container, self.light, self, origin) | self.exposed.meta_entries
 
     def save(
         self,
@@ -208,7 +208,11 @@ class Capture(Frame):
         shutters = self.container.table.shutters
         file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
         content = frame_content(
-            with_table(file, self.container), self.container, self.light, lambda: shutters, tone
+            with_decode_arrays(file, self.container),
+            self.container,
+            self.light,
+            lambda: shutters,
+            tone,
         )
         write_together({out: file_of(out, content, "a frame")})
         return out
@@ -248,7 +252,7 @@ class Capture(Frame):
     @property
     def _in_colours(self) -> bool:
         """Whether the scene was exposed once for each colour."""
-        return "colours" in self.exposed.laid
+        return "colours" in self.exposed.meta_entries
 
     @property
     def _fidelity(self) -> str:

@@ -47,7 +47,7 @@ from nscc.mappings import JsonObject
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
-from nscc_runtime.interface import Exposure
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.readout_noise import ReadoutNoise

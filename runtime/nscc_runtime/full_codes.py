@@ -77,8 +77,8 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Floats]:
 
 def _codes_of(program: AnalysedProgram, lanes: NDArray[np.integer]) -> dict[int, Floats]:
     """Return the smallest converter codes (buckets, lanes) that may mean saturation, by bit of
-    `saturated_by`; infinite where no code does. `lanes`: numbers of lanes (groups of pixels with
-    one code each) of `program`."""
+    `saturated_by`; infinite where no code does. `lanes`: numbers of lanes (the pixels of one
+    distinct shutter each) of `program`."""
     exposure, marked = _steady(program, lanes)
     response = shutter_response(program.container, program.sensor, everything())
     noise_e2 = response.variance_e2 + converter_e2(program.sensor, everything())
@@ -105,8 +105,8 @@ def _steady(program: AnalysedProgram, lanes: NDArray[np.integer]) -> tuple[Float
     """Return the mean exposures in electrons of steady light of each of `_LEVELS`, (buckets,
     levels, lanes), and their saturation marks, of the same shape.
 
-    `lanes`: numbers of lanes (groups of pixels with one code each) of `program`. A lane whose PIX
-    (the photodiode) is never read gets no light."""
+    `lanes`: numbers of lanes (the pixels of one distinct shutter each) of `program`. A lane whose
+    PIX (the photodiode) is never read gets no light."""
     container, sensor, effects = program.container, program.sensor, everything()
     seen_s = program.slot_s @ program.seen_slots[:, lanes]
     never = seen_s <= 0
@@ -144,7 +144,7 @@ class _SteadyPixels(WordPixels):
     def run(self, program: AnalysedProgram, rate: Floats, lanes: NDArray[np.integer]) -> Marked:
         """Return exposures in electrons and saturation marks, each (buckets, pixels), of one frame
         in steady light. `rate` (pixels,): electrons per second. `lanes` (pixels,): number of each
-        pixel's lane (the pixels of one code)."""
+        pixel's lane (the pixels of one distinct shutter)."""
         start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
         now_s = 0.0
         for word in program.decayed:

@@ -80,16 +80,17 @@ class Light:
     Parameters
     ----------
     frames : array of float32, or DrawnFrames
-        (T, rows, cols), finite, at least 0: electrons, or electrons per second of a still.
+        (T, rows, cols), finite, at least 0, in any unit; the weights convert to electrons.
     row_start : array of int64
         (N + 1,): where the entries of each slot begin.
     frame_index : array of int32
         (row_start[N],): the frame of each entry.
     weight : array of float64
-        (row_start[N],): the factor of each entry; seconds for a still.
+        (row_start[N],): the electrons of each entry for one unit of its frame.
     kind : {"still", "clip"}
     exposure_scale_e : float
         The factor that converted the scene's own numbers to electrons; 1 for scenes in electrons.
+        It is part of the weights already, and stored in files only.
     motion : Light, optional
         The same light with the motion within slots, if the scene is sampled. It shares `frames`.
     """
@@ -128,12 +129,12 @@ class Light:
         Parameters
         ----------
         frame : array of float32
-            (rows, cols), electrons per second.
+            (rows, cols), in any unit.
         weight : array of float64
-            (N,), seconds.
+            (N,), electrons in each slot for one unit of the picture: seconds for a picture in
+            electrons per second, otherwise seconds times `exposure_scale_e`.
         exposure_scale_e : float
-            The factor that converted the picture's own numbers to electrons per second. It is only
-            noted.
+            The factor from the picture's unit to electrons per second, which `weight` contains.
 
         Returns
         -------
@@ -152,9 +153,9 @@ class Light:
         Parameters
         ----------
         frames : array of float32
-            (N, rows, cols).
+            (N, rows, cols), in any unit.
         exposure_scale_e : float
-            Factor from `frames` to electrons.
+            Factor from `frames` to electrons, which becomes the weight of every frame.
 
         Returns
         -------

@@ -16,9 +16,9 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check
 from nscc_runtime.execution.block_program import lacks
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
+from nscc_runtime.exposed_frame import Executed, Exposure
 from nscc_runtime.frame_file import Frame, check_adc, converted
-from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.looking.paths import paths_of
@@ -73,7 +73,7 @@ def frame_exposer(
         )
     shape = light.shape
     places = np.arange(shape[0] * shape[1], dtype=np.int64)
-    block = lay_out(container, sensor, light, effects, places, seeds[1], threads)
+    block = prepare_pixels(container, sensor, light, effects, places, seeds[1], threads)
     paths = paths_of(container, retention_us(effects, sensor))
     assert not isinstance(paths, str)  # `lacks` says so
 

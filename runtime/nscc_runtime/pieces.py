@@ -39,15 +39,15 @@ class Taken:
     """The result of exposing a scene, its pieces joined. Colours are a leading axis of the frames.
 
     `container`: has a code for every pixel of the picture. `program`: the container (a compiled
-    program) for one array. `light`: the scene's light, for a colour capture the red light. `laid`:
-    metadata for the frame file. `placement`: how the picture lies on the arrays. `pieces`: number
-    of exposures, all colours together. The plan is that of the piece with the largest predicted
-    error."""
+    program) for one array. `light`: the scene's light, for a colour capture the red light.
+    `meta_entries`: metadata for the frame file. `placement`: how the picture lies on the arrays.
+    `pieces`: number of exposures, all colours together. The plan is that of the piece with the
+    largest predicted error."""
 
     simulated: Simulated
     container: Container
     light: Light
-    laid: JsonObject
+    meta_entries: JsonObject
     program: Container
     placement: Placement
     pieces: int
@@ -83,7 +83,7 @@ def simulate_scene(
         placement = overlapping(container, placement)
         exposed = with_planes_for_reports(container)
     # One light for each part of a picture and each colour, exposed one after the other.
-    lights = [piece for laid in scene for piece in placement.pieces(laid.light)]
+    lights = [piece for placed in scene for piece in placement.pieces(placed.light)]
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     piece_listener = listener
     if len(lights) > 1:
@@ -119,7 +119,7 @@ def simulate_scene(
         simulated,
         container=whole,
         light=light,
-        laid=about,
+        meta_entries=about,
         program=container,
         placement=placement,
         pieces=count,

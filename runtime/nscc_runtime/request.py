@@ -146,7 +146,7 @@ class Request:
                 "an existing plan already fixes the effects and the tolerance",
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
-        by_plan = not reference and (bool(planning_options) or not chosen.noiseless)
+        by_plan = not reference and (bool(planning_options) or not chosen.without_effects)
         if tolerance is not None:
             options["tolerance"] = tolerance
         return cls(chosen, by_plan=by_plan, plan=plan, audit=audit, fidelity=fidelity, **options)

@@ -66,7 +66,7 @@ class ShutterResponse:
         cls, weights: Backward, slot_s: Floats, sensor: Sensor, effects: Selection
     ) -> ShutterResponse:
         """Return the response that `weights` of slots and words cause; its rows are their lanes
-        (groups of pixels with one code each). `slot_s` (N,): slot lengths in seconds. Errors of
+        (the pixels of one distinct shutter each). `slot_s` (N,): slot lengths in seconds. Errors of
         `effects` that are off are 0."""
         seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
         dark = effects.find_part(CountedDark)
@@ -92,8 +92,8 @@ class ShutterResponse:
 @OfContainer
 def shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
     """Return the response of a program whose pixels do not look, one row for each lane (the pixels
-    of one code); cached for its arguments. Raises Rejected (NS0442) if FLAG depends on the light.
-    FLAG is the bit that lets a pixel act."""
+    of one distinct shutter); cached for its arguments. Raises Rejected (NS0442) if FLAG depends on
+    the light. FLAG is the bit that lets a pixel act."""
     kept_us = retention_us(effects, sensor)
     words = analog_words(container, kept_us)
     weights = backward(container, words, WeightModel.of(effects, sensor))
@@ -176,7 +176,7 @@ _KNOWN: tuple[type[Part], ...] = (
 states the size of other effects."""
 
 
-def with_table(file: FrameFile, container: Container) -> FrameFile:
+def with_decode_arrays(file: FrameFile, container: Container) -> FrameFile:
     """Return `file` with the arrays `decode_..` that decoders need, for the sensor and the plan
     (the effects that are simulated) of its meta; unchanged where `decode_arrays` returns none."""
     arrays = decode_arrays(container, Sensor(file.meta["sensor"]), plan=file.meta["plan"])

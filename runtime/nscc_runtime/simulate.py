@@ -109,10 +109,10 @@ def _simulated(
         check_tolerance(request.tolerance, sensor)
     if request.by_plan and not reason:
         return _by_plan(container, light, sensor, request, listener)
-    noiseless = request.effects.noiseless
+    without_effects = request.effects.without_effects
     if kind.note_without_plan and request.effects.auto:
         _say_once(listener, kind.note_without_plan)
-    absent = {} if noiseless else kind.absent_effects(container, request.effects)
+    absent = {} if without_effects else kind.absent_effects(container, request.effects)
     effects = request.effects.without(*absent) if absent else request.effects
     # Fixed shutters: runs/without_plan.py; images: runs/images_run.py; looks: runs/looks_run.py.
     exposing = kind.exposing(container, light, sensor, effects, request)
@@ -129,7 +129,9 @@ def _simulated(
         sensor,
         request.seed,
         request.device_seed,
-        fidelity="planned" if noiseless or (kind.is_fast and request.by_plan) else "reference",
+        fidelity="planned"
+        if without_effects or (kind.is_fast and request.by_plan)
+        else "reference",
         plan=plan,
     )
     values = [setting.plain(container) for setting in request.settings]

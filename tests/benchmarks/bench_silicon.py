@@ -85,8 +85,8 @@ class Chip:
 
     def codes(self, pixels, shape: tuple[int, int], frame: int) -> np.ndarray:
         """Return the codes of register F."""
+        from nscc_runtime.exposed_frame import Exposure
         from nscc_runtime.frame_file import converted
-        from nscc_runtime.interface import Exposure
 
         values = pixels.register["F"].reshape(1, *shape)
         exposure = Exposure(values, np.ones(values.shape, np.bool_))

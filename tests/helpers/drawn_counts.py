@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.execution.block_draws import BLOCK, ROOM
+from nscc_runtime.execution.block_draws import DRAW_BLOCK, ROOM
 from nscc_runtime.execution.count_loop import Counting, draw_counts
 from nscc_runtime.noise import poisson
 
@@ -18,10 +18,10 @@ def by_plan(stream: np.uint64, pixels: np.ndarray, rate: np.ndarray) -> np.ndarr
         keys=np.array([stream], np.uint64),
         rates=rates[None],
         places=pixels,
-        values=np.empty(BLOCK),
+        values=np.empty(DRAW_BLOCK),
         scratch=np.empty(ROOM),
-        pending_rates=np.empty(BLOCK),
-        pending_pixels=np.empty(BLOCK, np.int64),
+        pending_rates=np.empty(DRAW_BLOCK),
+        pending_pixels=np.empty(DRAW_BLOCK, np.int64),
         away=away,
     )
     # A rate that is not finite has no deviation.

@@ -13,7 +13,7 @@ import numpy as np
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything, selected
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
@@ -80,8 +80,8 @@ def loop_frames(
 ) -> np.ndarray:
     """Exposures (count, buckets, pixels) of whole frames by the loop over words."""
     places = np.arange(light.shape[0] * light.shape[1])
-    laid = lay_out(container, sensor, light, effects, places, device_seed)
-    return np.stack([expose_pixels(laid, seed, frame).exposure_e for frame in range(count)])
+    prepared = prepare_pixels(container, sensor, light, effects, places, device_seed)
+    return np.stack([expose_pixels(prepared, seed, frame).exposure_e for frame in range(count)])
 
 
 def pool(light: Light) -> int:

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from emulator_programs import target_of
 
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import read_out
-from nscc_runtime.interface import Exposure
 from nscc_runtime.sensor import default_sensor
 
 # A full well is a step of IN: exposures are spread over the codes without a rest.

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from emulator_programs import target_of
 
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import read_out
-from nscc_runtime.interface import Exposure
 from nscc_runtime.sensor import default_sensor
 
 # A full well is a step of IN: exposures are spread over the codes without a rest.

@@ -46,8 +46,8 @@ class EmulatedChip:
         The bytes of the frame are, as far as they are requested, all converter codes, then all
         exposures, then all planes of states. Codes and exposures are in the order of readout,
         column and row. Raises what the scene raises for these slots."""
+        from nscc_runtime.exposed_frame import Exposure
         from nscc_runtime.frame_file import read_out
-        from nscc_runtime.interface import Exposure
         from nscc_runtime.neighbours.pictured_program import image_sensor
 
         # The light depends on the lengths of the slots only, so it is computed once for a

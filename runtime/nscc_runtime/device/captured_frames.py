@@ -25,7 +25,7 @@ from nscc_runtime.frame_file import Frame, FrameFile, Provenance, joined, meta
 from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.response import with_table
+from nscc_runtime.response import with_decode_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
 
 
@@ -134,4 +134,4 @@ def capture_to(
     meta = device_meta(chip, shot.frame, sensor, container, params=params)
     meta |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
     file = FrameFile(shot.frame, meta, {}, {})
-    write_whole(path, (with_table(file, container) if container else file).write)
+    write_whole(path, (with_decode_arrays(file, container) if container else file).write)

@@ -24,7 +24,7 @@ from nscc.words.file import to_bytes
 from nscc.words.readout import converter_of
 from nscc_runtime.device.device_chip import frame_of_readouts
 from nscc_runtime.frame_file import FrameFile, Provenance, check_adc, meta
-from nscc_runtime.response import with_table
+from nscc_runtime.response import with_decode_arrays
 from nscc_runtime.run_kinds import Sent
 from nscc_runtime.sensor import Sensor, default_sensor
 
@@ -144,7 +144,7 @@ def frame_of_pictures(
         "flip": orientation.flip,
         "transpose": orientation.transpose,
     }
-    return with_table(FrameFile(frame, meta_values, {}, {}), container)
+    return with_decode_arrays(FrameFile(frame, meta_values, {}, {}), container)
 
 
 def readout_names(container: Container) -> tuple[tuple[str, ...], dict[str, str]]:

@@ -38,6 +38,6 @@ FULL_WELL = Effect(
     },
     size="rms and mean of the charge that is lost, of pixels that come near the well",
     sums=(Well(FULL),),
-    words=InLoop("holds", {"well": FULL}),
+    words=InLoop("well_clips", {"well": FULL}),
     marks={"well": Mark(bit=1, name="well"), "subtracted": Mark(bit=8, name="reset level")},
 )

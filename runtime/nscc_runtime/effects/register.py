@@ -106,6 +106,6 @@ REGISTER = Effect(
     size="rms and mean of what is lost by the largest partial sums, of pixels that come near "
     "the knee; of those that noise alone takes there, what a frame loses to it",
     sums=(Soft(_linear, _compute_loss_e),),
-    words=InLoop("bends", {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE}),
+    words=InLoop("registers_bend", {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE}),
     marks={"registers": Mark(bit=2, name="register", least_e=_half_slope_loss_e)},
 )

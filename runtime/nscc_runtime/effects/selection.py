@@ -36,8 +36,9 @@ class Selection:
         return Selection, (self.on, self.forced, self.auto)
 
     @property
-    def noiseless(self) -> bool:
-        """Whether only permanent effects are selected, so that the exposure is the sum of light."""
+    def without_effects(self) -> bool:
+        """Whether only permanent effects are selected: the exposure is the sum of light, without
+        noise, losses or saturation."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:

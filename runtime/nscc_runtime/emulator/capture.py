@@ -11,7 +11,7 @@ from nscc.words.legality import decoded
 from nscc.words.soundness import faults
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.emulator.chip_program import ChipProgram
-from nscc_runtime.interface import Exposure
+from nscc_runtime.exposed_frame import Exposure
 
 if TYPE_CHECKING:
     from nscc.words.container import Container

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 Bits = Bools
 
-BLOCK = 8192
+EMULATED_BLOCK = 8192
 """Number of pixels exposed together, a multiple of 64. Their registers stay in the cache."""
 
 
@@ -148,7 +148,7 @@ class ChipProgram:
             block, length = (rows, cols), cols + 1
         else:
             rows, cols = 1, pixels
-            block = 1, min(BLOCK, (pixels + 63) // 64 * 64)
+            block = 1, min(EMULATED_BLOCK, (pixels + 63) // 64 * 64)
             length = block[1]
         registers = len(table.analog)
         shape = table.shape(*block, length, registers)

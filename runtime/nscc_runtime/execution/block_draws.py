@@ -1,7 +1,7 @@
 """Counts of a block of pixels, for the loops over the pixels of a frame.
 
 Random numbers are keyed by place, the index of a pixel on the chip. `scratch` (`ROOM` numbers),
-`pending_rates` and `pending_pixels` (`BLOCK` each) are working memory of the loops."""
+`pending_rates` and `pending_pixels` (`DRAW_BLOCK` each) are working memory of the loops."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.noise_loops import uniform
 from nscc_runtime.noise.poisson_law import RATE_CAP, SEARCH_BELOW, SETTLED_ABOVE, quantile
 
-BLOCK = 1024
+DRAW_BLOCK = 1024
 """Number of pixels of a block."""
 
-ROOM = 5 * BLOCK
+ROOM = 5 * DRAW_BLOCK
 """Length of the array `scratch` for drawing counts."""
 
 MOST_COUNTED = 80
@@ -170,7 +170,7 @@ def counted(
     pending_pixels: Ints,
 ) -> None:
     """Replace the rates values[i] by Poisson counts drawn with the random key `stream` at
-    places[first + i], for i from 0 to stop - first - 1, at most `BLOCK` pixels.
+    places[first + i], for i from 0 to stop - first - 1, at most `DRAW_BLOCK` pixels.
 
     For rates below SEARCH_BELOW they equal those of `nscc_runtime.noise.poisson_law.search`, else
     `quantile` rounded down; below SETTLED_ABOVE, they are at least the count at SEARCH_BELOW. Rates
@@ -191,7 +191,7 @@ def counted(
             x = np.floor(quantile(scratch[i], values[i]))
             values[i] = x if x > 0.0 else 0.0
         return
-    uniforms, normals, counts = BLOCK, 0, 2 * BLOCK
+    uniforms, normals, counts = DRAW_BLOCK, 0, 2 * DRAW_BLOCK
     for i in range(count):
         scratch[uniforms + i] = uniform(stream, places[first + i])
     uses_formula = middle > count // _FEW
@@ -215,7 +215,14 @@ def counted(
         pending_rates[j] = rate if rate < SEARCH_BELOW else SEARCH_BELOW
         scratch[uniforms + j] = scratch[uniforms + pending_pixels[j]]
     _searched(
-        unsure, pending_rates, pending_pixels, uniforms, 3 * BLOCK, 4 * BLOCK, scratch, counts
+        unsure,
+        pending_rates,
+        pending_pixels,
+        uniforms,
+        3 * DRAW_BLOCK,
+        4 * DRAW_BLOCK,
+        scratch,
+        counts,
     )
     if high:
         _raised(count, values, scratch, counts)

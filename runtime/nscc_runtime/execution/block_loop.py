@@ -14,7 +14,7 @@ import numpy as np
 
 from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc_runtime.execution.layout import (
-    BLOCK,
+    WORD_BLOCK,
     FixedPatterns,
     LoopProgram,
     LoopWord,
@@ -65,9 +65,10 @@ class BlockScratch(NamedTuple):
     `head`: the first pixel that waits before each segment (a part of a path between two
     comparisons), -1 if none. `behind`: the next waiting pixel after each pixel, -1 if none.
     `reached`: the stretch (slots between two reads or resets of PIX) that each pixel has reached.
-    `fallen_fraction`: the fraction of this stretch that is collected. All but `head` have `BLOCK`
-    numbers, and pixels are numbered from the first of the block. `keys`: for each word, the random
-    key of its read or reset, then those of its comparison or destinations (1 + `numbered` keys)."""
+    `fallen_fraction`: the fraction of this stretch that is collected. All but `head` have
+    `WORD_BLOCK` numbers, and pixels are numbered from the first of the block. `keys`: for each
+    word, the random key of its read or reset, then those of its comparison or destinations (1 +
+    `numbered` keys)."""
 
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
@@ -119,18 +120,18 @@ def _draw(
     """Draw standard normal numbers for word number `w` in the `count` pixels state.running of the
     block that begins with pixel `first`.
 
-    state.normals gets them in rows of `BLOCK` numbers: row 0 for its read or reset, row 1 for its
-    comparison, or row 1 + d for its destination d. Rows of effects that are off keep their old
+    state.normals gets them in rows of `WORD_BLOCK` numbers: row 0 for its read or reset, row 1 for
+    its comparison, or row 1 + d for its destination d. Rows of effects that are off keep their old
     numbers. The numbers depend on `block.keys` and `places` only."""
     running, normals, at = state.running, state.normals, w * (1 + sizes.numbered)
     if (word.resets and switches.reset_errors) or (word.reads_pix and switches.read_errors):
         _drawn(block.keys[at], places, first, running, count, normals, 0)
     if word.compares and switches.compares_noisy:
-        _drawn(block.keys[at + 1], places, first, running, count, normals, BLOCK)
+        _drawn(block.keys[at + 1], places, first, running, count, normals, WORD_BLOCK)
     is_noisy = switches.word_errors and (word.adds or numbers.move_error)
     for d in range(word.destinations if is_noisy else 0):
         key = block.keys[at + 1 + d]
-        _drawn(key, places, first, running, count, normals, (1 + d) * BLOCK)
+        _drawn(key, places, first, running, count, normals, (1 + d) * WORD_BLOCK)
 
 
 @compiled
@@ -156,7 +157,7 @@ def _fall(
     pixels = sizes.charged
     for j in range(count):
         i = state.running[j]
-        at = switches.registers * BLOCK + i
+        at = switches.registers * WORD_BLOCK + i
         for k in range(block.reached[i], stretch):
             charge_e = charge.electrons[k * pixels + first + i] * (1.0 - block.fallen_fraction[i])
             fill(switches, numbers, state, at, charge_e)
@@ -227,9 +228,9 @@ def _along(
         add(switches, numbers, word, count, program, state)
         if word.compares:
             asks = True
-            compare(switches, numbers, count, state, BLOCK)
+            compare(switches, numbers, count, state, WORD_BLOCK)
             continue
-        write(switches, numbers, word, count, program, state, BLOCK)
+        write(switches, numbers, word, count, program, state, WORD_BLOCK)
     ended = count
     # Without a comparison, all pixels go on as if the answer were 0.
     for j in range(count):
@@ -269,8 +270,8 @@ def run_blocks(
     arrays. `block` and `state` are working memory; block.head must be -1 everywhere, and is so
     again at the end."""
     _set_keys(sizes, keys, program, block)
-    for first in range(sizes.first, sizes.end, BLOCK):
-        count = min(BLOCK, sizes.end - first)
+    for first in range(sizes.first, sizes.end, WORD_BLOCK):
+        count = min(WORD_BLOCK, sizes.end - first)
         for i in range(count):
             block.reached[i], block.fallen_fraction[i] = 0, 0.0
             begin(switches, state, i)

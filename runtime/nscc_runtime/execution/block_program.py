@@ -82,7 +82,7 @@ class BlockProgram:
     @property
     def most_stretches(self) -> int:
         """The largest number of stretches (groups of slots between reads or resets of PIX) of a
-        lane (the pixels of one code)."""
+        lane (the pixels of one distinct shutter)."""
         return int(np.diff(self.stretches.start).max()) - 1
 
 
@@ -109,8 +109,8 @@ def block_program(container: Container, kept_us: float, every_slot: bool = False
     slot of a program that looks is a stretch of its own, so that light is added in the order in
     which exposures are defined; ignored for fixed shutters. Raises Rejected if a word is no
     operation of the chip (`nscc_runtime.reference.trace.analog_words`), and ValueError if pixels
-    look and their paths cannot be listed. A stretch is the slots between two reads or resets of
-    PIX, the photodiode."""
+    look and their paths cannot be listed. A stretch is the slots whose charge is counted as one
+    number: for fixed shutters, those between two reads or resets of PIX, the photodiode."""
     if KINDS.of(container).open_times_known:
         return _of_codes(container, analog_words(container, kept_us))
     paths = paths_of(container, kept_us)
@@ -169,8 +169,8 @@ def _in_use(
     lane's next reset: nothing depends on them.
 
     `lane`, `word`: entry i says that word number word[i] acts in lane lane[i]; sorted by lane (the
-    pixels of one code), then by word. `resets`, `reads` (words,): whether a word resets PIX, or
-    reads it."""
+    pixels of one distinct shutter), then by word. `resets`, `reads` (words,): whether a word resets
+    PIX, or reads it."""
     on_pix = np.flatnonzero(resets[word] | reads[word])
     is_read = np.zeros(len(on_pix), np.bool_)
     is_read[:-1] = reads[word[on_pix[1:]]] & (lane[on_pix[1:]] == lane[on_pix[:-1]])
@@ -182,9 +182,8 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
     """Return the program of pixels that look: its segments are those of `paths`, which end with a
     comparison or at the end of the frame.
 
-    All pixels have the same stretches, which begin at the boundaries where words run, or with
-    `every_slot` at all boundaries. Pixels begin in the segment of their code. A stretch is the
-    slots between two reads or resets of PIX, the photodiode."""
+    All pixels have the same stretches of slots, which begin at the boundaries where words run, or
+    with `every_slot` at all boundaries. Pixels begin in the segment of their code."""
     assert container.pixel_codes is not None
     slots, shape = container.slots, container.pixel_codes.shape
     bounds = range(slots + 1) if every_slot else (word.boundary for word in paths.words)

@@ -1,9 +1,10 @@
 """Pixels of a scene that run through their words: their light, once, and any number of frames.
 
-`lay_out` computes everything that frames share: the mean charge of every stretch of slots, and the
-fixed patterns. `expose_pixels` draws the counts of a frame, exchanges them between neighbours, and
-runs the words. Every draw is keyed by seed, effect, frame, event and place, so scenes with other
-effects or other pixels have the same random numbers."""
+`prepare_pixels` computes everything that frames share, unless it takes too much memory: the mean
+charge of every stretch of slots, and the fixed patterns. `expose_pixels` draws the counts of a
+frame, exchanges them between neighbours, and runs the words. Every draw is keyed by seed, effect,
+frame, event and place, so scenes with other effects or other pixels have the same random
+numbers."""
 
 from __future__ import annotations
 
@@ -41,19 +42,20 @@ from nscc_runtime.execution.block_program import (
 )
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.layout import (
-    BLOCK,
+    WORD_BLOCK,
     FixedPatterns,
     Numbers,
     PixelState,
     Switches,
     WordKeys,
 )
+from nscc_runtime.execution.program import light_under
 from nscc_runtime.execution.stretch_loop import (
-    TOGETHER,
+    STRETCH_BLOCK,
     Exchanging,
-    Laying,
     Sites,
     StretchMeans,
+    StretchSizes,
     charge_means,
     dark_means,
     exchange_counts,
@@ -121,7 +123,8 @@ class ChargeScene:
 @dataclass(frozen=True, eq=False)
 class BlockScene:
     """Pixels of a scene under some effects, ready to expose any frame. `places`: places (pixels,)
-    of these pixels on the chip. `device_seed`: seed of the fixed patterns."""
+    of these pixels on the chip. `light`: what they collect, with motion if that effect is on
+    (`light_under`). `device_seed`: seed of the fixed patterns."""
 
     container: Container
     program: BlockProgram
@@ -135,12 +138,12 @@ class BlockScene:
     parts: list[Ints]
     """For each group of pixels whose charge is computed together, their indices in `places`."""
     known_means: Recent | None = None
-    """Cache of means of light that several scenes share, see `lay_out`."""
+    """Cache of means of light that several scenes share, see `prepare_pixels`."""
     kept: tuple[ChargeScene, ...] = ()
     """The charge of all parts; empty if it takes too much memory."""
 
 
-def lay_out(
+def prepare_pixels(
     container: Container,
     sensor: Sensor,
     light: Light,
@@ -183,8 +186,7 @@ def lay_out(
     reasons = lacks(container, sensor, effects)
     if reasons:
         raise ValueError("; ".join(reasons))
-    program = block_program(container, retention_us(effects, sensor), effects.noiseless)
-    source = (effects.find_part(Moving) and light.motion) or light
+    program = block_program(container, retention_us(effects, sensor), effects.without_effects)
     lane = program.lane.reshape(-1)[places]
     # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
     # 16-bit numbers are sorted by radix, ten times as fast as others.
@@ -197,7 +199,7 @@ def lay_out(
         container,
         program,
         sensor,
-        source,
+        light_under(effects, light),
         effects,
         places,
         device_seed,
@@ -251,7 +253,7 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
 
     def compute(means_loop: Any, begin: int, end: int) -> None:
         """Run a loop that completes `means` from `begin` up to before `end`."""
-        means_loop(sizes=Laying(begin=begin, end=end, **sizes), **shared)
+        means_loop(sizes=StretchSizes(begin=begin, end=end, **sizes), **shared)
 
     def with_light() -> list[Floats]:
         """Add up the light in `means`, and return copies of those that contain it."""
@@ -283,7 +285,7 @@ def _add_light(
     scene: BlockScene, sites: Sites, means: StretchMeans, sizes: NamedValues, threads: int
 ) -> None:
     """Add up, in `means`, the light of all `sites` for each stretch of slots. `sizes`: the fields
-    of `Laying` but for `begin` and `end`."""
+    of `StretchSizes` but for `begin` and `end`."""
     light, at_light, count = scene.light, sites, len(sites.place)
     order = np.arange(count) if light.even else np.argsort(sites.place)
     if scene.known_means is not None and isinstance(light.frames, DrawnFrames):
@@ -297,14 +299,14 @@ def _add_light(
         their places in `strip`."""
         bounds = {"begin": first + begin, "end": first + end, "pixels": prod(strip.shape)}
         light_means(
-            sizes=Laying(**{**sizes, **bounds}),
+            sizes=StretchSizes(**{**sizes, **bounds}),
             stretches=scene.program.stretches,
             sites=own,
             light=strip.matrix,
             order=order,
             means=means,
-            reached=np.empty(TOGETHER, np.int64),
-            added=np.empty(2 * TOGETHER),
+            reached=np.empty(STRETCH_BLOCK, np.int64),
+            added=np.empty(2 * STRETCH_BLOCK),
         )
 
     for rows, top, strip in light.strips(1):
@@ -374,7 +376,7 @@ def expose_pixels(
     Parameters
     ----------
     scene : BlockScene
-        The result of `lay_out`.
+        The result of `prepare_pixels`.
     seed, frame : int
         Seed of the noise, and number of the frame.
     threads : int
@@ -436,11 +438,11 @@ def _charge_of_frame(
             mean_e=charge.means.charge,
             missing_e2=charge.means.missing_e2,
             away=away,
-            drawn=np.empty(BLOCK),
+            drawn=np.empty(WORD_BLOCK),
             charge=charge_e,
         )
 
-    in_parts(run, charge.pixels, threads, BLOCK)
+    in_parts(run, charge.pixels, threads, WORD_BLOCK)
     return charge_e
 
 
@@ -489,13 +491,13 @@ def _run_words(
             ),
             block=BlockScratch(
                 head=np.full(segments, -1, np.int64),
-                behind=np.empty(BLOCK, np.int64),
-                reached=np.empty(BLOCK, np.int64),
-                fallen_fraction=np.empty(BLOCK),
+                behind=np.empty(WORD_BLOCK, np.int64),
+                reached=np.empty(WORD_BLOCK, np.int64),
+                fallen_fraction=np.empty(WORD_BLOCK),
                 keys=np.empty(words * (1 + program.numbered), np.uint64),
             ),
             state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),
             **shared,
         )
 
-    in_parts(run, pixels, threads, BLOCK)
+    in_parts(run, pixels, threads, WORD_BLOCK)

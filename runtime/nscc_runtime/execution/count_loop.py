@@ -8,7 +8,7 @@ from typing import Annotated
 import numpy as np
 
 from nscc.arrays import Floats, Ints
-from nscc_runtime.execution.block_draws import BLOCK, ROOM, counted
+from nscc_runtime.execution.block_draws import DRAW_BLOCK, ROOM, counted
 from nscc_runtime.loop import Words, Written, loop, record
 from nscc_runtime.noise import RATE_CAP, keys
 from nscc_runtime.pool import in_parts
@@ -44,9 +44,9 @@ def draw_counts(
 
     `keys`: the random key of each group. `places`: the place of each pixel on the chip. Arrays of
     two axes are flat here, row after row. `values`, `pending_rates` and `pending_pixels` are
-    working memory for `BLOCK` pixels, `scratch` for five times as many."""
-    for first in range(counting.begin, counting.end, BLOCK):
-        stop = min(first + BLOCK, counting.end)
+    working memory for `DRAW_BLOCK` pixels, `scratch` for five times as many."""
+    for first in range(counting.begin, counting.end, DRAW_BLOCK):
+        stop = min(first + DRAW_BLOCK, counting.end)
         for group in range(counting.groups):
             at = group * counting.pixels + first
             for i in range(stop - first):
@@ -91,7 +91,7 @@ def draw_deviations(
     def run(begin: int, end: int) -> None:
         """Draw the counts of the pixels `begin` to `end` - 1 from all sources, and write their
         deviations from the means into `away`."""
-        values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
+        values, scratch, pending_rates = np.empty(DRAW_BLOCK), np.empty(ROOM), np.empty(DRAW_BLOCK)
         for number, (of_rows, means) in enumerate(keyed):
             draw_counts(
                 counting=Counting(
@@ -108,8 +108,8 @@ def draw_deviations(
                 values=values,
                 scratch=scratch,
                 pending_rates=pending_rates,
-                pending_pixels=np.empty(BLOCK, np.int64),
+                pending_pixels=np.empty(DRAW_BLOCK, np.int64),
             )
 
-    in_parts(run, pixels, threads, BLOCK)
+    in_parts(run, pixels, threads, DRAW_BLOCK)
     return away

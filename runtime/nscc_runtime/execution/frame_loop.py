@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from nscc.arrays import Floats, Floats32, Ints, Ints32
-from nscc_runtime.execution.block_draws import BLOCK, drawn_normals
+from nscc_runtime.execution.block_draws import DRAW_BLOCK, drawn_normals
 from nscc_runtime.execution.moment_loop import on_side
 from nscc_runtime.loop import Words, Written, compiled, loop, record
 
@@ -24,10 +24,10 @@ class Adding:
     pixels: int
     buckets: int
     lane_count: int
-    draws: int
+    count_draws: int
     """Number of counts that are drawn for a pixel; 0 without counts."""
-    sources: int
-    """Number of sources of small errors."""
+    error_draws: int
+    """Number of normal numbers that are drawn for a pixel, for the errors of words."""
     exchanges: int
     """Whether neighbours exchange counts."""
     fraction: float
@@ -44,8 +44,8 @@ def _counted(
     total: Floats,
 ) -> None:
     """Set total[bucket, i] to the deviation of the exposure of pixel first + i from its mean, due
-    to counts of photons; 0 without counts. Pixels `first` to `stop` - 1 are computed; if neighbours
-    exchange counts, they are in one row.
+    to counts of photons and of dark charge; 0 without counts. Pixels `first` to `stop` - 1 are
+    computed; if neighbours exchange counts, they are in one row.
 
     `away` (draws, pixels): deviations of counts from their means. `own_weights` (draws, buckets,
     pixels) and `neighbour_weights` (draws, 4, buckets, pixels): electrons in each bucket for one
@@ -53,10 +53,10 @@ def _counted(
     it, and give nothing there."""
     cols, pixels = adding.cols, adding.pixels
     for bucket in range(adding.buckets):
-        at = bucket * BLOCK - first
+        at = bucket * DRAW_BLOCK - first
         for p in range(first, stop):
             total[at + p] = 0.0
-        for draw in range(adding.draws):
+        for draw in range(adding.count_draws):
             own, draw_start = (draw * adding.buckets + bucket) * pixels, draw * pixels
             for p in range(first, stop):
                 total[at + p] += own_weights[own + p] * away[draw_start + p]
@@ -72,14 +72,14 @@ def _counted(
 @loop
 def add_up(
     adding: Adding,
-    noise_keys: Annotated[Words, "sources"],
+    noise_keys: Annotated[Words, "error_draws"],
     lanes: Annotated[Ints32, "pixels"],
     places: Annotated[Ints, "pixels"],
     expected: Annotated[Floats, "buckets pixels"],
-    away: Annotated[Floats, "draws pixels"],
-    own_weights: Annotated[Floats32, "draws buckets pixels"],
+    away: Annotated[Floats, "count_draws pixels"],
+    own_weights: Annotated[Floats32, "count_draws buckets pixels"],
     neighbour_weights: Floats32,
-    sigma: Annotated[Floats, "sources buckets lane_count"],
+    sigma: Annotated[Floats, "error_draws buckets lane_count"],
     total: Written[Floats],
     drawn: Written[Floats],
     exposure: Written[Annotated[Floats, "buckets pixels"]],
@@ -88,31 +88,32 @@ def add_up(
     `expected`, of the deviations `away` of Poisson counts of electrons from their means, and of
     normal errors.
 
-    `noise_keys`: the random key of each source of errors, drawn at `places`. `sigma`: the standard
-    deviation of each source in each bucket and lane (the pixels of one code); `lanes` has the lane
-    of each pixel. `own_weights`: electrons for one count of the pixel itself. `neighbour_weights`
-    (draws, 4, buckets, pixels): for one count of a neighbour, used if neighbours exchange counts.
-    `total` and `drawn` are working memory for `BLOCK` pixels, `total` for each bucket."""
+    `noise_keys`: the random key of each draw of errors, drawn at `places`. `sigma`: the standard
+    deviation of each draw in each bucket and lane (the pixels of one distinct shutter); `lanes`
+    has the lane of each pixel. `own_weights`: electrons for one count of the pixel itself.
+    `neighbour_weights` (draws, 4, buckets, pixels): for one count of a neighbour, used if
+    neighbours exchange counts. `total` and `drawn` are working memory for `DRAW_BLOCK` pixels,
+    `total` for each bucket."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
         # With crosstalk a block must not extend over several rows: `_counted` has one row's limits.
         last = (first // cols + 1) * cols if adding.exchanges else end
-        stop = min(first + BLOCK, last)
+        stop = min(first + DRAW_BLOCK, last)
         _counted(adding, first, stop, own_weights, neighbour_weights, away, total)
         for bucket in range(adding.buckets):
-            at, pixel_start = bucket * BLOCK, bucket * pixels + first
+            at, pixel_start = bucket * DRAW_BLOCK, bucket * pixels + first
             for i in range(stop - first):
                 total[at + i] += expected[pixel_start + i]
-        for source in range(adding.sources):
-            drawn_normals(noise_keys[source], places, first, stop - first, drawn)
+        for draw in range(adding.error_draws):
+            drawn_normals(noise_keys[draw], places, first, stop - first, drawn)
             for bucket in range(adding.buckets):
-                at = bucket * BLOCK
-                size = (source * adding.buckets + bucket) * adding.lane_count
+                at = bucket * DRAW_BLOCK
+                size = (draw * adding.buckets + bucket) * adding.lane_count
                 for i in range(stop - first):
                     total[at + i] += sigma[size + lanes[first + i]] * drawn[i]
         for bucket in range(adding.buckets):
-            at, pixel_start = bucket * BLOCK, bucket * pixels + first
+            at, pixel_start = bucket * DRAW_BLOCK, bucket * pixels + first
             for i in range(stop - first):
                 exposure[pixel_start + i] = total[at + i] + 0.0  # -0 + 0 is +0
         first = stop

@@ -21,13 +21,13 @@ from nscc.words.container import Container
 from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
-from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, prepare_pixels
 from nscc_runtime.execution.moments import Moments, scene_moments
 from nscc_runtime.execution.near_saturation import NO_PIXELS, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.execution.summed import draw_exposures
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import Frame, check_adc, converted
-from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, reference_scene
@@ -45,7 +45,7 @@ class FrameSource:
         The program, the sensor, the light of the array, and the effects that are simulated.
     device_seed, threads : int
         Seed of the fixed patterns. Number of threads, on which results do not depend.
-    by : Moments or Reference
+    simulator : Moments or Reference
         The sums of the light, or the reference, which exposes all pixels word by word.
     near : int64, shape (pixels,)
         Places of the pixels that run through their words because they may saturate.
@@ -59,7 +59,7 @@ class FrameSource:
     effects: Selection
     device_seed: int
     threads: int
-    by: Moments | Reference
+    simulator: Moments | Reference
     near: Places
     block: BlockScene | None = None
 
@@ -69,17 +69,16 @@ class FrameSource:
         It is computed by the reference, or all pixels by sums. Pixels near saturation then run
         through their words, whose results replace their sums. Values that are not finite, as for
         light that is NaN, are invalid."""
-        if isinstance(self.by, Reference):
+        if isinstance(self.simulator, Reference):
             scene = reference_scene(self.container, self.light)
-            return self.by.expose(scene, seed, self.device_seed, number, self.threads)
-        lane = analysed(self.container, self.sensor).lane
-        exposure_e = draw_exposures(self.by, lane, seed, number, self.threads)
+            return self.simulator.expose(scene, seed, self.device_seed, number, self.threads)
+        exposure_e = draw_exposures(self.simulator, seed, number, self.threads)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if self.block is not None:
             pixels = expose_pixels(self.block, seed, number, self.threads)
             exposure_e[:, self.near] = pixels.exposure_e
             saturated_by[:, self.near] = pixels.saturated_by
-        whole = exposure_e.reshape(-1, *lane.shape)
+        whole = exposure_e.reshape(-1, *self.light.shape)
         return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
@@ -169,10 +168,11 @@ def frame_source(
     if by_words or reference_reasons(effects):
         return FrameSource(*chip, Reference.of(container, sensor, effects), NO_PIXELS.places)
     program = analysed(container, sensor)
-    # Pixels that cannot saturate are exposed by sums of light; the others run their words.
+    # Pixels that cannot saturate are exposed by sums of light; the others run their words. The
+    # light stores the search: planning made it for all effects (`Work.of`).
     near = near_saturation(program, light, device_seed, effects).places
     moments = scene_moments(program, light, effects, device_seed, count)
     block = None
     if len(near):
-        block = lay_out(container, sensor, light, effects, near, device_seed, count)
+        block = prepare_pixels(container, sensor, light, effects, near, device_seed, count)
     return FrameSource(*chip, moments, near, block)

@@ -9,15 +9,19 @@ import numpy as np
 from nscc.arrays import Array, Floats, Ints, Ints32
 from nscc_runtime.loop import Written, record
 
-BLOCK = 256
+WORD_BLOCK = 256
 """Number of pixels that run through their words together."""
 
 
 @record
 class Switches:
     """Switches of effects in the loops (0: off, 1: on), and the numbers of analog registers and
-    buckets. Each effect names its switches and numbers in an
-    `nscc_runtime.effects.effect.InLoop`."""
+    buckets.
+
+    The way of an effect, such as the full well: `effects/full_well.py` names its switch
+    `well_clips` in an `InLoop` (`effects/effect.py`). `effects/in_loops.py` collects the switches
+    of all effects that are on, `block_program.switches_of` fills this record, and functions of
+    `word_loop.py` read it."""
 
     registers: int
     buckets: int
@@ -27,9 +31,10 @@ class Switches:
     lit_level: int
     word_errors: int
     leaks: int
-    holds: int
-    """Whether PIX is clipped to the full well. `bends`: whether registers saturate softly."""
-    bends: int
+    well_clips: int
+    """Whether PIX is clipped to the full well. `registers_bend`: whether registers saturate
+    softly."""
+    registers_bend: int
     compares_off: int
     compares_noisy: int
     well_bit: int
@@ -149,16 +154,16 @@ class FixedPatterns(NamedTuple):
 
 class PixelState(NamedTuple):
     """The state of the pixels of a block while words run. Register r of pixel i of the block is at
-    index r * `BLOCK` + i.
+    index r * `WORD_BLOCK` + i.
 
     `pattern`, `leak`, `offset`: see `FixedPatterns`.
 
     Contents of the registers, then of PIX (the photodiode) and IN (the level sent to all pixels).
     `value`: electrons. `since_s`: the time of writing. `lost_e`: electrons lost by saturation.
-    `full`: saturation marks (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
+    `full`: PIX flags (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
 
     `running`: the pixels that run a word. `total`: the sum of its sources in each of them, with the
-    electrons lost by saturation (`total_lost_e`) and the saturation marks (`total_full`).
+    electrons lost by saturation (`total_lost_e`) and the PIX flags (`total_full`).
     `normals`: the normal numbers of a word, by draw."""
 
     pattern: Written[Floats]
@@ -181,7 +186,7 @@ class PixelState(NamedTuple):
         number of analog registers. `draws`: largest number of draws of a word."""
 
         def floats(count: int = 1) -> Floats:
-            return np.empty(count * BLOCK)
+            return np.empty(count * WORD_BLOCK)
 
         rows = registers + 2  # PIX and IN follow the registers
         return cls(
@@ -191,11 +196,11 @@ class PixelState(NamedTuple):
             value=floats(rows),
             since_s=floats(rows),
             lost_e=floats(rows),
-            full=np.empty(rows * BLOCK, np.int64),
+            full=np.empty(rows * WORD_BLOCK, np.int64),
             level=floats(),
-            running=np.zeros(BLOCK, np.int64),
+            running=np.zeros(WORD_BLOCK, np.int64),
             total=floats(),
             total_lost_e=floats(),
-            total_full=np.empty(BLOCK, np.int64),
+            total_full=np.empty(WORD_BLOCK, np.int64),
             normals=floats(draws),
         )

@@ -54,10 +54,10 @@ def _separate(
     first: int,
     covariance_e2: Floats,
     electron_weights: Floats,
-    counts: Floats,
+    count_means: Floats,
     own_weights: Floats32,
 ) -> None:
-    """Set the means `counts` (buckets, pixels) of the independent Poisson counts of the row of
+    """Set the means `count_means` (buckets, pixels) of the independent Poisson counts of the row of
     pixels that begins with `first`. If buckets overlap, also set the weights `own_weights` of the
     counts.
 
@@ -69,15 +69,15 @@ def _separate(
     for a in range(buckets):
         at, own = a * pixels + first, a * (a + 3) // 2 * cols
         for i in range(cols):
-            counts[at + i] = 1e-9 * abs(covariance_e2[own + i])
+            count_means[at + i] = 1e-9 * abs(covariance_e2[own + i])
     for a in range(buckets):
         at, own = a * pixels + first, a * (a + 3) // 2 * cols
         for i in range(cols):
             variance_e2, weight = covariance_e2[own + i], electron_weights[at + i]
             # Written with `not`, so that NaN stays NaN.
-            variance_e2 = variance_e2 if not variance_e2 <= counts[at + i] else 0.0
+            variance_e2 = variance_e2 if not variance_e2 <= count_means[at + i] else 0.0
             covariance_e2[own + i] = variance_e2
-            counts[at + i] = variance_e2 / (weight * weight)
+            count_means[at + i] = variance_e2 / (weight * weight)
         for b in range(buckets if sizes.overlaps else 0):
             out, pair = (a * buckets + b) * pixels + first, (b * (b + 1) // 2 + a) * cols
             for i in range(cols):
@@ -108,7 +108,7 @@ def complete_moments(
     electron_weights: Annotated[Floats, "buckets pixels"],
     covariance_e2: Written[Floats],
     mean_e: Written[Annotated[Floats, "buckets pixels"]],
-    counts: Written[Annotated[Floats, "draws pixels"]],
+    count_means: Written[Annotated[Floats, "count_draws pixels"]],
     own_weights: Written[Floats32],
 ) -> None:
     """Compute the moments of pixels from sums of their light: mean exposures, and the means of
@@ -120,10 +120,10 @@ def complete_moments(
     each pixel in the frame; the parts `unknown` of it that go to neighbours do not follow from its
     counts. `electron_weights`: electrons in a bucket for one count.
 
-    Results: `mean_e`, the means `counts`, and `own_weights` (draws, buckets, pixels), which is set
-    only if buckets overlap. Without counts only `mean_e` is set. `covariance_e2` is working memory
-    for a row: (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the buckets a >= b;
-    values above `RATE_CAP` are set to it."""
+    Results: `mean_e`, the means `count_means`, and `own_weights` (draws, buckets, pixels), which is
+    set only if buckets overlap. Without counts only `mean_e` is set. `covariance_e2` is working
+    memory for a row: (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the buckets a
+    >= b; values above `RATE_CAP` are set to it."""
     pixels, cols = sizes.pixels, sizes.cols
     for row in range(sizes.begin, sizes.end):
         first, stop = row * cols, (row + 1) * cols
@@ -155,4 +155,4 @@ def complete_moments(
                     covariance_e2[here + p] += sizes.exchanged * sizes.exchanged * variance_e2
         for i in range(sizes.buckets * (sizes.buckets + 1) // 2 * cols):
             covariance_e2[i] = RATE_CAP if covariance_e2[i] > RATE_CAP else covariance_e2[i]
-        _separate(sizes, first, covariance_e2, electron_weights, counts, own_weights)
+        _separate(sizes, first, covariance_e2, electron_weights, count_means, own_weights)

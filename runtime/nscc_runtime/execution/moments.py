@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from nscc.arrays import Floats, Floats32
+from nscc.arrays import Floats, Floats32, Ints32
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
     Counted,
@@ -20,7 +20,6 @@ from nscc_runtime.effects.parts import (
     Echo,
     Exchange,
     Leak,
-    Moving,
     Response,
     WordGain,
 )
@@ -28,7 +27,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.execution.moment_loop import Completing, complete_moments
 from nscc_runtime.execution.overlap import NEIGHBOURS, weights_beside
-from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.program import AnalysedProgram, light_under
 from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.light import Light
 from nscc_runtime.pool import in_parts
@@ -44,33 +43,36 @@ class Moments:
     """The distribution of a scene's frames without saturation.
 
     A frame is the sum of `mean_e`, deviations of Poisson counts, deviations of neighbours, and
-    normal errors. The deviations are those from the means `counts`, times `own_weights`. There is
-    one Poisson count and one normal number for each pixel and bucket.
+    normal errors. The deviations are those from the means `count_means`, times `own_weights`. There
+    is one Poisson count and one normal number for each pixel and bucket.
 
     Attributes
     ----------
     mean_e : float64, shape (buckets, pixels)
         Mean exposures in electrons, with fixed errors of words.
-    counts : float64, shape (draws, pixels)
-        Means of the Poisson counts; one draw for each bucket, none if the effects count no
-        electrons.
-    own_weights : float32, shape (draws, buckets, pixels)
+    count_means : float64, shape (count_draws, pixels)
+        Means of the Poisson counts of light and dark charge; one draw for each bucket, none if the
+        effects count no electrons.
+    own_weights : float32, shape (count_draws, buckets, pixels)
         Electrons in each bucket for one count of the pixel.
-    neighbour_weights : float32, shape (draws, 4, buckets, pixels)
+    neighbour_weights : float32, shape (count_draws, 4, buckets, pixels)
         Electrons that arrive for one count of the neighbour above, below, left or right, before
         the fraction `exchanged`; (1,) without crosstalk.
     exchanged : float
         Fraction of a pixel's charge that moves to each neighbour.
-    error_e : float64, shape (draws, buckets, lanes)
+    error_e : float64, shape (error_draws, buckets, lanes)
         Errors of words in each bucket for one normal number.
+    lane : int32, shape (rows, cols)
+        The number of each pixel's lane (the pixels of one distinct shutter).
     """
 
     mean_e: Floats
-    counts: Floats
+    count_means: Floats
     own_weights: Floats32
     neighbour_weights: Floats32
     exchanged: float
     error_e: Floats
+    lane: Ints32
 
 
 def scene_moments(
@@ -94,21 +96,18 @@ def scene_moments(
     Moments
     """
     chip, exchanged = on_chip(program, effects, device_seed), exchanged_fraction(effects, program)
-    lit, light_pairs = effects.find_part(CountedLight) is not None, 0
+    lit, source = effects.find_part(CountedLight) is not None, light_under(effects, light)
     weights = program.slot_weights(program.model(effects), chip.leak_rates, lit)
-    if lit:
-        light_pairs = len(weights.slots) - len(chip.fixed_e) * len(chip.leak_rates)
-    source = (effects.find_part(Moving) and light.motion) or light
     sums = light_sums(
         source,
         program.lanes,
         (chip.factor, chip.factor_32),
         weights,
-        light_pairs if exchanged else len(weights.slots),
+        weights.pairs if exchanged else len(weights.slots),
         exchanged,
         threads,
     )
-    return _completed(chip, sums, source, light_pairs, exchanged, threads)
+    return _completed(chip, sums, source, weights.pairs, exchanged, threads)
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +122,7 @@ class _ChipMoments:
     as an electron in bucket b, averaged over its open time, so exposures of dim light are multiples
     of it. `own_weights`: see `Moments`; None if it depends on the light. `unknown` (4, buckets,
     pixels): parts of neighbours' charge in a frame whose counts do not follow from their draws.
-    `neighbour_weights`, `error_e`: see `Moments`."""
+    `neighbour_weights`, `error_e`, `lane`: see `Moments`."""
 
     leak_rates: tuple[float, ...]
     rate_weights: Floats
@@ -137,6 +136,7 @@ class _ChipMoments:
     unknown: Floats
     neighbour_weights: Floats32
     error_e: Floats
+    lane: Ints32
 
 
 def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
@@ -177,6 +177,7 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
             unknown,
             beside,
             _word_errors(program, effects),
+            program.lane,
         )
 
     chip: _ChipMoments = program.recent.of((_ChipMoments, effects.on, device_seed), make)
@@ -201,7 +202,7 @@ def _completed(
     buckets, pixels = chip.fixed_e.shape
     # Without light or dark charge that is counted, nothing is drawn.
     draws = buckets if light_pairs or len(chip.dark_e2) else 0
-    mean_e, counts = np.empty((buckets, pixels)), np.empty((draws, pixels))
+    mean_e, count_means = np.empty((buckets, pixels)), np.empty((draws, pixels))
     own_weights = chip.own_weights
     if own_weights is None:
         own_weights = np.empty((draws, buckets, pixels), np.float32)
@@ -233,12 +234,13 @@ def _completed(
             electron_weights=chip.electron_weights,
             covariance_e2=np.empty(buckets * (buckets + 1) // 2 * light.shape[1]),
             mean_e=mean_e,
-            counts=counts,
+            count_means=count_means,
             own_weights=own_weights,
         )
 
     in_parts(run, light.shape[0], threads)
-    return Moments(mean_e, counts, own_weights, chip.neighbour_weights, exchanged, chip.error_e)
+    of_chip = chip.neighbour_weights, exchanged, chip.error_e, chip.lane
+    return Moments(mean_e, count_means, own_weights, *of_chip)
 
 
 def exchanged_fraction(effects: Selection, program: AnalysedProgram) -> float:
@@ -356,7 +358,7 @@ def _electron_weights(program: AnalysedProgram, model: WeightModel) -> Floats:
     """Return how much an electron counts on average, (buckets, lanes), in the slots that a bucket
     sees; 1 for buckets that see none.
 
-    A lane is a code among the codes in use."""
+    A lane is the pixels of one distinct shutter."""
     weights = program.weights(model).slots
     square, plain = (
         np.einsum("n,nlb->bl", program.slot_s, power) for power in (weights**2, np.abs(weights))
@@ -400,13 +402,13 @@ def _neighbour_weights(program: AnalysedProgram, model: WeightModel) -> tuple[Fl
 def _word_errors(program: AnalysedProgram, effects: Selection) -> Floats:
     """Return the errors of words under `effects` as factors of normal numbers, in electrons,
     (draws, buckets, lanes); cached in the `program`. Without such effects there are no draws. A
-    lane is the pixels of one code."""
+    lane is the pixels of one distinct shutter."""
 
     def make() -> Floats:
         """Return the standard deviations (e) of all word errors by draw, bucket and lane.
 
-        A lane is a code among the codes in use. The errors of buckets are correlated, so a bucket
-        may use several draws."""
+        A lane is the pixels of one distinct shutter. The errors of buckets are correlated, so a
+        bucket may use several draws."""
         weights = program.weights(program.model(effects))
         lanes, buckets = weights.slots.shape[1:]
         covariance_e2 = np.zeros((buckets, buckets, lanes))

@@ -10,11 +10,11 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from nscc.arrays import Floats, Ints
-from nscc_runtime.effects.parts import Moving, Saturates, Soft, Well
+from nscc_runtime.effects.parts import Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.execution.candidate_loop import Bounding, find_candidates
 from nscc_runtime.execution.moments import exchanged_fraction, on_chip
-from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.execution.program import AnalysedProgram, light_under
 from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.execution.sum_loop import SlotWeights, light_at, light_sums
 from nscc_runtime.light import Light
@@ -53,7 +53,7 @@ def near_saturation(
     the light; none if no effect saturates."""
     if not effects.names(Saturates):
         return NO_PIXELS
-    source = (effects.find_part(Moving) and light.motion) or light
+    source = light_under(effects, light)
     by_light: WeakKeyDictionary[Light, NearSaturation] = program.recent.of(
         (NearSaturation, device_seed, effects.on), WeakKeyDictionary
     )
@@ -68,10 +68,10 @@ class _Limits:
     registers.
 
     `weights` (kinds, N, lanes): weights of the slots in each sum. `dark_part` (kinds, lanes): the
-    part of the dark charge of a frame that it contains. `saturation_e` (kinds, lanes): the
-    smallest sum with which a pixel may saturate, infinite if it cannot. `mean_e` (lanes,): the
-    smallest mean charge that noise may raise to the smallest of these. A lane is the pixels of one
-    code. PIX is the photodiode."""
+    part of the dark charge of a frame that it contains. `saturation_e` (kinds, lanes): the smallest
+    sum with which a pixel may saturate, infinite if it cannot. `mean_e` (lanes,): the smallest mean
+    charge that noise may raise to the smallest of these. A lane is the pixels of one distinct
+    shutter. PIX is the photodiode."""
 
     weights: SlotWeights
     dark_part: Floats
@@ -127,9 +127,9 @@ def _search(
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
-    """Return what decides whether a pixel may saturate, for each lane (the pixels of one code) of
-    `program` under these effects. Without an effect that saturates PIX (the photodiode) or
-    registers, their limits are infinite."""
+    """Return what decides whether a pixel may saturate, for each lane (the pixels of one distinct
+    shutter) of `program` under these effects. Without an effect that saturates PIX (the photodiode)
+    or registers, their limits are infinite."""
     reach = reach_of(program)
     held_weights = () if reach.held_weights is None else reach.held_weights
     weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)

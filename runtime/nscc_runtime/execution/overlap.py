@@ -35,7 +35,7 @@ def weights_beside(seconds: Floats, estimated: Floats, lanes: Ints32) -> Weights
     ----------
     seconds : float64, shape (N, lanes, buckets)
         Length of each slot in seconds times its weight in the exposures of a lane (the pixels of
-        one code).
+        one distinct shutter).
     estimated : float64, shape (N, lanes, draws)
         Estimated charge in each slot, in electrons per second, if a draw of a lane counts 1. A draw
         is one Poisson count of every pixel.

@@ -12,10 +12,12 @@ from nscc.arrays import Bools, Floats, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer, Recent, remembered
 from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.parts import Moving
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device, whole_device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.sum_loop import SlotWeights
+from nscc_runtime.light import Light
 from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, WeightModel, backward
 
@@ -37,7 +39,8 @@ class AnalysedProgram:
         The analog words without and with decay of digital registers; the same object if decay
         changes nothing.
     lane : int32, shape (rows, cols)
-        The lane of each pixel: the number of its code, which determines its shutter.
+        The number of each pixel's lane (the pixels of one distinct shutter): the row of its shutter
+        in `container.encoding`. Several codes may have one shutter.
     slot_s : float64, shape (slots,)
         Slot lengths in seconds.
     """
@@ -72,7 +75,7 @@ class AnalysedProgram:
 
     @property
     def lanes(self) -> Ints32:
-        """The lane (the pixels of one code) of each pixel, shape (pixels,)."""
+        """The number of each pixel's lane, shape (pixels,)."""
         return self.lane.reshape(-1)
 
     @remembered
@@ -86,7 +89,7 @@ class AnalysedProgram:
         # Models with the same weights share a result: decay may change nothing, and light is in a
         # reset level only if it is collected while words run.
         decay = model.decay and self.decayed is not self.fresh
-        lit_level = model.lit_level and model.dead_time
+        lit_level = model.lit_level and model.slow_words
         return self._backward(replace(model, decay=decay, lit_level=lit_level))
 
     @remembered
@@ -97,19 +100,19 @@ class AnalysedProgram:
 
     def buckets_overlap(self, model: WeightModel) -> bool:
         """Return whether the charge of some slot reaches two or more buckets, in any lane (the
-        pixels of one code)."""
+        pixels of one distinct shutter)."""
         return bool(((self.weights(model).slots != 0.0).sum(axis=2) > 1).any())
 
     @cached_property
     def opened(self) -> Bools:
-        """The shutters (N, lanes, buckets). A lane is the pixels of one code."""
+        """The shutters (N, lanes, buckets). A lane is the pixels of one distinct shutter."""
         return self._backward(WeightModel()).open()
 
     @cached_property
     def seen_slots(self) -> Bools:
         """Mask (N, lanes) of the slots whose charge is on PIX (the photodiode) when a word reads
         it: slots with no read between them and the next reset, or the end of the frame, are False.
-        A lane is the pixels of one code."""
+        A lane is the pixels of one distinct shutter."""
         container = self.container
         is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
@@ -136,11 +139,12 @@ class AnalysedProgram:
 
         They are those of each bucket at each of the `leak_rates` (1/s), all rates of a bucket one
         after the other. If `products` is True, the products of the weights of two buckets come
-        first: (0, 0), (0, 1), (1, 1), (0, 2) and so on. A lane is the pixels of one code."""
+        first: (0, 0), (0, 1), (1, 1), (0, 2) and so on. A lane is the pixels of one distinct
+        shutter."""
 
         def make() -> SlotWeights:
             """Return the weights of each slot by lane: products of buckets if wanted, then each
-            bucket for each rate of leakage. A lane is the pixels of one code."""
+            bucket for each rate of leakage. A lane is the pixels of one distinct shutter."""
             weights = self.weights(model).slots
             buckets = range(weights.shape[2])
             pairs = [(a, b) for b in buckets for a in range(b + 1)] if products else []
@@ -149,16 +153,25 @@ class AnalysedProgram:
                 [
                     *(weights[:, :, a] * weights[:, :, b] for a, b in pairs),
                     *(of_rate[:, :, b] for b in buckets for of_rate in by_rate),
-                ]
+                ],
+                len(pairs),
             )
 
         return self.recent.of((SlotWeights, model, leak_rates, products), make)
 
     @cached_property
     def recent(self) -> Recent:
-        """Cache of weights and of arrays of all pixels for recent effects."""
+        """Cache of what the last scenes and sets of effects needed. Keys begin with the class or
+        the function of the result: `SlotWeights`, `RegisterReach`, `NearSaturation` (by light),
+        `_Limits` of saturation, `_ChipMoments`, `_neighbour_weights` and `_word_errors`."""
         size = max(self.container.slots * len(self.container.encoding), self.lane.size * 16)
         return Recent(_RECENT_LARGE if size > _MUCH else _RECENT_MODELS)
+
+
+def light_under(effects: Selection, light: Light) -> Light:
+    """Return the light that pixels collect under `effects`: with the motion within slots if that
+    effect is on and the scene has motion, else `light` itself."""
+    return (effects.find_part(Moving) and light.motion) or light
 
 
 analysed = OfContainer(AnalysedProgram.of)

@@ -14,14 +14,14 @@ import numpy as np
 
 from nscc.arrays import Floats, Ints, Ints32
 from nscc_runtime.execution.block_draws import drawn_normals
-from nscc_runtime.execution.layout import BLOCK
+from nscc_runtime.execution.layout import WORD_BLOCK
 from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.keys import bits
 from nscc_runtime.noise.poisson_law import RATE_CAP
 
 NEIGHBOURS = 4
-TOGETHER = 128
+STRETCH_BLOCK = 128
 """Number of sites whose light is added up together."""
 
 
@@ -29,7 +29,7 @@ class Stretches(NamedTuple):
     """The stretches (groups of slots between reads or resets of PIX) of each lane: lane l has the
     boundaries boundary[start[l] : start[l + 1]], from slot 0 to the number of slots. `per_s`: 1
     divided by the seconds from each boundary to the next. `start_s`: the time at which each slot
-    begins, and the end of the frame. A lane is the pixels of one code."""
+    begins, and the end of the frame. A lane is the pixels of one distinct shutter."""
 
     start: Annotated[Ints, "lanes+1"]
     boundary: Annotated[Ints32, "boundaries"]
@@ -38,10 +38,10 @@ class Stretches(NamedTuple):
 
     @classmethod
     def of(cls, start: Ints, boundary: Ints32, start_s: Floats) -> Stretches:
-        """Return the stretches (groups of slots between reads or resets of PIX) of lanes (groups of
-        pixels with one code each). `start` (lanes + 1,): index of each lane's first boundary in
-        `boundary`, where a lane's boundaries ascend from 0 to the number of slots. `start_s` (slots
-        + 1,): the second at which each slot begins, then the end of the frame."""
+        """Return the stretches (groups of slots between reads or resets of PIX) of lanes (the
+        pixels of one distinct shutter each). `start` (lanes + 1,): index of each lane's first
+        boundary in `boundary`, where a lane's boundaries ascend from 0 to the number of slots.
+        `start_s` (slots + 1,): the second at which each slot begins, then the end of the frame."""
         # The last number of each lane, for no stretch, is meaningless and not read.
         seconds = np.diff(start_s[boundary], append=np.inf)
         return cls(start, boundary, 1.0 / seconds, start_s)
@@ -80,7 +80,7 @@ class StretchMeans(NamedTuple):
 
 
 @record
-class Laying:
+class StretchSizes:
     """Sizes and switches for the means: sites (pixels whose charge is computed) or pixels `begin`
     to `end` - 1 are computed. `sites`, `slots`: how many there are. Switches are 1 if the effect is
     on, else 0."""
@@ -103,7 +103,7 @@ class Laying:
 
 @inlined
 def _light_of_slot(
-    sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
+    sizes: StretchSizes, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
 ) -> float:
     """Return the mean light of a slot at the site of index `site`, in electrons, between 0 and
     `RATE_CAP`, or NaN. The slot is the weighted sum of the frames of `light` in its entries
@@ -121,7 +121,7 @@ def _light_of_slot(
 
 @inlined
 def _exchanged(
-    sizes: Laying, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
+    sizes: StretchSizes, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
 ) -> float:
     """Return the light of one slot that pixel `i` collects after crosstalk, in electrons. `own` is
     its light before. The slot has the entries `start` to `stop` - 1 of `light`. A neighbour beyond
@@ -135,7 +135,9 @@ def _exchanged(
 
 
 @inlined
-def _store(sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total: float) -> None:
+def _store(
+    sizes: StretchSizes, means: StretchMeans, e: int, i: int, own: float, total: float
+) -> None:
     """Store the light of stretch e of site i in electrons: `own`, before crosstalk, in `means.lit`
     if light is counted; `total`, after crosstalk, in `means.charge` if the site is a pixel that
     runs through its words. A stretch is the slots between two reads or resets of PIX, the
@@ -148,7 +150,7 @@ def _store(sizes: Laying, means: StretchMeans, e: int, i: int, own: float, total
 
 @loop
 def light_means(
-    sizes: Laying,
+    sizes: StretchSizes,
     light: LightMatrix,
     stretches: Stretches,
     sites: Sites,
@@ -167,14 +169,14 @@ def light_means(
     Sites are taken some at a time, in the `order` of their places: neighbours share cache lines of
     every frame. The stretch of each of them (`reached`), and the light in it (`added`), are working
     memory. A site is a pixel whose charge is computed."""
-    for first in range(sizes.begin, sizes.end, TOGETHER):
-        count = min(TOGETHER, sizes.end - first)
+    for first in range(sizes.begin, sizes.end, STRETCH_BLOCK):
+        count = min(STRETCH_BLOCK, sizes.end - first)
         for j in range(count):
             reached[j] = -1
         for n in range(1 if sizes.even else sizes.slots):
             k, end = light.row_start[n], light.row_start[n + 1]
             for j in range(count):
-                i, total_at = order[first + j], TOGETHER + j
+                i, total_at = order[first + j], STRETCH_BLOCK + j
                 own = total = _light_of_slot(sizes, light, sites, k, end, i)
                 if i < sizes.own:
                     total = _exchanged(sizes, light, sites, k, end, i, own)
@@ -206,7 +208,7 @@ def light_means(
 
 @compiled
 def _add_missing(
-    sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
+    sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
 ) -> None:
     """Add a variance to `means.missing_e2` of pixel i, for each of its stretches. It is the
     variance of the neighbour's electron counts in that stretch that the counts of the neighbour's
@@ -231,7 +233,9 @@ def _add_missing(
 
 
 @loop
-def dark_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
+def dark_means(
+    sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
+) -> None:
     """Set `means.dark` to the means of the counted dark charge of the sites begin to end - 1 in
     their stretches, in electrons. A stretch is the slots between two reads or resets of PIX, the
     photodiode. A site is a pixel whose charge is computed."""
@@ -244,7 +248,9 @@ def dark_means(sizes: Laying, stretches: Stretches, sites: Sites, means: Stretch
 
 
 @loop
-def charge_means(sizes: Laying, stretches: Stretches, sites: Sites, means: StretchMeans) -> None:
+def charge_means(
+    sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
+) -> None:
     """Complete the means of the pixels begin to end - 1, which contain light (`light_means`): add
     dark charge to `charge`, convert `pace` from electrons to fractions per microsecond, and add up
     `missing_e2`."""
@@ -344,12 +350,12 @@ def exchange_counts(
     counts from their means, after crosstalk.
 
     `missing_e2` (stretches, pixels): the variance of what pixels receive that the neighbours'
-    counts do not determine; it is drawn here. `drawn` is working memory for `BLOCK` pixels. A
+    counts do not determine; it is drawn here. `drawn` is working memory for `WORD_BLOCK` pixels. A
     stretch is the slots between two reads or resets of PIX, the photodiode. A site is a pixel whose
     charge is computed."""
     pixels, c = exchanging.pixels, exchanging.exchanged
-    for first in range(exchanging.begin, exchanging.end, BLOCK):
-        count = min(BLOCK, exchanging.end - first)
+    for first in range(exchanging.begin, exchanging.end, WORD_BLOCK):
+        count = min(WORD_BLOCK, exchanging.end - first)
         for e in range(exchanging.rows):
             own, theirs = e * pixels + first, e * exchanging.sites + first
             for i in range(count):

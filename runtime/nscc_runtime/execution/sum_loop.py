@@ -15,17 +15,17 @@ from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.pool import in_parts
 
-BLOCK = 512
+SUM_BLOCK = 512
 """Number of pixels whose sums stay in the processor cache for all frames."""
 
-TOGETHER = 4
+FRAMES_TOGETHER = 4
 """Number of frames that are added in one pass over the sums."""
 
 
 @record
 class SceneSizes:
     """The size of the frames, and the rows `begin` to `end` - 1 to process. `count`: number of
-    frames. `lane_count`: number of lanes (groups of pixels with one code each).
+    frames. `lane_count`: number of lanes (the pixels of one distinct shutter each).
 
     Of the `sums` sums, those from number `smeared` on use light after crosstalk; `fraction` of a
     pixel's light moves to each neighbour."""
@@ -108,14 +108,14 @@ def _gather(
 
     `at`: index in `source` of pixel 0 of the first frame; each further frame begins `step` later.
     """
-    for k in range(0, count - count % TOGETHER, TOGETHER):
+    for k in range(0, count - count % FRAMES_TOGETHER, FRAMES_TOGETHER):
         frame = at + k * step
         for p in range(first, stop):
             total = gathered[p - first] + source[frame + p]
             total += source[frame + step + p]
             total += source[frame + 2 * step + p]
             gathered[p - first] = total + source[frame + 3 * step + p]
-    for k in range(count - count % TOGETHER, count):
+    for k in range(count - count % FRAMES_TOGETHER, count):
         frame = at + k * step
         for p in range(first, stop):
             gathered[p - first] += source[frame + p]
@@ -141,9 +141,9 @@ def _add_alike(
     `first` to `stop` - 1.
 
     `table` (sums, count, lanes): the weights. `lit_sums` (sums, count): 1 if a sum contains a
-    frame. `lanes`: the lane (the pixels of one code) of each pixel. `share`: a factor on the light
-    of each pixel, for sums with crosstalk. `lit` (`TOGETHER` times `BLOCK`) and `gathered` are
-    working memory."""
+    frame. `lanes`: the lane (the pixels of one distinct shutter) of each pixel. `share`: a factor
+    on the light of each pixel, for sums with crosstalk. `lit` (`FRAMES_TOGETHER` times `SUM_BLOCK`)
+    and `gathered` are working memory."""
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
@@ -156,12 +156,12 @@ def _add_alike(
             gathered[i] = 0.0
         if not smeared:
             _gather(frames, k * pixels, pixels, alike, first, stop, gathered)
-        for first_frame in range(0, alike if smeared else 0, TOGETHER):
-            together = min(TOGETHER, alike - first_frame)
+        for first_frame in range(0, alike if smeared else 0, FRAMES_TOGETHER):
+            together = min(FRAMES_TOGETHER, alike - first_frame)
             for index in range(together):
                 frame = (k + first_frame + index) * pixels
-                _smear(sizes, frames, share, frame, first, stop, lit, index * BLOCK)
-            _gather(lit, -first, BLOCK, together, first, stop, gathered)
+                _smear(sizes, frames, share, frame, first, stop, lit, index * SUM_BLOCK)
+            _gather(lit, -first, SUM_BLOCK, together, first, stop, gathered)
         for j in range(begin, end):
             if lit_sums[j * count + k]:
                 row = (j * count + k) * lane_count
@@ -189,13 +189,14 @@ def scene_sums(
     For the sums j from number `sizes.smeared` on, scale * frames is the light after crosstalk; it
     is computed in float32 with `share`, which is `scale` in float32. All other products and sums
     are float64. The frames are read once for all sums. `lit_sums`: 1 if any lane (the pixels of one
-    code) has a nonzero weight for a frame in a sum. `alike`: number of consecutive frames from
-    frame k on with equal weights; these are added up before they are weighted. `lit` and `gathered`
-    are working memory for `TOGETHER` times `BLOCK` pixels and for `BLOCK` pixels."""
+    distinct shutter) has a nonzero weight for a frame in a sum. `alike`: number of consecutive
+    frames from frame k on with equal weights; these are added up before they are weighted. `lit`
+    and `gathered` are working memory for `FRAMES_TOGETHER` times `SUM_BLOCK` pixels and for
+    `SUM_BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
-        for first in range(row * cols, (row + 1) * cols, BLOCK):
-            stop = min(first + BLOCK, (row + 1) * cols)
+        for first in range(row * cols, (row + 1) * cols, SUM_BLOCK):
+            stop = min(first + SUM_BLOCK, (row + 1) * cols)
             for j in range(sizes.sums):
                 for p in range(first, stop):
                     out[j * pixels + p] = 0.0
@@ -233,7 +234,7 @@ _MOST_KEPT = 1 << 21
 class FrameWeights:
     """Weights (sums, frames, lanes) of frames of light, for all lights with the same `timing`
     (`Light.timing`). `frame_weight` (frames,): how much each frame of light weighs in all slots
-    together. A lane is the pixels of one code."""
+    together. A lane is the pixels of one distinct shutter."""
 
     timing: Hashable
     weights: Floats
@@ -242,21 +243,22 @@ class FrameWeights:
     @classmethod
     def of(cls, light: Light, slots: Sequence[Floats]) -> FrameWeights:
         """Convert the weights `slots`, one array (N, lanes) for each sum, at least one, to weights
-        of the frames of `light`. A lane is the pixels of one code."""
+        of the frames of `light`. A lane is the pixels of one distinct shutter."""
         flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
         by_frame = light.on_frames(flat).reshape(-1, len(slots), slots[0].shape[1])
         return cls(light.timing, np.ascontiguousarray(by_frame.swapaxes(0, 1)), light.frame_weight)
 
     @cached_property
     def lit_sums(self) -> Bytes:
-        """Mask (sums, frames): whether any lane (the pixels of one code) has a nonzero weight of a
-        frame."""
+        """Mask (sums, frames): whether any lane (the pixels of one distinct shutter) has a nonzero
+        weight of a frame."""
         return np.asarray(self.weights.any(axis=2), np.uint8)
 
     @cached_property
     def alike(self) -> Ints:
         """For each frame, how many successive frames from it on have the same weights in all sums
-        and lanes, (frames,); at least 1, the frame itself. A lane is the pixels of one code."""
+        and lanes, (frames,); at least 1, the frame itself. A lane is the pixels of one distinct
+        shutter."""
         count = self.weights.shape[1]
         differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
         ends = np.append(np.flatnonzero(differs) + 1, count)
@@ -266,7 +268,8 @@ class FrameWeights:
     @cached_property
     def most_part(self) -> Floats:
         """The largest weight of a frame in any sum, as a fraction of the frame's total weight, for
-        each lane, (lanes,); 0 for frames without weight. A lane is the pixels of one code."""
+        each lane, (lanes,); 0 for frames without weight. A lane is the pixels of one distinct
+        shutter."""
         fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
         np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
         return np.asarray(fractions.max(axis=(0, 1)))
@@ -275,17 +278,18 @@ class FrameWeights:
 class SlotWeights:
     """The weights of slots in one or more sums, each an array (N, lanes). The weights of the last
     light's frames are cached, because series of frames have the same timing. A lane is the pixels
-    of one code."""
+    of one distinct shutter."""
 
-    def __init__(self, slots: Iterable[Floats]) -> None:
-        """Store the weights `slots`, an array (N, lanes) for each sum; at least one sum. A lane is
-        the pixels of one code."""
-        self.slots = [*slots]
+    def __init__(self, slots: Iterable[Floats], pairs: int = 0) -> None:
+        """Store the weights `slots`, an array (N, lanes) for each sum; at least one sum. The first
+        `pairs` of them are products of the weights of two buckets. A lane is
+        the pixels of one distinct shutter."""
+        self.slots, self.pairs = [*slots], pairs
         self._last: FrameWeights | None = None
 
     @property
     def lanes(self) -> int:
-        """The number of lanes (groups of pixels with one code each)."""
+        """The number of lanes (the pixels of one distinct shutter each)."""
         return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> FrameWeights:
@@ -320,7 +324,7 @@ def light_sums(
     threads: int = 1,
 ) -> Floats:
     """Return the sums (sums, pixels) of a light's slots, in electrons, each weighted by slot and
-    lane (the pixels of one code).
+    lane (the pixels of one distinct shutter).
 
     `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
     and in float32; the latter may be empty if no sum has crosstalk. Sums from number `smeared` on
@@ -368,9 +372,9 @@ def light_sums(
         ) -> None:
             """Add up the light of the rows from `begin` up to before `end` with the weights of
             their lanes. The defaults bind the arrays of this batch. A lane is the pixels of one
-            code."""
-            lit = np.empty(TOGETHER * BLOCK, np.float32)
-            gathered = np.empty(BLOCK)
+            distinct shutter."""
+            lit = np.empty(FRAMES_TOGETHER * SUM_BLOCK, np.float32)
+            gathered = np.empty(SUM_BLOCK)
             scene_sums(
                 sizes=SceneSizes(begin=begin, end=end, **sizes),
                 lit=lit,

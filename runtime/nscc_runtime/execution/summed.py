@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc.arrays import Floats, Ints32
+from nscc.arrays import Floats
 from nscc.mappings import NamedValues
-from nscc_runtime.execution.block_draws import BLOCK
+from nscc_runtime.execution.block_draws import DRAW_BLOCK
 from nscc_runtime.execution.count_loop import draw_deviations
 from nscc_runtime.execution.frame_loop import Adding, add_up
 from nscc_runtime.execution.moments import Moments
@@ -18,30 +18,29 @@ SUMS, COUNTS, ERRORS = 0, 1, 2
 """Random stream of frames by sums (effects have streams from 1), and its source numbers."""
 
 
-def draw_exposures(moments: Moments, lane: Ints32, seed: int, frame: int, threads: int) -> Floats:
+def draw_exposures(moments: Moments, seed: int, frame: int, threads: int) -> Floats:
     """Return the exposures of frame number `frame`, in electrons, (buckets, pixels), drawn from the
     moments of its scene without saturation.
 
-    `lane` (rows, cols): the lane (the pixels of one code) of each pixel. `seed`: of the noise.
-    Results do not depend on `threads`."""
-    (rows, cols), (buckets, pixels) = lane.shape, moments.mean_e.shape
+    `seed`: of the noise. Results do not depend on `threads`."""
+    (rows, cols), (buckets, pixels) = moments.lane.shape, moments.mean_e.shape
     places = np.arange(pixels, dtype=np.int64)
     # Deviations of photon and dark counts, which the loop spreads over buckets and neighbours.
     away = np.empty((0, pixels))
-    if len(moments.counts):
-        sources = [(SUMS, COUNTS, moments.counts)]
+    if len(moments.count_means):
+        sources = [(SUMS, COUNTS, moments.count_means)]
         away = draw_deviations(sources, places, seed, frame, threads)
     # Errors of words are drawn for all words of a pixel together.
-    draws, _, lanes = moments.error_e.shape
-    noise_keys = keys(seed, SUMS, ERRORS, frame, draws)
+    error_draws, _, lanes = moments.error_e.shape
+    noise_keys = keys(seed, SUMS, ERRORS, frame, error_draws)
     sizes: NamedValues = {
         "rows": rows,
         "cols": cols,
         "pixels": pixels,
         "buckets": buckets,
         "lane_count": lanes,
-        "draws": len(away),
-        "sources": draws,
+        "count_draws": len(away),
+        "error_draws": error_draws,
         "exchanges": moments.exchanged > 0 and len(away) > 0,
         "fraction": moments.exchanged,
     }
@@ -52,15 +51,15 @@ def draw_exposures(moments: Moments, lane: Ints32, seed: int, frame: int, thread
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
             noise_keys=noise_keys,
-            lanes=lane.reshape(-1),
+            lanes=moments.lane.reshape(-1),
             places=places,
             expected=moments.mean_e,
             away=away,
             own_weights=moments.own_weights,
             neighbour_weights=moments.neighbour_weights,
             sigma=moments.error_e,
-            total=np.empty(BLOCK * buckets),
-            drawn=np.empty(BLOCK),
+            total=np.empty(DRAW_BLOCK * buckets),
+            drawn=np.empty(DRAW_BLOCK),
             exposure=exposure,
         )
 

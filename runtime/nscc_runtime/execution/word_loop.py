@@ -1,8 +1,8 @@
 """The effect of analog words on pixels: the reference's words, compiled.
 
 `nscc_runtime.execution.block_loop` adds charge to PIX and draws the normal numbers of a word before
-it calls these functions. Register r of pixel i of a block is at index r * `BLOCK` + i. `count` is
-the number of pixels that run the word; `state.running` names them."""
+it calls these functions. Register r of pixel i of a block is at index r * `WORD_BLOCK` + i. `count`
+is the number of pixels that run the word; `state.running` names them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 from nscc.arrays import Bytes, Floats, Ints
 from nscc_runtime.effects.spread import soft_in_loop
 from nscc_runtime.execution.layout import (
-    BLOCK,
+    WORD_BLOCK,
     LoopProgram,
     LoopWord,
     Numbers,
@@ -24,8 +24,8 @@ from nscc_runtime.execution.layout import (
 from nscc_runtime.loop import inlined
 
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4
-"""Saturation marks of a register: it contains a full PIX with positive or negative sign, or a full
-PIX in the level of a reset."""
+"""PIX flags, bits of `PixelState.full`: a register contains a full PIX with positive or negative
+sign, or a full PIX in the level of a reset. `read_out` turns them into saturation marks."""
 
 
 @inlined
@@ -34,11 +34,11 @@ def begin(switches: Switches, state: PixelState, i: int) -> None:
     as at the start of a frame, written at time 0. The reset level is 0. PIX is the photodiode. IN
     is the level sent to all pixels."""
     for register in range(switches.registers + 2):
-        at = register * BLOCK + i
+        at = register * WORD_BLOCK + i
         state.value[at], state.since_s[at] = 0.0, 0.0
         state.lost_e[at], state.full[at] = 0.0, 0
     # PIX was reset before the frame: words at time 0 must not see a fresh reset.
-    state.since_s[switches.registers * BLOCK + i] = -1.0
+    state.since_s[switches.registers * WORD_BLOCK + i] = -1.0
     state.level[i] = 0.0
 
 
@@ -48,7 +48,7 @@ def fill(switches: Switches, numbers: Numbers, state: PixelState, at: int, charg
     it NaN. If the effect of the full well is on, PIX stops at the full well and is marked as full.
     """
     total = state.value[at] + charge_e
-    if switches.holds and total > numbers.well:
+    if switches.well_clips and total > numbers.well:
         total = numbers.well
         state.full[at] = ADDED
     state.value[at] = total
@@ -63,7 +63,7 @@ def reset(
     state.normals[j], or to 0 without reset errors. PIX is the photodiode."""
     for j in range(count):
         i = state.running[j]
-        at = switches.registers * BLOCK + i
+        at = switches.registers * WORD_BLOCK + i
         state.value[at], state.full[at], state.since_s[at] = 0.0, 0, word.time_s
         state.level[i] = 0.0
         if switches.reset_errors:
@@ -93,7 +93,7 @@ def add(
         if source == pix:
             for j in range(count):
                 noise = numbers.read_error * state.normals[j] if switches.read_errors else 0.0
-                at = pix * BLOCK + pixels[j]
+                at = pix * WORD_BLOCK + pixels[j]
                 charge, full = state.value[at], state.full[at]
                 # PIX was reset at this boundary.
                 if state.since_s[at] == word.time_s:
@@ -106,15 +106,15 @@ def add(
                 total[j] += word.in_e
         else:
             for j in range(count):
-                at = source * BLOCK + pixels[j]
+                at = source * WORD_BLOCK + pixels[j]
                 value = state.value[at]
                 if switches.leaks and state.since_s[at] != word.time_s:
                     age_s = word.time_s - state.since_s[at]
                     value *= math.exp(-state.leak[pixels[j]] * age_s)
                 total[j] += value
-            if switches.holds or switches.bends:
+            if switches.well_clips or switches.registers_bend:
                 for j in range(count):
-                    at = source * BLOCK + pixels[j]
+                    at = source * WORD_BLOCK + pixels[j]
                     state.total_full[j] |= state.full[at]
                     state.total_lost_e[j] += state.lost_e[at]
 
@@ -148,8 +148,8 @@ def write(
     state.running[:count], with the marks and losses of its sources.
 
     With errors of words, the result has the word's gain and an error, for destination d made from
-    state.normals[normals + d * BLOCK + j]. With soft registers it is bent into their range."""
-    if switches.holds:
+    state.normals[normals + d * WORD_BLOCK + j]. With soft registers it is bent into their range."""
+    if switches.well_clips:
         for j in range(count):
             # A bus word negates, so added and subtracted are exchanged.
             full = state.total_full[j]
@@ -163,14 +163,14 @@ def write(
             i, lost_e = state.running[j], state.total_lost_e[j] / word.divisor
             value = state.total[j] / -word.divisor
             if switches.word_errors:
-                noise = sigma * state.normals[normals + d * BLOCK + j] if sigma else 0.0
+                noise = sigma * state.normals[normals + d * WORD_BLOCK + j] if sigma else 0.0
                 error = state.pattern[i] + noise if word.adds else noise
                 value = gain * value + program.signs[register] * error
-            if switches.bends:
+            if switches.registers_bend:
                 bent = soft_in_loop(value, numbers.lowest, numbers.highest, numbers.knee)
                 lost_e += abs(value - bent)
                 value = bent
-            at = register * BLOCK + i
+            at = register * WORD_BLOCK + i
             state.value[at], state.since_s[at] = value, word.time_s
             state.lost_e[at], state.full[at] = lost_e, state.total_full[j]
 
@@ -196,7 +196,7 @@ def read_out(
         negative = gain < 0.0
         when_s = numbers.frame_s + readouts.wait_s[bucket]
         for i in range(count):
-            at = readouts.register[bucket] * BLOCK + i
+            at = readouts.register[bucket] * WORD_BLOCK + i
             value = state.value[at] * gain
             if switches.leaks:
                 value *= math.exp(-state.leak[i] * (when_s - state.since_s[at]))

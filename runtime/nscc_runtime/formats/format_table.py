@@ -18,9 +18,12 @@ from nscc_runtime.formats import pictures
 from nscc_runtime.formats.content import Arrays, Content
 
 
-def npz(content: Content) -> bytes:
-    """Return the bytes of an .npz file of all arrays of `content` by name; equal arrays give equal
-    bytes, because no time is stored."""
+def npz(content: Content) -> Product:
+    """Return the function that writes an .npz file of `content`, such as `FrameFile.write` for a
+    frame; without such a function, the bytes of a file of all arrays by name. Equal arrays give
+    equal bytes, because no time is stored."""
+    if content.write_npz is not None:
+        return content.write_npz
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_STORED) as archive:
         for name, values in content.arrays.items():
@@ -138,6 +141,4 @@ def file_of(path: Path, content: Content, product: str) -> Product:
             helps=(f"use {', '.join(possible_endings)}",),
             data={"endings": list(possible_endings)},
         )
-    if ending == ".npz" and content.write_npz is not None:
-        return content.write_npz
     return format_.write(content)

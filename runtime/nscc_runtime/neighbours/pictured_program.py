@@ -26,9 +26,9 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.array_loop import run_array_words
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.host_setting import HostSetting
-from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
@@ -242,7 +242,7 @@ class PicturedProgram:
         parameters by name, by default their starts."""
         container, pictures = self.container, self.pictures
         pixels = self._computed(exposure, seeds, number, kept, params)
-        frame = self._frame_of(pixels, exposure, seeds, number, reaches)
+        frame = self._read_out_in_turn(pixels, exposure, seeds, number, reaches)
         # Bits of states are 0 if exposure and readouts take longer than registers keep them.
         # Planes take no time here: only readouts of values use the converter.
         values_read = sum(name not in pictures.planes for name in pictures.reads)
@@ -262,7 +262,7 @@ class PicturedProgram:
         """Return a function of (noise seed, frame number) that exposes a frame of `light`, without
         the words of images and planes. Without noise both arguments are ignored."""
         container, effects = self.container, self.effects
-        if effects.noiseless:
+        if effects.without_effects:
             from nscc_runtime.emulator import expose
 
             return lambda _seed, _number: expose(
@@ -274,7 +274,7 @@ class PicturedProgram:
             container, self.sensor, light, effects, device_seed, self.threads, self.by_words
         ).expose
 
-    def _frame_of(
+    def _read_out_in_turn(
         self,
         pixels: ArrayPixels | ArrayContents,
         exposure: Exposure,
@@ -282,12 +282,12 @@ class PicturedProgram:
         number: int,
         reaches: Mapping[str, Reach] | None,
     ) -> Frame:
-        """Return the frame that is read out after the last word, with images, planes and reports.
+        """Read out the frame after the last word, and return it with images, planes and reports.
 
-        `pixels` holds the registers of the array, and its registers leak while values are read one
-        after the other. `exposure` tells only which pixels are valid. `seeds` are those of noise
-        and device, `number` is that of the frame, and `reaches` tells which pixels depend on light
-        beyond the array (None: as in a first frame)."""
+        The registers of `pixels` leak here, in place, while values are read one after the other,
+        and reports follow from the decayed values. `exposure` tells only which pixels are valid.
+        `seeds` are those of noise and device, `number` is that of the frame, and `reaches` tells
+        which pixels depend on light beyond the array (None: as in a first frame)."""
         pictures, buckets = self.pictures, list(self.container.buckets)
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
@@ -397,7 +397,7 @@ class PicturedProgram:
         exposed_by |= kept.marks
         code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept.bits
         words = _words_of_params(container)
-        if self.effects.noiseless:
+        if self.effects.without_effects:
             return words.compiled(params).run((shape[0], shape[1]), exposed, exposed_by, code)
         pixels = ArrayPixels(
             sensor=self.sensor,

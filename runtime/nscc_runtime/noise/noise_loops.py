@@ -18,9 +18,6 @@ from nscc_runtime.noise.poisson_law import RATE_CAP, poisson_exact
 _Places = Annotated[Ints, "count"]
 _Drawn = Written[Annotated[Floats, "count"]]
 
-BLOCK = 512
-"""Number of pixels per block. Light varies little along a row, so most blocks need one method."""
-
 _FIRST_LANE = np.uint64(0)
 
 

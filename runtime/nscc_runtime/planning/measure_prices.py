@@ -10,7 +10,7 @@ import numpy as np
 
 import nscc
 from nscc_runtime.effects import Selection, everything, selected
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan_request import PlanRequest
@@ -56,7 +56,7 @@ def measure_prices() -> list[Price]:
     scene, all_effects = PlannedScene(container, sensor, still, threads=1), everything()
     work = Work.of(scene)
     places = np.linspace(0, scene.pixels - 1, _NEAR).astype(np.int64)
-    laid = lay_out(container, sensor, still, all_effects, places, 0)
+    prepared = prepare_pixels(container, sensor, still, all_effects, places, 0)
     reference, light = (
         Reference.of(container, sensor, all_effects),
         reference_scene(container, still),
@@ -85,7 +85,7 @@ def measure_prices() -> list[Price]:
             "a pixel through its words, all effects",
             "ns",
             work.loop_ns(all_effects),
-            1e9 / _NEAR * _least_s(lambda: expose_pixels(laid, 0, 0)),
+            1e9 / _NEAR * _least_s(lambda: expose_pixels(prepared, 0, 0)),
         ),
         Price(
             "reference",

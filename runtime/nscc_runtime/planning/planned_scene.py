@@ -16,7 +16,12 @@ from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
-from nscc_runtime.execution.block_scene import BlockScene, PixelExposures, expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import (
+    BlockScene,
+    PixelExposures,
+    expose_pixels,
+    prepare_pixels,
+)
 from nscc_runtime.execution.frames import frame_source, reference_reasons
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
@@ -71,7 +76,9 @@ class PlannedScene:
 
     def ready(self) -> None:
         """Analyse the program, so that later steps are timed without it. Raises Rejected if its
-        words cannot be simulated."""
+        words cannot be simulated, or open no shutters (NS0442)."""
+        if not self.looks:
+            analysed(self.container, self.sensor)
         if not self.needs_reference(everything()):
             block_program(self.container, retention_us(everything(), self.sensor))
 
@@ -250,7 +257,7 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     container, sensor, threads = scene.container, scene.sensor, threads_of(scene.threads)
     # The loop over words exposes the sample alone; the reference would need the whole scene.
     if not scene.needs_reference(everything()):
-        laid = lay_out(
+        prepared = prepare_pixels(
             container,
             sensor,
             scene.light,
@@ -261,8 +268,8 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
             sample.known_means,
         )
         if not scene.looks:
-            return lambda number, _: expose_pixels(laid, SEED, number, threads)
-        return _looking(scene, sample, laid)
+            return lambda number, _: expose_pixels(prepared, SEED, number, threads)
+        return _looking(scene, sample, prepared)
     reference, light = (
         Reference.of(container, sensor, effects),
         reference_scene(container, scene.light),
@@ -282,14 +289,14 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     return expose
 
 
-def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
+def _looking(scene: PlannedScene, sample: Sample, prepared: BlockScene) -> Expose:
     """Return a function that exposes the pixels of `sample`, which look, with the effects of
-    `laid`, their prepared scene.
+    `prepared`, their prepared scene.
 
     Segments and endings are numbered differently for effects with other paths, so states are given
     and returned as bits."""
     container, threads = scene.container, threads_of(scene.threads)
-    paths = paths_of(container, retention_us(laid.effects, scene.sensor))
+    paths = paths_of(container, retention_us(prepared.effects, scene.sensor))
     assert not isinstance(paths, str)  # `lacks` says so
     endings = len(next(iter(paths.endings.values()), [0]))
     states = _packed(container, paths.endings, endings)
@@ -304,7 +311,7 @@ def _looking(scene: PlannedScene, sample: Sample, laid: BlockScene) -> Expose:
             registers = _state_registers(container)
             planes = {n: (begins >> k & 1).astype(np.bool_) for k, n in enumerate(registers)}
             first = paths.begins(next_planes(container, loaded, planes), begins.shape)
-        pixels = expose_pixels(laid, SEED, number, threads, first)
+        pixels = expose_pixels(prepared, SEED, number, threads, first)
         return replace(pixels, endings=states[pixels.endings])
 
     return expose

@@ -57,7 +57,7 @@ class Sample:
         Number of pixels of the scene.
     known_means : Recent
         Cache of means of the light of the sampled pixels, for
-        `nscc_runtime.execution.block_scene.lay_out`.
+        `nscc_runtime.execution.block_scene.prepare_pixels`.
     """
 
     places: Places

@@ -25,8 +25,8 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check
+from nscc_runtime.exposed_frame import Executed, Exposure
 from nscc_runtime.frame_file import Frame, converted
-from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.reference.charge import Fallen, charge_of_rows, places_of
@@ -72,7 +72,7 @@ class Reference:
         """The first slot of each interval; without effects each slot is an interval, because sums
         of light are defined slot by slot."""
         slots = self.container.slots
-        if self.effects.noiseless:
+        if self.effects.without_effects:
             return tuple(range(slots))
         # A slot at whose start words run is an interval of its own, because a part of its light
         # falls while they run.

@@ -18,7 +18,7 @@ from nscc.words.stream import Stream
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
-from nscc_runtime.interface import Exposure
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.words import Marked, in_rows

@@ -82,15 +82,15 @@ class RunningWord:
 
 @dataclass(frozen=True, eq=False)
 class AnalogWord(RunningWord):
-    """A bus or reset word, and the mask `lanes` (lanes,) of the lanes (groups of pixels with one
-    code each) in which it acts."""
+    """A bus or reset word, and the mask `lanes` (lanes,) of the lanes (the pixels of one distinct
+    shutter each) in which it acts."""
 
     lanes: Bits
 
     @classmethod
     def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
-        """Return `word` with the mask `lanes` (lanes,) of the lanes (groups of pixels with one code
-        each) in which it acts."""
+        """Return `word` with the mask `lanes` (lanes,) of the lanes (the pixels of one distinct
+        shutter each) in which it acts."""
         return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
 
 
@@ -141,8 +141,8 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
 
     A digital register reads 0 if no word wrote it for more than `retention_us`. Raises Rejected for
     words that are no operations of the chip (`nscc.words.legality.decoded`), and with NS0442 if
-    FLAG depends on the light. A lane is the pixels of one code. FLAG is the bit that lets a pixel
-    act."""
+    FLAG depends on the light. A lane is the pixels of one distinct shutter. FLAG is the bit that
+    lets a pixel act."""
     target, encoding = container.target, container.encoding
     nothing = np.zeros(len(encoding), np.bool_)
     column = {name: i for i, name in enumerate(target.digital_registers)}

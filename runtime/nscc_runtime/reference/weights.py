@@ -30,8 +30,8 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
     """Weights, each an array (lanes, buckets), by name: the number of a word, or this and the index
     of a destination. Names whose weights are all 0 are missing: reading one raises KeyError.
 
-    In long frames most words act in one lane (the pixels of one code) of thousands. Only nonzero
-    rows are stored, and arrays are built on access; they must not be modified."""
+    In long frames most words act in one lane (the pixels of one distinct shutter) of thousands.
+    Only nonzero rows are stored, and arrays are built on access; they must not be modified."""
 
     def __init__(self) -> None:
         """Begin without weights."""
@@ -40,7 +40,7 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
     def keep(self, name: Name, weight: Weights) -> None:
         """Store the weights (lanes, buckets) of a name, in place of those stored before; all 0
         changes nothing. The caller does not change the array afterwards. A lane is the pixels of
-        one code."""
+        one distinct shutter."""
         # If more than half of the lanes have weights, a list of them would save little.
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
         if 2 * len(lanes) > len(weight):
@@ -56,9 +56,9 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         return renamed
 
     def __getitem__(self, name: Name) -> Weights:
-        """Return the weights (lanes, buckets) of a name, 0 in the lanes (groups of pixels with one
-        code each) that are not stored. Raises KeyError for a name whose weights are all 0 or were
-        never stored."""
+        """Return the weights (lanes, buckets) of a name, 0 in the lanes (the pixels of one distinct
+        shutter each) that are not stored. Raises KeyError for a name whose weights are all 0 or
+        were never stored."""
         count, lanes, lane_weights = self._held[name]
         if lanes is None:
             return lane_weights
@@ -81,7 +81,7 @@ class WeightModel:
 
     `gain`, `move_gain`: gains of a word that adds sources, and of one that moves a value.
     `move_noise`: random error of a move, as a fraction of that of an addition. `leak_per_s`: rate
-    (1/s) at which analog registers leak. `dead_time`: whether light is collected while words run.
+    (1/s) at which analog registers leak. `slow_words`: whether light is collected while words run.
     `decay`: whether digital registers decay. `lit_level`: whether a reset level is read with the
     light collected since. The defaults are words without errors."""
 
@@ -89,7 +89,7 @@ class WeightModel:
     move_gain: float = 1.0
     move_noise: float = 1.0
     leak_per_s: float = 0.0
-    dead_time: bool = False
+    slow_words: bool = False
     decay: bool = False
     lit_level: bool = False
 
@@ -103,7 +103,7 @@ class WeightModel:
             move_gain=gain.move_gain(sensor) if gain else 1.0,
             move_noise=gain.move_noise(sensor) if gain else 1.0,
             leak_per_s=1.0 / leak.tau_s(sensor) if leak else 0.0,
-            dead_time=effects.find_part(SlowWords) is not None,
+            slow_words=effects.find_part(SlowWords) is not None,
             decay=effects.find_part(Fading) is not None,
             lit_level=effects.find_part(LitLevel) is not None,
         )
@@ -117,7 +117,7 @@ class Backward:
     the weight of its error: `reads`, the noise of reading PIX (the photodiode); `resets`, the noise
     that PIX keeps after a reset; `errors`, the fixed error that an addition adds to its result,
     keyed by word number and destination index (signed by `error_sign`); `noise`, the random error
-    that a word adds, for that of an addition. A lane is the pixels of one code."""
+    that a word adds, for that of an addition. A lane is the pixels of one distinct shutter."""
 
     slots: Weights
     reads: ByName[int]
@@ -129,7 +129,7 @@ class Backward:
         """Return the covariance (buckets, buckets, lanes) of exposures if the errors of one kind
         are independent, each of variance 1. `at`: errors of reading PIX (the photodiode), errors of
         resets, or the random errors of words. Without such errors it is 0. A lane is the pixels of
-        one code."""
+        one distinct shutter."""
         weights = {"reads": self.reads, "resets": self.resets, "words": self.noise}[at]
         _, lanes, buckets = self.slots.shape
         total = np.zeros((buckets, buckets, lanes))
@@ -141,20 +141,20 @@ class Backward:
         """Return the variance (lanes, buckets) of exposures if the errors of one kind are
         independent, each of variance 1. `at`: errors of reading PIX (the photodiode), errors of
         resets, or the random errors of words. Without such errors it is 0. A lane is the pixels of
-        one code."""
+        one distinct shutter."""
         return np.asarray(np.einsum("bbl->lb", self.covariance(at)))
 
     @cached_property
     def error_sum(self) -> Weights:
         """Sum (lanes, buckets) of the weights `errors` of all additions: the change of exposures if
         each addition has an error of 1 e. It is 0 without additions. A lane is the pixels of one
-        code."""
+        distinct shutter."""
         return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
 
     def open(self) -> Bools:
         """Return the shutters (N, lanes, buckets), True where open. Raises Rejected with NS0442 if
         the weight of a slot is neither 0 nor 1 up to rounding, as with a model that has losses. A
-        lane is the pixels of one code."""
+        lane is the pixels of one distinct shutter."""
         is_open = self.slots > 0.5
         if not np.allclose(self.slots, is_open, rtol=0, atol=1e-9):
             raise opens_no_shutters(
@@ -168,14 +168,14 @@ def backward(
     container: Container, words: Sequence[AnalogWord], model: WeightModel = WeightModel()
 ) -> Backward:
     """Return the weights of the slots' charge and of the words' errors in the exposures, for each
-    lane (the pixels of one code).
+    lane (the pixels of one distinct shutter).
 
     `words`: all bus and reset words of a frame in the order of execution (`analog_words`); empty or
     ignored for a chip without logic. Digital decay must already be contained in them: they are
     computed with the retention time. `model`: gains, leakage and times of words, by default words
-    without errors. With its `dead_time`, a slot's charge reaches PIX (the photodiode) at a constant
-    rate while the words of its boundary run. With `lit_level`, words that read PIX after its reset
-    at the same boundary also read this charge.
+    without errors. With its `slow_words`, a slot's charge reaches PIX (the photodiode) at a
+    constant rate while the words of its boundary run. With `lit_level`, words that read PIX after
+    its reset at the same boundary also read this charge.
 
     A shutter that is open in the slots 1 and 2 of four counts their charge once. If every word
     loses a tenth, the two words between a slot and the readout leave 0.81 of it, and the
@@ -198,9 +198,9 @@ def backward(
         >>> backward(program, words, lossy).slots[:, 0, 0].round(3).tolist()
         [0.081, 0.81, 0.81, 0.0]
     """
-    leak_per_s, dead_time = model.leak_per_s, model.dead_time
+    leak_per_s, slow_words = model.leak_per_s, model.slow_words
     if container.target.taps:
-        return _of_taps(container, leak_per_s, dead_time)
+        return _of_taps(container, leak_per_s, slow_words)
     lanes = len(words[0].lanes) if words else len(container.encoding)
     buckets = len(container.buckets)
     names = (*container.target.analog_registers, "PIX", "IN")
@@ -227,7 +227,7 @@ def backward(
         ends = _ends(executed, container.slot_us[slot], boundary == container.slots)
         # Charge that falls while words run after the last slot is a multiple of that slot's.
         fallen = after_the_last if boundary == container.slots else result.slots[slot]
-        if dead_time:
+        if slow_words:
             fallen *= 1.0 - ends[-1]
         fresh, unseen = _fresh(executed, lanes), np.zeros((lanes, buckets))
         for index in reversed(range(len(executed))):
@@ -237,7 +237,7 @@ def backward(
                 # Later readings of the fresh PIX give its reset level, without this charge.
                 read = np.zeros_like(before) if word.resets else weight["PIX"] - before
                 unseen = (unseen + read * fresh[index]) * ~(word.lanes[:, None] & word.resets)
-            if dead_time:
+            if slow_words:
                 waited = ends[index] - (ends[index - 1] if index else 0.0)
                 fallen += waited * (weight["PIX"] - unseen)
     result.slots[:later] = weight["PIX"]
@@ -245,10 +245,10 @@ def backward(
     return result
 
 
-def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backward:
+def _of_taps(container: Container, leak_per_s: float, slow_words: bool) -> Backward:
     """Return the weights for a chip without logic, whose taps are reset and read once. The numbers
-    of reads and resets are those of taps. `leak_per_s`: rate (1/s) at which taps leak. `dead_time`:
-    whether no light is collected while bit planes are loaded.
+    of reads and resets are those of taps. `leak_per_s`: rate (1/s) at which taps leak.
+    `slow_words`: whether no light is collected while bit planes are loaded.
 
     Errors of reading are added after the gain, so their weights are 1; errors of resets before
     it."""
@@ -257,7 +257,7 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
     slot_us = np.array(container.slot_us)
     age_s = (slot_us.sum() - np.cumsum(slot_us)) * 1e-6
     lit = np.exp(-leak_per_s * age_s)
-    if dead_time and not target.pipelined:
+    if slow_words and not target.pipelined:
         lit = lit * (1.0 - target.plane_load_us / slot_us)
     slots = shutters.transpose(2, 0, 1) * gains * lit[:, None, None]
     tap_weights = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
@@ -270,8 +270,8 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
 
 def _fresh(executed: Sequence[AnalogWord], lanes: int) -> Bools:
     """Return a mask (words, lanes, 1): True if an earlier word of the same boundary has reset PIX
-    (the photodiode) in this lane (the pixels of one code). `executed`: the words of one boundary in
-    order, at least one. The last axis fits the buckets of weights."""
+    (the photodiode) in this lane (the pixels of one distinct shutter). `executed`: the words of one
+    boundary in order, at least one. The last axis fits the buckets of weights."""
     is_fresh = np.zeros((len(executed), lanes), np.bool_)
     for index, word in enumerate(executed[:-1]):
         is_fresh[index + 1] = is_fresh[index] | (word.lanes & word.resets)
@@ -299,8 +299,8 @@ def _through(
     store the weights of the word's errors in `result`.
 
     `weight`: by name of an analog register, PIX (the photodiode) and IN, how much of its content
-    reaches the exposures, (lanes, buckets). In lanes (groups of pixels with one code each) in which
-    the word does not act nothing changes."""
+    reaches the exposures, (lanes, buckets). In lanes (the pixels of one distinct shutter each) in
+    which the word does not act nothing changes."""
     acts = word.lanes[:, None]
     if word.resets:
         result.resets.keep(word.number, weight["PIX"] * acts)

@@ -17,7 +17,7 @@ from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.registry import by_name
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
-from nscc_runtime.interface import Exposure
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen

@@ -53,7 +53,7 @@ class ImagesRun(RunKind):
         pixels near saturation do, unless the reference is needed."""
         from nscc_runtime.execution.frames import word_reasons
 
-        if effects.noiseless or not request.by_plan:
+        if effects.without_effects or not request.by_plan:
             return super().word_reasons(container, light, sensor, effects, request)
         lights = (light, *request.next_lights)
         return word_reasons(container, sensor, lights, effects, request.device_seed)

@@ -31,7 +31,7 @@ class LooksRun(RunKind):
         from nscc_runtime.looked_frames import frames
         from nscc_runtime.noise.noise_loops import fill_normals
 
-        noiseless = request.effects.noiseless
+        without_effects = request.effects.without_effects
         run = partial(
             frames,
             container,
@@ -42,9 +42,11 @@ class LooksRun(RunKind):
             device_seed=request.device_seed,
             count=request.repeat or 1,
             threads=request.threads,
-            by_words=not noiseless,
+            by_words=not without_effects,
         )
-        return Exposing(run, run_blocks) if noiseless else Exposing(run, fill_normals, "noise")
+        if without_effects:
+            return Exposing(run, run_blocks)
+        return Exposing(run, fill_normals, "noise")
 
     def sheet(self, container: Container, title: str) -> Any:
         """Return the drawing of what pixels do for each sequence of answers, with `title` above."""

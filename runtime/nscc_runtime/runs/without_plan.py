@@ -23,7 +23,7 @@ def exact_or_reference(
 
     `effects` are those to simulate; `request` gives the seeds, the number of frames
     (`request.repeat`, None for one) and the threads."""
-    if request.effects.noiseless:
+    if request.effects.without_effects:
         from nscc_runtime.emulator.loops import expose_without_effects
 
         return Exposing(partial(_exact, container, light, sensor, request), expose_without_effects)

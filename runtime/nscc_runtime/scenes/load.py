@@ -52,7 +52,7 @@ _BUILTINS = ("hdr", "motion", "dark")
 
 
 @dataclass(frozen=True)
-class _Request:
+class _Loading:
     """A scene to load, and what it is loaded for.
 
     `window` is the array and its place in pictures. `slot_us` are the lengths of slots in
@@ -76,7 +76,7 @@ class _Request:
         return self.scene.name
 
     @cached_property
-    def exposure(self) -> ExposureLevel | None:
+    def exposure_level(self) -> ExposureLevel | None:
         """The exposure that the scene asks for, or None."""
         return parse_exposure(self.scene.exposure)
 
@@ -88,7 +88,7 @@ class _Request:
     def check_exposure(self) -> None:
         """Raise Rejected (NS0737) if the scene has no exposure and the request no factor to
         electrons. It is called for scenes without a unit only."""
-        if self.factor is None and self.exposure is None:
+        if self.factor is None and self.exposure_level is None:
             exposure.needed(self.name)
 
     def scale(self, open_sum: Floats, placement: Placement) -> float:
@@ -100,8 +100,8 @@ class _Request:
         `exposure.scale`."""
         if self.factor is not None:
             return self.factor
-        assert self.exposure is not None  # `check_exposure` was called
-        return exposure.scale(placement.cut(open_sum), self.exposure, self.name)
+        assert self.exposure_level is not None  # `check_exposure` was called
+        return exposure.scale(placement.cut(open_sum), self.exposure_level, self.name)
 
     @property
     def on_array(self) -> Placement:
@@ -206,8 +206,8 @@ def laid_scene(
     `rows` x `cols` pixels.
 
     `slot_us` are the lengths of the program's slots in microseconds. `about` are further fields of
-    `_Request`: `warn` and `progress`. Options of the scene that do not apply to its kind are
-    refused.
+    `_Loading`: `warn`, `progress`, `channel` and `factor`. Options of the scene that do not apply
+    to its kind are refused.
 
     "samples" as `frames_are` declares that the scene moves within a frame. That motion is an effect
     of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
@@ -216,39 +216,39 @@ def laid_scene(
     Raises Rejected (status 2): NS0730 to NS0739, NS0776 for missing frames, NS0777 for a bracket.
     """
     crop, spec = parse_crop(scene.crop), scene.name
-    request = _Request(scene, Window(rows, cols, crop), slot_us, **about)
-    exposure, times = request.exposure, parse_times(scene.times)
+    loading = _Loading(scene, Window(rows, cols, crop), slot_us, **about)
+    exposure_level, times = loading.exposure_level, parse_times(scene.times)
     # Options that this kind of scene does not use are refused, not ignored.
     checked_white(scene.white)
     if crop is not None and scene.fit != "crop":
-        _refuse(request, f"--fit {scene.fit} exposes the whole picture", "crop")
+        _refuse(loading, f"--fit {scene.fit} exposes the whole picture", "crop")
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
         why = "a built-in scene already fits the array and the program's slots"
-        _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket", "skip")
-        light = load_builtin(spec, slot_us=slot_us, rows=rows, cols=cols, exposure=exposure)
+        _refuse(loading, why, "transfer", "fps", "crop", "first", "white", "bracket", "skip")
+        light = load_builtin(spec, slot_us=slot_us, rows=rows, cols=cols, exposure=exposure_level)
         if light.kind != "still":
-            _refuse(request, why, "single")
-        return PlacedLight(light, request.on_array)
+            _refuse(loading, why, "single")
+        return PlacedLight(light, loading.on_array)
     if not scene.bracket:
         _refuse(
-            request,
+            loading,
             "only photos of a bracket have exposure times, and --bracket reads them",
             "times",
         )
     else:
         _refuse(
-            request,
+            loading,
             "a bracket gives one still, without frames to select and without a white level",
             "first",
             "white",
             "skip",
         )
         files = bracket_files(spec)
-        transfer, say_notes = request.scene.transfer, partial(_say_notes, request)
-        return _still(request, lambda: merged_bracket(files, times, transfer, say_notes))
-    return _load_path(request, _existing(spec))
+        transfer, say_notes = loading.scene.transfer, partial(_say_notes, loading)
+        return _still(loading, lambda: merged_bracket(files, times, transfer, say_notes))
+    return _load_path(loading, _existing(spec))
 
 
 def light_of_array(
@@ -260,12 +260,12 @@ def light_of_array(
     needed, and `name` is for messages. float32 arrays in C order are not copied, and must not be
     modified while the light is in use. Raises Rejected (status 2, NS0733 to NS0736) for arrays that
     do not fit or that are not light."""
-    request = _Request(Scene(name), Window(rows, cols), slot_us)
+    loading = _Loading(Scene(name), Window(rows, cols), slot_us)
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
-    request.check_light(values.shape)
+    loading.check_light(values.shape)
     refuse_no_light(values, name)
-    return _electrons(request, np.ascontiguousarray(values, np.float32))
+    return _electrons(loading, np.ascontiguousarray(values, np.float32))
 
 
 def _existing(spec: str) -> Path:
@@ -291,7 +291,7 @@ def _existing(spec: str) -> Path:
     )
 
 
-def _load_path(request: _Request, path: Path) -> PlacedLight:
+def _load_path(loading: _Loading, path: Path) -> PlacedLight:
     """Return the light of the file or folder `path` on the array. The ending of a file decides
     whether it is an array or has pictures.
 
@@ -303,10 +303,10 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
     reads(path)
     suffix = path.suffix.lower()
     if path.is_dir():
-        return _folder(request, path)
-    _refuse(request, "only a folder of pictures can lack frames", "skip")
+        return _folder(loading, path)
+    _refuse(loading, "only a folder of pictures can lack frames", "skip")
     if suffix in ARRAYS:
-        return _array(request, path)
+        return _array(loading, path)
     if suffix not in PICTURES + CLIPS:
         known = ", ".join(sorted(ARRAYS + PICTURES + CLIPS))
         raise rejected(
@@ -317,129 +317,129 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
         )
     pages = open_pages(path, large=True)
     if pages.count == 1 and not pages.is_clip:
-        _refuse(request, "a still is one frame", "first")
-        _say_notes(request, pages)
-        return _still(request, lambda: (next(pages.read()), pages.colours))
-    pages = pages if request.scene.single else timed(pages)
-    _say_notes(request, pages)
-    return _clip(request, ((frame, pages.colours) for frame in pages.read()), pages.edges)
+        _refuse(loading, "a still is one frame", "first")
+        _say_notes(loading, pages)
+        return _still(loading, lambda: (next(pages.read()), pages.colours))
+    pages = pages if loading.scene.single else timed(pages)
+    _say_notes(loading, pages)
+    return _clip(loading, ((frame, pages.colours) for frame in pages.read()), pages.edges)
 
 
-def _folder(request: _Request, path: Path) -> PlacedLight:
+def _folder(loading: _Loading, path: Path) -> PlacedLight:
     """Return the light of the folder `path` as a clip, or of one of its pictures with `--still`.
     Its notes are those of the first file that is read. Raises Rejected like `files_of` and
     `read_folder`."""
     from nscc_runtime.scenes.picture_folders import files_of, read_folder
 
-    files = files_of(path, request.scene.skip, request.warn)
+    files = files_of(path, loading.scene.skip, loading.warn)
 
     def frames() -> Iterator[Stored]:
         """Yield each picture of the folder with its colours, and send the notes of the first."""
-        folder = read_folder(files, request.scene.skip, request.warn)
+        folder = read_folder(files, loading.scene.skip, loading.warn)
         for number, (picture, pages) in enumerate(folder):
             if number == 0:
-                _say_notes(request, pages)
+                _say_notes(loading, pages)
             yield picture, pages.colours
 
-    return _clip(request, frames())
+    return _clip(loading, frames())
 
 
-def _say_notes(request: _Request, pages: Pages) -> None:
+def _say_notes(loading: _Loading, pages: Pages) -> None:
     """Send the notes of the file `pages` to `warn`, and add them to the request's notes.
 
     Notes on its colours are left out if the request sets the transfer curve. A request for a single
     colour sends none, because the request for the luminance did."""
-    notes = pages.notes + (pages.stated.notes if request.scene.transfer is None else ())
-    for text, help_text in notes if request.channel is None else ():
-        request.warn(picture_note(f"'{request.name}' {text}", help_text))
-    request.notes.extend(f"the scene {text}" for text, _ in notes)
+    notes = pages.notes + (pages.stated.notes if loading.scene.transfer is None else ())
+    for text, help_text in notes if loading.channel is None else ():
+        loading.warn(picture_note(f"'{loading.name}' {text}", help_text))
+    loading.notes.extend(f"the scene {text}" for text, _ in notes)
 
 
-def _refuse(request: _Request, why: str, *names: str) -> None:
+def _refuse(loading: _Loading, why: str, *names: str) -> None:
     """Raise Rejected (NS0739), for the reason `why`, if an option is set that does not apply.
     `names` are fields of `Scene`; one is set if it differs from its default. The first one is
     reported."""
     for name in names:
-        if getattr(request.scene, name) != getattr(Scene, name):
+        if getattr(loading.scene, name) != getattr(Scene, name):
             option = declared(Scene)[name].option
             raise rejected(
                 "NS0739",
-                f"{option} does not apply to the scene '{request.name}'",
+                f"{option} does not apply to the scene '{loading.name}'",
                 notes=(why,),
                 helps=(f"leave {option} out",),
             )
 
 
-def _array(request: _Request, path: Path) -> PlacedLight:
+def _array(loading: _Loading, path: Path) -> PlacedLight:
     """Return the light of the array file `path`: `light` in electrons, or an `orig` clip of a
     benchmark in a .mat file, which is read like a video.
 
     Raises Rejected: NS0739 for options that do not apply, and the errors of `read_mat` and
     `read_light`."""
     if path.suffix.lower() == ".mat":
-        key, values = light_arrays.read_mat(path, request.check_light)
+        key, values = light_arrays.read_mat(path, loading.check_light)
         if key == light_arrays.MAT_CLIP_KEY:
             light = Colours.of("linear")
             frames = ((values[:, :, k], light) for k in range(values.shape[2]))
-            white = request.scene.white or light_arrays.clip_white(values)
-            return _clip(replace(request, scene=replace(request.scene, white=white)), frames)
+            white = loading.scene.white or light_arrays.clip_white(values)
+            return _clip(replace(loading, scene=replace(loading.scene, white=white)), frames)
     else:
-        values = light_arrays.read_light(path, request.check_light)
+        values = light_arrays.read_light(path, loading.check_light)
     why = "`light` arrays hold electrons, slot by slot, for every pixel"
-    _refuse(request, why, "fps", "crop", "first", "white")
+    _refuse(loading, why, "fps", "crop", "first", "white")
     if values.ndim == 3:
-        _refuse(request, why, "single")
-    if request.scene.transfer == "srgb":
-        _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
-    return PlacedLight(_electrons(request, values), request.on_array)
+        _refuse(loading, why, "single")
+    if loading.scene.transfer == "srgb":
+        _refuse(loading, "`light` arrays hold electrons, which are linear", "transfer")
+    return PlacedLight(_electrons(loading, values), loading.on_array)
 
 
-def _electrons(request: _Request, values: Floats32) -> Light:
+def _electrons(loading: _Loading, values: Floats32) -> Light:
     """Return the light of `values`: a clip (slots, rows, cols) in electrons, or a still (rows,
     cols) in electrons per second.
 
     With an exposure, the light is scaled to it. Raises Rejected: NS0736 above 3.4e38 electrons in
     one slot of a still, NS0738 for an exposure that cannot be reached."""
-    exposure_level = request.exposure
+    exposure_level = loading.exposure_level
     if values.ndim == 3:
         clip = Light.of_clip(values)
         if exposure_level is not None:
-            factor = exposure.scale(clip.total_e(), exposure_level, request.name)
+            factor = exposure.scale(clip.total_e(), exposure_level, loading.name)
             clip = Light.of_clip(values, factor)
-        return timing.with_motion(clip) if request.scene.frames_are == "samples" else clip
-    seconds = request.slot_s
+        return timing.with_motion(clip) if loading.scene.frames_are == "samples" else clip
+    seconds = loading.slot_s
     if exposure_level is not None:
         open_sum = values.astype(np.float64) * float(seconds.sum())
-        factor = request.scale(open_sum, request.on_array)
+        factor = loading.scale(open_sum, loading.on_array)
         return Light.of_still(values, seconds * factor, factor)
     peak = float(values.max()) * float(seconds.max())
     if peak > float(np.finfo(np.float32).max):
         raise rejected(
             "NS0736",
-            f"the scene '{request.name}' gives {peak:g} electrons in one slot",
+            f"the scene '{loading.name}' gives {peak:g} electrons in one slot",
             notes=("the light of a slot must be below 3.4e38 electrons",),
             helps=("a still in a `light` array is in electrons per second: divide it",),
         )
     return Light.of_still(values, seconds)
 
 
-def _still(request: _Request, read: Callable[[], Stored]) -> PlacedLight:
+def _still(loading: _Loading, read: Callable[[], Stored]) -> PlacedLight:
     """Return the light of a still picture on the arrays, scaled to the exposure. `read` returns the
     picture as stored and the meaning of its samples; it is called after the options were checked.
 
     Raises Rejected: NS0739 for `--fps`, NS0737 without an exposure, and the errors of `read`."""
-    _refuse(request, "a still has no frame rate", "fps")
-    request.check_exposure()
+    _refuse(loading, "a still has no frame rate", "fps")
+    loading.check_exposure()
     stored, colours = read()
-    frame, placement = _light(request, stored, colours, request.name)
-    colour = _say_changes(request, stored, colours, placement)
-    seconds = request.slot_s
-    factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), placement)
+    frame, placement = _light(loading, stored, colours, loading.name)
+    colour = _say_changes(loading, stored, colours, placement)
+    seconds = loading.slot_s
+    factor = loading.scale(frame.astype(np.float64) * float(seconds.sum()), placement)
     light = Light.of_still(frame, seconds * factor, factor)
-    return PlacedLight(light, placement, colour, tuple(request.notes))
+    return PlacedLight(light, placement, colour, tuple(loading.notes))
 
 
-def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None) -> PlacedLight:
+def _clip(loading: _Loading, frames_read: Iterator[Stored], edges: Edges = None) -> PlacedLight:
     """Return the light of a clip: one frame per slot, or frames by `--fps`. With `--still` it is
     the light of one frame as a still.
 
@@ -447,26 +447,26 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
     the slots last. `edges`: the starts of frames that last unequally, and the end, in steps; None
     if every frame lasts one. Raises Rejected: NS0735 for a clip that is too short, NS0737 without
     an exposure."""
-    if request.scene.single:
-        read = partial(timing.only_frame, request.name, frames_read, request.scene.first)
-        return _still(request, read)
-    request.check_exposure()
-    fps = None if request.scene.fps is None else timing.check_fps(request.scene.fps)
+    if loading.scene.single:
+        read = partial(timing.only_frame, loading.name, frames_read, loading.scene.first)
+        return _still(loading, read)
+    loading.check_exposure()
+    fps = None if loading.scene.fps is None else timing.check_fps(loading.scene.fps)
     frames_read, edges = (
-        islice(frames_read, request.scene.first, None),
-        from_frame(edges, request.scene.first),
+        islice(frames_read, loading.scene.first, None),
+        from_frame(edges, loading.scene.first),
     )
     if fps is None:
-        need, frames_read = request.slots, evenly(frames_read, edges)
+        need, frames_read = loading.slots, evenly(frames_read, edges)
     else:
-        need = timing.frames_needed(request.slot_us, fps, edges)
-    frames, placement = np.empty((0, 0, 0), np.float32), request.on_array
+        need = timing.frames_needed(loading.slot_us, fps, edges)
+    frames, placement = np.empty((0, 0, 0), np.float32), loading.on_array
     have, colour = 0, False
-    for picture, colours in request.progress(frames_read, "reading frames", need):
-        name = f"{request.name}, frame {request.scene.first + have}"
-        frame, placement = _light(request, picture, colours, name)
+    for picture, colours in loading.progress(frames_read, "reading frames", need):
+        name = f"{loading.name}, frame {loading.scene.first + have}"
+        frame, placement = _light(loading, picture, colours, name)
         if have == 0:
-            colour = _say_changes(request, picture, colours, placement)
+            colour = _say_changes(loading, picture, colours, placement)
         if have == len(frames):
             # realloc grows a large block without a copy; the final size is `need`
             frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
@@ -476,40 +476,40 @@ def _clip(request: _Request, frames_read: Iterator[Stored], edges: Edges = None)
             break
     if have < need:
         raise timing.too_short(
-            request.name, have, need, request.slots, request.scene.fps, request.scene.first
+            loading.name, have, need, loading.slots, loading.scene.fps, loading.scene.first
         )
     if fps is None:
-        factor = request.scale(frames.sum(axis=0, dtype=np.float64), placement)
+        factor = loading.scale(frames.sum(axis=0, dtype=np.float64), placement)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
     else:
-        overlap = timing.overlaps(request.slot_us, fps, edges)
-        clip = timing.spread(frames, overlap, lambda open_sum: request.scale(open_sum, placement))
+        overlap = timing.overlaps(loading.slot_us, fps, edges)
+        clip = timing.spread(frames, overlap, lambda open_sum: loading.scale(open_sum, placement))
         seconds, rate = overlap.seconds, float(fps)
-    if request.scene.frames_are == "samples":
+    if loading.scene.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate, edges)
-    return PlacedLight(clip, placement, colour, tuple(request.notes))
+    return PlacedLight(clip, placement, colour, tuple(loading.notes))
 
 
-def _say_changes(request: _Request, stored: Array, colours: Colours, placement: Placement) -> bool:
+def _say_changes(loading: _Loading, stored: Array, colours: Colours, placement: Placement) -> bool:
     """Return whether the picture `stored` is in colour. Send notes on its changes to `warn`, if the
     request is for the luminance: on size (by `placement`) and colours, and on the curve and white
     level that were assumed for `colours`."""
     colour = in_colour(stored)
-    colours = Colours.of(request.scene.transfer or colours)
-    if request.channel is None:
-        # The first request, for the luminance, sends the notes for all colours.
-        for note in changes(placement, colour, request.name):
-            request.warn(note)
+    colours = Colours.of(loading.scene.transfer or colours)
+    if loading.channel is None:
+        # The first loading, for the luminance, sends the notes for all colours.
+        for note in changes(placement, colour, loading.name):
+            loading.warn(note)
         floats = stored.dtype.kind == "f"
-        if request.scene.transfer is None and colours.transfer == "srgb" and floats:
-            request.warn(taken_for_srgb(request.name))
-        if request.scene.white is None and few_bits(stored):
-            request.warn(white_used(request.name, colours.text, stored))
+        if loading.scene.transfer is None and colours.transfer == "srgb" and floats:
+            loading.warn(taken_for_srgb(loading.name))
+        if loading.scene.white is None and few_bits(stored):
+            loading.warn(white_used(loading.name, colours.text, stored))
     return colour
 
 
 def _light(
-    request: _Request, stored: Array, colours: Colours, name: str
+    loading: _Loading, stored: Array, colours: Colours, name: str
 ) -> tuple[Floats32, Placement]:
     """Return a stored picture as light on the arrays (rows, cols), in units of white, and its
     placement.
@@ -517,25 +517,25 @@ def _light(
     `stored` (R, C) or (R, C, 3) are the samples, `colours` their meaning unless the scene sets the
     curve, and `name` is the picture in messages. Raises Rejected: NS0734 for a picture that is too
     small or too large, NS0736 for values that are not light."""
-    colours = Colours.of(request.scene.transfer or colours)
+    colours = Colours.of(loading.scene.transfer or colours)
     placement = placement_of(
-        request.scene.fit, (stored.shape[0], stored.shape[1]), request.window, name
+        loading.scene.fit, (stored.shape[0], stored.shape[1]), loading.window, name
     )
     window = None
     if placement.fit == "crop":
-        first_row, first_col = request.window.place(placement.picture, request.name)
+        first_row, first_col = loading.window.place(placement.picture, loading.name)
         window = (
-            slice(first_row, first_row + request.window.rows),
-            slice(first_col, first_col + request.window.cols),
+            slice(first_row, first_row + loading.window.rows),
+            slice(first_col, first_col + loading.window.cols),
         )
     values = picture_light(
         stored,
         colours,
         name,
-        channel=request.channel,
-        white=request.scene.white,
+        channel=loading.channel,
+        white=loading.scene.white,
         window=window,
         size=placement.size if placement.fit == "scale" else None,
-        warn=request.warn,
+        warn=loading.warn,
     )
     return placed(values, placement), placement

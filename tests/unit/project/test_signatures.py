@@ -15,7 +15,7 @@ OPTIONS = {
     "parameter": "the declaration of a parameter in an effect, also of other packages",
     "expose": "nscc_runtime.reference.expose: seeds and threads are options",
     "frames": "nscc_runtime.reference.frames, and frames of pixels that look: the same options",
-    "lay_out": "pixels of a scene: threads and known means are options",
+    "prepare_pixels": "pixels of a scene: threads and known means are options",
     "picture_light": "a picture of a file: how its samples are read are options",
 }
 """Functions with more arguments; most arguments are keywords with defaults."""

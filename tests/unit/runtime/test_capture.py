@@ -14,8 +14,8 @@ from reference_programs import sensor_of
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import audit, capture, captures, plan
 from nscc_runtime.effects import selected
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import read_out
-from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.sensor import default_sensor

@@ -16,6 +16,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container, DecodeTable, packed_shutters, tile_of
 from nscc.words.shutters import shutters_of
 from nscc_runtime.effects import selected
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import (
     FrameFile,
     Provenance,
@@ -23,7 +24,6 @@ from nscc_runtime.frame_file import (
     read_out,
     repeated,
 )
-from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of

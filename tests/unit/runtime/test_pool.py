@@ -69,7 +69,7 @@ def test_threads_change_no_bit_of_the_reference() -> None:
 def test_threads_change_no_bit_of_the_emulator(monkeypatch: pytest.MonkeyPatch) -> None:
     """Blocks are 64 pixels, so that three threads have several each. The electrons have the bytes
     of one thread."""
-    monkeypatch.setattr(emulator, "BLOCK", 64)
+    monkeypatch.setattr(emulator, "EMULATED_BLOCK", 64)
     program = case("c edges", 8, rows=ROWS, cols=COLS)
     light = moving_light((8, ROWS, COLS), 400.0)
     once = expose(program, light, device_seed=3, threads=1)

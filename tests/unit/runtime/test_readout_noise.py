@@ -7,8 +7,8 @@ import pytest
 
 from nscc.chips.load import builtin_target
 from nscc_runtime.effects import selected
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import converted
-from nscc_runtime.interface import Exposure
 from nscc_runtime.readout_noise import ReadoutNoise
 from nscc_runtime.sensor import Sensor, default_sensor
 

@@ -17,7 +17,7 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.execution.frames import frame_source
 from nscc_runtime.execution.moments import scene_moments
 from nscc_runtime.execution.program import analysed
@@ -48,7 +48,7 @@ def by_sums(container: Container, light: Light, sensor: Sensor, effects: Selecti
 def by_words(container: Container, light: Light, sensor: Sensor, effects: Selection) -> Exposing:
     shape = light.shape
     places = np.arange(shape[0] * shape[1])
-    scene = lay_out(container, sensor, light, effects, places, DEVICE)
+    scene = prepare_pixels(container, sensor, light, effects, places, DEVICE)
     return lambda number: expose_pixels(scene, 3, number).exposure_e.reshape(-1, *shape)
 
 

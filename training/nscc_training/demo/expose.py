@@ -22,7 +22,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.machine_code import working_s
 from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.request import Request
-from nscc_runtime.response import with_table
+from nscc_runtime.response import with_decode_arrays
 from nscc_runtime.scenes import PlacedLight, Scene, laid_lights
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener
@@ -292,6 +292,6 @@ def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:
     """Return the frame file of a capture, with the arrays that `keep` names (such as "truth") and
     the decode table, so that it can be reconstructed without the program."""
     simulated, light = capture.simulated, capture.light
-    about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.laid
+    about = meta(capture.container, light, simulated.frame, simulated.origin) | capture.meta_entries
     file = FrameFile.of(capture.container, light, simulated.frame, about, keep)
-    return with_table(file, capture.container)
+    return with_decode_arrays(file, capture.container)

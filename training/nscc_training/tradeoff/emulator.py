@@ -16,8 +16,8 @@ from nscc.arrays import Bools, Floats32
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.execution.program import AnalysedProgram
+from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import Frame, read_out
-from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.planning.audit import SLACK, audit

@@ -64,7 +64,7 @@ def test_effects_option_selects_the_named_effects(
     found = selected(text)
     assert found.on == on | {"adc"}
     assert found.forced == forced
-    assert found.noiseless == (not on)
+    assert found.without_effects == (not on)
 
 
 @pytest.mark.parametrize("text", ["", ",", "shots", "all,none", "shot,all", "-adc", "all,-", "a b"])

@@ -121,7 +121,7 @@ def test_blocks_change_no_bit(lowering, monkeypatch):
     light = Light.of_clip(over_exponents(random, (slots, *shape)))
     whole = expose(container, light, device_seed=9)
     for block in (64, 128, 192, 512, 65536):
-        monkeypatch.setattr(chip_program, "BLOCK", block)
+        monkeypatch.setattr(chip_program, "EMULATED_BLOCK", block)
         part = expose(container, light, device_seed=9)
         assert part.exposure_e.tobytes() == whole.exposure_e.tobytes()
 

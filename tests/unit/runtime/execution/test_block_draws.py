@@ -7,7 +7,7 @@ import pytest
 from scipy.special import ndtri
 from scipy.stats import poisson as law
 
-from nscc_runtime.execution.block_draws import BLOCK, FORMULA_FROM, MARGIN, ROOM
+from nscc_runtime.execution.block_draws import DRAW_BLOCK, FORMULA_FROM, MARGIN, ROOM
 from nscc_runtime.execution.count_loop import Counting, draw_counts
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, quantile
@@ -29,10 +29,10 @@ def drawn(rates: np.ndarray, begin: int = 0, end: int | None = None) -> np.ndarr
         keys=np.array([STREAM], np.uint64),
         rates=rates[None],
         places=np.arange(len(rates)),
-        values=np.empty(BLOCK),
+        values=np.empty(DRAW_BLOCK),
         scratch=np.empty(ROOM),
-        pending_rates=np.empty(BLOCK),
-        pending_pixels=np.empty(BLOCK, np.int64),
+        pending_rates=np.empty(DRAW_BLOCK),
+        pending_pixels=np.empty(DRAW_BLOCK, np.int64),
         away=away,
     )
     return away[0] + rates

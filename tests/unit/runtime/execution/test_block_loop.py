@@ -14,7 +14,7 @@ from nscc_runtime.caches import Recent
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.execution import block_scene
 from nscc_runtime.execution.block_program import _in_use
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
@@ -40,7 +40,7 @@ def compared(
     the same."""
     chosen = selected(effects + COUNTED)
     exposed = expose(container, light, sensor, chosen, **SEEDS)  # type: ignore[arg-type]
-    scene = lay_out(container, sensor, light, chosen, places, SEEDS["device_seed"])
+    scene = prepare_pixels(container, sensor, light, chosen, places, SEEDS["device_seed"])
     found = expose_pixels(scene, SEEDS["seed"], SEEDS["frame"])
     buckets = len(container.buckets)
     marked = exposed.saturated_by.reshape(buckets, -1)[:, places]
@@ -194,7 +194,7 @@ def test_order_threads_and_memory_change_no_bit(monkeypatch: pytest.MonkeyPatch)
     sensor, every, places = sensor_near(container), selected("all"), np.arange(600)
 
     def exposed(places: np.ndarray, threads: int = 1) -> np.ndarray:
-        scene = lay_out(container, sensor, light, every, places, 5, threads)
+        scene = prepare_pixels(container, sensor, light, every, places, 5, threads)
         return expose_pixels(scene, 0, 1, threads).exposure_e
 
     once = exposed(places)
@@ -204,7 +204,7 @@ def test_order_threads_and_memory_change_no_bit(monkeypatch: pytest.MonkeyPatch)
     # Each pixel is the same beside other pixels, and if light is not kept in memory.
     assert exposed(places[100:110]).tobytes() == once[:, 100:110].tobytes()
     monkeypatch.setattr(block_scene, "_MOST_BYTES", 20_000)
-    assert len(lay_out(container, sensor, light, every, places, 5).parts) > 3
+    assert len(prepare_pixels(container, sensor, light, every, places, 5).parts) > 3
     assert exposed(order, 3).tobytes() == once[:, order].tobytes()
     assert exposed(places[:0]).shape == (1, 0)
 
@@ -216,7 +216,7 @@ def test_effects_that_are_left_out_change_no_other_draw(left: str) -> None:
     light, places = moving_light((8, 12, 16), 900.0), np.arange(192)
     sensor = sensor_of(container)
     every, some, other = (
-        expose_pixels(lay_out(container, sensor, light, selected(names), places, 5), seed, 0)
+        expose_pixels(prepare_pixels(container, sensor, light, selected(names), places, 5), seed, 0)
         for names, seed in (("all", 3), (f"all,-{left}", 3), ("all", 4))
     )
     away, uncoupled = (
@@ -237,7 +237,7 @@ def test_scenes_that_share_sums_of_light_are_as_if_each_had_its_own() -> None:
     for left in ("adc", *optional(), "dark,-shot", "crosstalk,-prnu", "adc"):
         chosen = selected("all").without(*left.split(",-"))
         scenes = [
-            lay_out(container, sensor, light, chosen, places, 5, 1, known)
+            prepare_pixels(container, sensor, light, chosen, places, 5, 1, known)
             for known in (None, shared)
         ]
         alone, together = (expose_pixels(scene, 3, 0).exposure_e for scene in scenes)
@@ -262,7 +262,7 @@ def test_light_that_is_not_a_number_is_marked() -> None:
     light = moving_light((8, 12, 16), 300.0)
     light.frames[0, 3, 4] = np.nan
     for effects in ("shot,dark,read", "all,-crosstalk", "none"):
-        scene = lay_out(
+        scene = prepare_pixels(
             container, sensor_of(container), light, selected(effects), np.arange(192), 5
         )
         found = expose_pixels(scene, 3, 0).exposure_e

@@ -158,7 +158,7 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
     weights, upper = rng.uniform(0.5, 2.0, (buckets, pixels)), rng.random(pixels)
     rate_weights = np.stack([1.0 - upper, upper])
     by_rate, fixed_e = rng.random((buckets, 2, pixels)), rng.random((buckets, pixels))
-    mean_e, counts = np.empty((buckets, pixels)), np.empty((buckets, pixels))
+    mean_e, count_means = np.empty((buckets, pixels)), np.empty((buckets, pixels))
     own_weights = np.empty((buckets, buckets, pixels), np.float32)
     complete_moments(
         sizes=Completing(
@@ -185,10 +185,10 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
         electron_weights=weights,
         covariance_e2=np.empty(pairs * cols),
         mean_e=mean_e,
-        counts=counts,
+        count_means=count_means,
         own_weights=own_weights,
     )
     np.testing.assert_allclose(mean_e, fixed_e + (by_rate * rate_weights).sum(axis=1))
-    found = np.einsum("kap,kbp,kp->abp", own_weights, own_weights, counts)
+    found = np.einsum("kap,kbp,kp->abp", own_weights, own_weights, count_means)
     np.testing.assert_allclose(found, wanted, rtol=1e-5, atol=1e-5)
-    assert (counts >= 0).all()
+    assert (count_means >= 0).all()

@@ -56,16 +56,16 @@ def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
         ("none", WeightModel()),
         ("analog", WeightModel(**GAINS)),
         ("leakage", WeightModel(leak_per_s=50.0)),
-        ("dead_time", WeightModel(dead_time=True)),
-        ("dead_time,black_sun", WeightModel(dead_time=True, lit_level=True)),
+        ("dead_time", WeightModel(slow_words=True)),
+        ("dead_time,black_sun", WeightModel(slow_words=True, lit_level=True)),
         ("decay", WeightModel(decay=True)),
         (
             "analog,leakage,dead_time,decay",
-            WeightModel(leak_per_s=50.0, dead_time=True, decay=True, **GAINS),
+            WeightModel(leak_per_s=50.0, slow_words=True, decay=True, **GAINS),
         ),
         (
             "analog,leakage,dead_time,black_sun",
-            WeightModel(leak_per_s=50.0, dead_time=True, lit_level=True, **GAINS),
+            WeightModel(leak_per_s=50.0, slow_words=True, lit_level=True, **GAINS),
         ),
     ],
 )
