@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import shlex
 import shutil
@@ -160,6 +161,30 @@ def test_files_that_a_page_names_are_there(page: str) -> None:
     folders = (ROOT, ROOT / "runtime", ROOT / "training/nscc_training")
     assert named
     assert not [n for n in named if not any([*folder.glob(n.rstrip("/"))] for folder in folders)]
+
+
+def defined(path: Path) -> set[str]:
+    """The names that a module defines, those in its classes as CLASS.NAME."""
+    names = set()
+    for node in ast.parse(path.read_text()).body:
+        inner = node.body if isinstance(node, ast.ClassDef) else []
+        names |= {f"{node.name}.{each.name}" for each in inner if isinstance(each, ast.FunctionDef)}  # type: ignore[attr-defined]
+        targets = [node.target] if isinstance(node, ast.AnnAssign) else getattr(node, "targets", [])
+        names |= {getattr(each, "name", getattr(each, "id", "")) for each in (node, *targets)}
+    return names
+
+
+def test_functions_that_the_architecture_names_are_defined_where_it_says() -> None:
+    """Each `NAME` (`PATH`) and `NAME` in `PATH` is defined in that file. The tables from light to a
+    frame name a function in each row: nine without effects, eight with effects, six with images."""
+    text = (ROOT / "ARCHITECTURE.md").read_text()
+    named = re.findall(r"`([A-Za-z_.]+)`,?\s+(?:in |\()`([\w/]+\.py)`", text)
+    assert len(named) > 40
+    for name, path in named:
+        (file,) = (root / path for root in (ROOT, ROOT / "runtime") if (root / path).exists())
+        assert name in defined(file), f"{name} in {path}"
+    rows = re.findall(r"^\| (\d+)\. [^|]+ \| `[\w.]+` \(`", text, re.M)
+    assert [*map(int, rows)] == [*range(1, 10), *range(4, 12), *range(4, 10)]
 
 
 def test_every_command_is_listed_by_its_task() -> None:
