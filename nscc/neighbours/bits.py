@@ -104,9 +104,12 @@ class BitWords(DigitalRegisters):
         read = steered_read(node) if self.lowering.saves_words else None
         if read is None:
             return self.bit(node)
-        return self.lowering.do_shortest(
-            (lambda: self.bit(node), lambda: self._steered(node, read)), (1, 1)
-        )
+        ways = [lambda: self.bit(node), lambda: self._steered(node, read, in_flag=False)]
+        # FLAG saves a register, unless comparisons of the guards write FLAG themselves.
+        guards = [part for guard in read.guards.values() for part in p.subexpressions(guard)]
+        if isinstance(read.source, p.Bit) and not any(isinstance(n, p.Source) for n in guards):
+            ways += [lambda: self._steered(node, read, in_flag=True)] if read.rest else []
+        return self.lowering.do_shortest(ways, [1] * len(ways))
 
     def bit(self, node: p.Condition) -> Kept:
         """Emit the words that compute a condition; return its register and the plane that owns it.
@@ -187,11 +190,14 @@ class BitWords(DigitalRegisters):
         self.read_instead(node, result)
         return self.bit(result)
 
-    def _steered(self, node: p.Condition, read: SteeredRead) -> Kept:
+    def _steered(self, node: p.Condition, read: SteeredRead, *, in_flag: bool) -> Kept:
         """Emit the words of a condition as one read of the neighbours that R1 to R4 choose.
 
-        Raises PictureRefused if registers run out."""
+        With `in_flag`, the rest of the condition comes first and waits in FLAG, which takes a word
+        more and a register less. Raises PictureRefused if registers run out."""
         self.read_instead(node, *read.conditions)
+        if in_flag and read.rest is not None:
+            self.to_flag(read.rest)
         source = self.bit(read.source)
         register = source[0]
         for name, guard in read.guards.items():
@@ -203,6 +209,8 @@ class BitWords(DigitalRegisters):
         moved = self.emit_word("DNEWS1" if outside else "DNEWS0", [register], [source]), None
         if read.rest is None:
             return moved
+        if in_flag:
+            return self.emit_word("OR", [moved[0], "FLAG"], [moved]), None
         rest = self.bit(read.rest)
         return self.emit_word("OR", [moved[0], rest[0]], [moved, rest]), None
 
@@ -315,7 +323,12 @@ class BitWords(DigitalRegisters):
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
         moved = None
         for step in steps:
-            neighbour = self._or_of_neighbours(moved or register, outside, frozenset({step}))
+            source = moved or register
+            if moved is not None and not self.free and self.lowering.saves_words:
+                self.lowering.word(op("WHERE", [], [moved]))
+                self.give((moved, None))
+                source, moved = "FLAG", None
+            neighbour = self._or_of_neighbours(source, outside, frozenset({step}))
             if moved is not None:
                 self.give((moved, None))
             moved = neighbour

@@ -94,12 +94,41 @@ def skew(host: Values, e: Array, last: Values) -> Values:
     return {"skewed": bits, "slanted": e}
 
 
+def scaled(bits: Array, steps: int, dx: int, dy: int) -> Array:
+    """Bits that shrink towards the middle column, if dx is 1, or the middle row, if dy is 1."""
+    place = X - COLS // 2 if dx else Y - ROWS // 2
+    low, high = place < 0, place > 0
+    for _ in range(steps):
+        bits = np.select([low, high], [moved(bits, -dx, -dy), moved(bits, dx, dy)], bits)
+        low, high = moved(low, 2 * dx, 2 * dy), moved(high, -2 * dx, -2 * dy)
+    return bits
+
+
 def half_of_a_plane(host: Values, e: Array, last: Values) -> Values:
-    bits, left, right = e > level(45), X < COLS // 2, X > COLS // 2
-    for _ in range(COLS // 4):
-        bits = np.select([left, right], [moved(bits, -1, 0), moved(bits, 1, 0)], bits)
-        left, right = moved(left, 2, 0), moved(right, -2, 0)
-    return {"small": bits}
+    return {"small": scaled(e > level(45), COLS // 4, 1, 0)}
+
+
+def scaled_plane(host: Values, e: Array, last: Values) -> Values:
+    return {"small": scaled(scaled(e > level(45), host["k"], 1, 0), host["k"], 0, 1)}
+
+
+def rotated_plane(host: Values, e: Array, last: Values) -> Values:
+    bits = e > level(45)
+    for place, dx, dy in ((Y - ROWS // 2, 1, 0), (X - COLS // 2, 0, -1)):
+        low, high = place < 0, place > 0
+        for _ in range(host["k"]):
+            bits = np.select([low, high], [moved(bits, -dx, -dy), moved(bits, dx, dy)], bits)
+            low, high = moved(low, -3 * dy, 3 * dx), moved(high, 3 * dy, -3 * dx)
+    return {"turned": bits}
+
+
+def odometry(host: Values, e: Array, last: Values) -> Values:
+    across = correlate(e, np.outer([1, 2, 1], [1, 0, -1]) / 8, mode="constant")
+    along = correlate(e, np.outer([1, 0, -1], [1, 2, 1]) / 8, mode="constant")
+    edge = abs(across) + abs(along) > host["t"]
+    # Edges at the border are not known, so the report leaves them out.
+    count = edge[1:-1, 1:-1].sum()
+    return {"scaled": scaled(edge, host["k"], 1, 0), "count edge": count}
 
 
 def sandcastle(host: Values, e: Array, last: Values) -> Values:
@@ -160,6 +189,7 @@ MODELS: dict[str, Model] = {
     for model in (
         *(steered_shift, expand_erode, four_bit_shift, interleaved, live_shape, skew, cones),
         *(half_of_a_plane, sandcastle, rule_90, magnocellular, perspective, signed_bits),
+        *(scaled_plane, rotated_plane, odometry),
     )
 }
 MARGINS = {"cones": 0, "live_shape": 0, "rule_90": 0, "signed_bits": 1, "magnocellular": 1}
@@ -173,7 +203,7 @@ def host_values(name: str, rng: np.random.Generator) -> list[Values]:
         {
             "k": frame % 10 if name == "steered_shift" else frame % 4,
             "m": frame * 5 % 13,
-            "t": (30 + 2 * frame) * STEP_E if name != "cones" else 13 * STEP_E,
+            "t": {"cones": 13, "odometry": 6}.get(name, 30 + 2 * frame) * STEP_E,
             "dx": int(rng.integers(-20, 21)),
             "dy": int(rng.integers(-20, 21)),
             "steps": 3 * frame,
