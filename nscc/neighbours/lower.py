@@ -345,15 +345,16 @@ class Lowering(ChoiceEmitter):
     def added(
         self, signed_terms: list[tuple[int, Held]], levels: Sequence[tuple[int, str]] = ()
     ) -> Held:
-        """Emit the sum of at most four values, each with its sign 1 or -1, and return the register
-        of the result.
+        """Emit the sum of values, each with its sign 1 or -1, and return the register of the
+        result.
 
         `levels` are up to two terms (factor, parameter): multiples of that parameter of the host
         or, if its name is "", of a step of IN (the level sent to all pixels). One word suffices, or
         two if some registers hold their term and others its negative, or if there are two levels.
-        The values have then been read. Without terms, the result is 0. Raises PictureRefused if the
-        sum exceeds the range of registers or of IN, needs more than four sources, or no register is
-        free."""
+        Sums of more sources than a word has are added in parts. The values have then been read.
+        Without terms, the result is 0. Raises PictureRefused if the sum exceeds the range of
+        registers or of IN, no register is free, or before version 4, if one word has too few
+        sources."""
         low = sum(v.low if sign > 0 else -v.high for sign, v in signed_terms)
         high = sum(v.high if sign > 0 else -v.low for sign, v in signed_terms)
         for level in levels:
@@ -372,16 +373,18 @@ class Lowering(ChoiceEmitter):
             for sign, (factor, param) in zip(signs[: len(levels)], levels, strict=True)
         ]
         steps += [None] * (2 - len(steps))
-        by_news = bool(inverted) or steps[1] is not None
-        if by_news:
-            self.everywhere()
-            # More than four are refused below.
-            read = [v.register for v in inverted[:4]] + ["IN"] * (steps[1] is not None)
-            self.word(op("bus", ["NEWS"], read), steps[1])
-        sources = [*(v.register for v in direct), *(["NEWS"] if by_news else [])]
+        read = [v.register for v in inverted] + ["IN"] * (steps[1] is not None)
+        sources = [*(v.register for v in direct), *(["NEWS"] if read else [])]
         sources += ["IN"] * (steps[0] is not None)
-        if len(sources) > 4 or len(inverted) > 4:
-            raise PictureRefused("registers", self.now, len(signed_terms), available=4)
+        if len(sources) > 4 or len(read) > 4:
+            if not self.saves_words:  # other sums of programs before version 4 keep their words
+                raise PictureRefused("registers", self.now, len(signed_terms), available=4)
+            part = [(sign, v) for sign, v in signed_terms if sign * v.sign == total][:3]
+            others = [term for term in signed_terms if term not in part]
+            return self.added([(1, self.added(part)), *others], levels)
+        if read:
+            self.everywhere()
+            self.word(op("bus", ["NEWS"], read), steps[1])
         self.everywhere()
         register = self.take()
         self.word(op("bus", [register], sources), steps[0])

@@ -399,8 +399,7 @@ def _refusal(
 
     `refused` says what is lacking; it must not be of the kind "steps" (a search that ran out of
     steps). `level` is the level of optimisation, 0 to 3."""
-    # A part of an image or plane is called by its name, a blank and more.
-    name, needed, available = refused.name.partition(" ")[0], refused.needed, refused.available
+    name, needed, available = _in_text(program, refused.name), refused.needed, refused.available
     label = Label(declared_at(program.source, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
@@ -421,6 +420,11 @@ def _refusal(
     elif refused.kind in ("planes", "steering") and container.code_registers:
         notes.append(f"pixel codes also occupy registers: {', '.join(container.code_registers)}")
         helps = ["use fewer different pixel codes", *helps]
+    if refused.kind == "planes":
+        held = [f"`{each}`" for each in program.pictures.held_planes]
+        notes += [f"registers keep these from frame to frame: {', '.join(held)}"] if held else []
+        last = [_in_text(program, each) for each in program.pictures.steering[-1:]]
+        notes += [f"R1 to R4 choose neighbours until `{last[0]}` is computed"] if last else []
     reports = program.pictures.reports
     reported = {report.plane for report in reports if report.kind not in ("sum", "flood")}
     if refused.kind == "planes" and len(reported) > 1:
@@ -440,6 +444,15 @@ def _refusal(
         helps=tuple(helps),
         data={"resource": resource, "required": needed, "available": available, "proved": False},
     )
+
+
+def _in_text(program: Program, name: str) -> str:
+    """Return the name, in the program's text, of the image or plane to which `name` belongs.
+
+    A part comes before its image or plane, and its own name is no name of a program."""
+    names = [*program.pictures.expressions]
+    after = names[names.index(name) :] if name in names else []
+    return next(filter(str.isidentifier, after), name.partition(" ")[0])
 
 
 class _Changes:
@@ -530,7 +543,6 @@ def _beyond_range(
         if changes.fits(_with_item_divided(pictures, refused.name, 2**halvings)):
             helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: this compiles")
             break
-    other = changes.refused
     limit_percent = 100 * max(pictures.limits_e.values()) / target.full_well_e
     # The largest whole limit with which this value fits, up to rounding. If another value does not
     # fit, the limit is halved.
@@ -543,11 +555,9 @@ def _beyond_range(
         percent //= 2
     if not helps:
         helps.append("use smaller factors, or fewer and smaller convolution kernels")
-        if other.kind != "range":
-            notes.append(
-                "smaller values do not fit either: "
-                + _refusal(other, container, program, level).message
-            )
+        if changes.refused.kind != "range":
+            other = _refusal(changes.refused, container, program, level).message
+            notes.append(f"smaller values do not fit either: {other}")
     return Diagnostic(
         "NS0540",
         f"while `{refused.name}` is computed, a value reaches {ceil(over * 1000) / 1000:.4g} times "

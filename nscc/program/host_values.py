@@ -51,9 +51,7 @@ class HostValues:
         self.params: dict[str, HostParam] = {}
         self.inputs: dict[str, InputPlane] = {}
         for name, statement in declared.params.items():
-            param = self._param(name, statement)
-            if param is not None:
-                self.params[name] = param
+            self.params[name] = self._param(name, statement)
         for name in declared.inputs:
             start = declared.input_starts.get(name)
             bits = None
@@ -71,25 +69,28 @@ class HostValues:
                 name, 0 if bits is None else packed_bits(bits), is_open=True
             )
 
-    def _param(self, name: str, statement: tree.Param) -> HostParam | None:
-        """Return the checked parameter `name`; None after reporting an error (NS0545).
+    def _param(self, name: str, statement: tree.Param) -> HostParam:
+        """Return the checked parameter `name`; after reporting an error (NS0545), one that is 0.
 
         `name` is the name that `statement` declares. Range and start must all be levels or all
         integers, and IN (the level sent to all pixels) must reach all levels."""
         parts = (statement.low, statement.high, statement.start)
         are_levels = [isinstance(signed_level(part)[1], tree.Amount) for part in parts]
+        # After an error, the parameter still serves, so that its uses give no further errors.
+        kind: Literal["level", "integer"] = "level" if any(are_levels) else "integer"
+        failed = HostParam(name, kind, 0, 0, 0)
         text = ""  # what is wrong, for the message
         if len({*are_levels}) > 1:
             text = "its range and its start have different units"
         numbers = [self._steps(part) if any(are_levels) else self._integer(part) for part in parts]
         if not text and None in numbers:
-            return None
+            return failed
         if not text:
             # None of the numbers is None here; `or 0` only tells the type checker so.
             low, high, start = (number or 0 for number in numbers)
             if not low <= start <= high:
-                text = f"its start {start} is outside {low} .. {high}"
-            kind: Literal["level", "integer"] = "level" if any(are_levels) else "integer"
+                ends = (self.problems.source.text[e.span.start : e.span.end] for e in parts)
+                text = "its start {2} is outside {0} .. {1}".format(*ends)
             if not text and kind == "level" and max(-low, high) > self.most_steps:
                 least_e = self.target.electrons_per_step
                 text = f"IN has steps of {least_e:.4g} e, up to {self.most_steps} of them"
@@ -105,7 +106,7 @@ class HostValues:
                 "`param steps : 0 .. 64 = 8`",
             ),
         )
-        return None
+        return failed
 
     @property
     def most_steps(self) -> int:
@@ -144,13 +145,12 @@ class HostValues:
             value = constant(expr, self.constants, self.problems, role)
             return None if value is None else Times(value, max(0, value))
         name = params_read[0].text
-        param = self.params.get(name)
-        if param is None:  # its declaration has an error
-            return None
+        param = self.params[name]
         # The expression is sign * parameter + offset; both are found by taking it apart.
         sign, offset = 1, 0
         inner: tree.Expr = expr
-        if isinstance(inner, tree.Binary) and inner.op in ("+", "-"):
+        is_alone = len(params_read) == 1
+        if is_alone and isinstance(inner, tree.Binary) and inner.op in ("+", "-"):
             param_first = any(name_read.text == name for name_read in names_in(inner.left))
             constant_side = inner.right if param_first else inner.left
             value = constant(constant_side, self.constants, self.problems, role)
@@ -165,7 +165,7 @@ class HostValues:
             what = "a level" if param.kind == "level" else "not only a sum"
             self.problems.error(
                 "NS0545",
-                f"{role} is an integer parameter plus or minus an integer",
+                f"{role} must be one integer parameter plus or minus an integer",
                 expr.span,
                 what,
                 helps=("declare `param steps : 0 .. 64 = 8`, and write `steps` or `steps + 1`",),

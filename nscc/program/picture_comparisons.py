@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from nscc.program.constants import constant
+from nscc.program.expressions import names_in
 from nscc.program.host_values import HostValues, signed_level
 from nscc.source import Span
 from nscc.syntax import tree
@@ -81,6 +82,9 @@ class PictureComparer(ABC):
             compare.ops, operands[:-1], compare.later_operands, strict=True
         ):
             if op in ("==", "!="):
+                for name in names_in(compare):
+                    if name.text in ("x", "y") and self.declared.version > 3:
+                        self._image(name)  # raises WrongPicture with a help about positions
                 raise self._report(
                     "NS0533",
                     "images are compared by `>`, `<`, `>=` and `<=`",

@@ -230,10 +230,10 @@ class Reader(LoopReader):
         if name == "min":
             raise self._report(
                 "NS0531",
-                "there is no `min` of images",
+                "there is no such `min` of images",
                 call.span,
                 "not a function of images",
-                ("write `-max(-EXPR, kernel)`",),
+                ("write `-max(-EXPR, kernel)`", "from `nsl 4` on, `min(A, B)` has two images"),
             )
         if name in ("any", "all"):
             raise self._report(

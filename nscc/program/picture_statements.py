@@ -443,15 +443,15 @@ class PictureMaker:
         needed = "image" if kind == "sum" else "plane"
         is_exposure = kind == "sum" and plane in self.buckets
         if reader.kinds.get(plane) != needed and not is_exposure:
+            known = [name for name, kind in reader.kinds.items() if kind == needed]
             if needed == "image":
-                images = [name for name, kind in reader.kinds.items() if kind == "image"]
-                self.problems.unknown("an image", plane, report.plane.span, images)
+                known += ["exposure"] if len(self.buckets) == 1 else self.buckets
+                self.problems.unknown("an image", plane, report.plane.span, known)
             elif reader.kinds.get(plane) == "image":
                 text = f"`{plane}` is an image, but `report {kind}` needs a plane"
                 self._bad_report(report.plane.span, text)
             elif plane not in reader.failed:
-                planes = [name for name, kind in reader.kinds.items() if kind == "plane"]
-                self.problems.unknown("a plane", plane, report.plane.span, planes)
+                self.problems.unknown("a plane", plane, report.plane.span, known)
             return None
         most = 0
         if report.count is not None:
@@ -481,7 +481,10 @@ class PictureMaker:
 
     def _bad_report(self, span: Span, message: str) -> None:
         """Report an invalid `report` statement (NS0536)."""
-        helps = ("write `report any P`, `report events P at most 1000` or `report box P`",)
+        helps = (
+            "write `report any P`, `report events P at most 1000` or `report box P`",
+            "from `nsl 4` on, also `report count P` or `report sum IMAGE`",
+        )
         self.problems.error("NS0536", message, span, "this report", helps=helps)
 
     def _limits(self) -> dict[str, float]:

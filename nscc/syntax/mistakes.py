@@ -51,8 +51,9 @@ _SIGNS = {
 """Signs of other languages: a hint, and the replacement if it is certain."""
 _LOOPS = (
     "there are no loops: a rule holds for every slot `n` and every pixel `x`, `y`: "
-    "`open when n < stop`"
+    "`open when n < stop`; planes and images have `A repeat K EXPR` from `nsl 4` on"
 )
+_UNNAMED = "only a named exposure can be read: `bucket NAME open when ...`, `read NAME`"
 _FUNCTIONS = "there are no functions: `let NAME = EXPR` names an expression"
 _CHOICE = "a choice is written `A if CONDITION else B`"
 _VALUES = "`let NAME = EXPR` names a value"
@@ -99,7 +100,11 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
                 source=tokens.source,
                 label=Label(tokens.span(stuck.token), "a name is required here"),
                 notes=_forms(tokens.kinds[first]),
-                helps=(f"choose another name, `{word}_` for example",),
+                helps=(
+                    _UNNAMED
+                    if (kind, tokens.kinds[first]) == ("exposure", "read")
+                    else f"choose another name, `{word}_` for example",
+                ),
             )
     statement = tokens.kinds[first]
     expected = expected_words(stuck.expected)
@@ -378,7 +383,7 @@ def _habit_hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterato
     elif kind == "]" and statement in ("plane", "next"):
         yield "the bit of a neighbour is PLANE[dx, dy]: dx columns to the right, dy rows down"
     elif kind == "exposure" and statement == "read":
-        yield "only a named exposure can be read: `bucket NAME open when ...`, `read NAME`"
+        yield _UNNAMED
     elif kind == "from" and statement == "pixels":
         yield (
             '`pixels from "codes.npz"` sets every field without its own `pixels` statement, by name'

@@ -119,7 +119,8 @@ def _number(param: HostParam, value: Any, target: Target) -> int:
     ends = [
         f"{end * unit_e:g}{'e' if param.kind == 'level' else ''}" for end in (param.low, param.high)
     ]
-    helps = (f"`{param.name}` is a {param.kind} from {ends[0]} to {ends[1]}",)
+    example = ", such as '4%' or '1200e'" if param.kind == "level" else ""
+    helps = (f"`{param.name}` has {param.kind}s from {ends[0]} to {ends[1]}{example}",)
     number: int | None = None
     if param.kind == "level":
         electrons = _electrons(value, target)

@@ -284,6 +284,69 @@ def test_the_error_for_sixteen_counts_names_the_largest_number_that_fits() -> No
         container_of(HEAD + "report sum exposure " + counts(16))
 
 
+def test_an_error_of_registers_names_what_holds_them() -> None:
+    """Planes that are kept from frame to frame, R1 to R4, and the plane of the program whose shift
+    by a parameter needs one register more."""
+    kept = "".join(f"state h{k} : bit = 0 kept next h{k} = exposure > t " for k in range(7))
+    text = f"param t : 1% .. 20% = 4% param m : 0 .. 4 = 2 {kept} plane q = h6[m, 0] read q"
+    with pytest.raises(Rejected) as caught:
+        container_of(HEAD + text)
+    notes = caught.value.diagnostics[0].notes
+    assert "keep these from frame to frame: `h0`, `h1`, " in notes[0]
+    assert notes[1] == "R1 to R4 choose neighbours until `q` is computed"
+    assert str(caught.value).startswith("error[NS0535]: `q` needs 9 digital registers")
+
+
+def test_an_error_of_range_says_why_smaller_values_do_not_fit_either() -> None:
+    """Any limit leaves 13 counted planes for 12 registers."""
+    counts = "".join(f"plane a{k} = v > {k + 1}% report count a{k} " for k in range(13))
+    with pytest.raises(Rejected, match="do not fit either: `a12` needs 13 digital registers"):
+        container_of(HEAD + "image v = 2 * exposure " + counts)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("param t : 1% .. 20% = 30% plane p = exposure > t read p", "start 30% is outside 1% .. 2"),
+        (
+            "param a : 0..2 = 1 param b : 0..2 = 1 " + BRIGHT + "read q plane q = p[a + b, 0]",
+            "one i",
+        ),
+        ("param m : 0 .. 4 = 2 plane p = x == m read p", "declare `input plane NAME`"),
+        ("image v = min(exposure) read v", "`min(A, B)` has two images"),
+        ("image v = exposure / 2 report count v", "`report sum IMAGE`"),
+        (BRIGHT + "report sum p", "names that can be used here: `exposure`"),
+        (BRIGHT + "report mean p", "`report count P`"),
+        ("read exposure", "`bucket NAME open when ...`"),
+    ],
+)
+def test_an_error_says_what_to_write(text: str, message: str) -> None:
+    """There is one error, without others that follow from it."""
+    with pytest.raises(Rejected) as caught:
+        container_of(HEAD + text)
+    assert len(caught.value.diagnostics) == 1
+    assert message in str(caught.value)
+
+
+@pytest.mark.parametrize("sign", ["-", "+"])
+def test_a_sum_may_have_more_terms_than_a_word_has_sources(sign: str) -> None:
+    levels = (10, 5, 2.5, 1.25, 0.75)
+    images = [
+        f"image p{k} = {level}% if x % {k + 2} == 0 else 0 " for k, level in enumerate(levels)
+    ]
+    text = (
+        HEAD + "".join(images) + f"image s = {f' {sign} '.join(f'p{k}' for k in range(5))} read s"
+    )
+    found = nscc_runtime.capture(nscc.compile(text), np.ones((256, 256))).images["s"]
+    step_e = 30000 / 127
+    parts = [
+        round(w * 300 / step_e) * step_e * (np.arange(256) % (k + 2) == 0)
+        for k, w in enumerate(levels)
+    ]
+    expected = parts[0] + (1 if sign == "+" else -1) * sum(parts[1:])
+    np.testing.assert_allclose(found, np.broadcast_to(expected, (256, 256)), atol=1e-6)
+
+
 def test_a_kept_image_may_approach_its_range() -> None:
     text = (
         "assume exposure <= 50% kernel k = [[1, 2, 1], [2, 4, 2], [1, 2, 1]] / 16 state s : image "
