@@ -87,6 +87,11 @@ def _search(
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
     chip = on_chip(program, effects, device_seed)
     exchanged, pixels = exchanged_fraction(effects, program), program.lanes.size
+    most_part = limits.weights.of_frames(light).most_part
+    # In dim light a bound for the brightest pixel excludes all; NaN does not compare as less.
+    brightest_e = float(light.sum_e.max() * chip.factor.max())
+    if (most_part.max() + 4.0 * exchanged) * brightest_e + chip.dark_e.max() < limits.mean_e.min():
+        return NO_PIXELS
     gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.uint8)
     find_candidates(
         sizes=Bounding(
@@ -98,7 +103,7 @@ def _search(
         factor=chip.factor,
         dark_e=chip.dark_e,
         lanes=program.lanes,
-        most_part=limits.weights.of_frames(light).most_part,
+        most_part=most_part,
         mean_e=limits.mean_e,
         gained_e=gained_e,
         may_saturate=may_saturate,

@@ -3,9 +3,11 @@ bucket."""
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
-from nscc.arrays import Floats
+from nscc.arrays import Floats, Ints
 from nscc.mappings import NamedValues
 from nscc_runtime.execution.block_draws import DRAW_BLOCK
 from nscc_runtime.execution.count_loop import draw_deviations
@@ -18,13 +20,19 @@ SUMS, COUNTS, ERRORS = 0, 1, 2
 """Random stream of frames by sums (effects have streams from 1), and its source numbers."""
 
 
+@lru_cache(2)
+def _places(pixels: int) -> Ints:
+    """Return the places 0 to `pixels` - 1, cached; callers must not change them."""
+    return np.arange(pixels, dtype=np.int64)
+
+
 def draw_exposures(moments: Moments, seed: int, frame: int, threads: int) -> Floats:
     """Return the exposures of frame number `frame`, in electrons, (buckets, pixels), drawn from the
     moments of its scene without saturation.
 
     `seed`: of the noise. Results do not depend on `threads`."""
     (rows, cols), (buckets, pixels) = moments.lane.shape, moments.mean_e.shape
-    places = np.arange(pixels, dtype=np.int64)
+    places = _places(pixels)
     # Deviations of photon and dark counts, which the loop spreads over buckets and neighbours.
     away = np.empty((0, pixels))
     if len(moments.count_means):

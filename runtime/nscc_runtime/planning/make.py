@@ -137,7 +137,13 @@ def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
     allowed = None
     if unit_of(request.tolerance) != "noise":
         allowed = tolerance_of(request.tolerance, scene.sensor, scene)
-    return decided_plan(EffectChoice(work, request, absent, allowed))
+    choice = EffectChoice(work, request, absent, allowed)
+    if scene.looks:
+        return decided_plan(choice)
+    # Nothing else of the scene is in the plan.
+    key = Plan, request, absent, allowed, work.near, len(scene.light.frames)
+    recent = analysed(scene.container, scene.sensor).recent
+    return recent.of(key, lambda: decided_plan(choice))
 
 
 def absent_effects(scene: PlannedScene) -> Names:
@@ -172,6 +178,8 @@ def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float
     groups = [all_effects.names(kind) - absent for kind in (Counted, SmallErrors)]
     sets = {names for names in groups if names and names <= free}
     sets |= {frozenset({name}) for name in free}
+    if not sets:
+        return {}
     requested = request.requested
     all_ms = work.milliseconds(requested, request.frames)
     saved_ms = {

@@ -123,22 +123,21 @@ def unit_of(tolerance: ToleranceInput) -> str | None:
     return match[2] if match else None
 
 
+class _Bright:
+    """A scene with signal and noise above 0, so that only the tolerance itself can be wrong."""
+
+    def signal_e(self) -> float:
+        """Return a large exposure, so that only the text of a tolerance matters."""
+        return 1e4
+
+    noise_e = signal_e
+
+
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene; `sensor` gives the
     electrons of a converter code. The check does not see the scene, so it accepts a percentage also
     for a scene without signal."""
-
-    class Bright:
-        """A scene with signal and noise above 0, so that only the tolerance itself can be
-        wrong."""
-
-        def signal_e(self) -> float:
-            """Return a large exposure, so that only the text of a tolerance matters."""
-            return 1e4
-
-        noise_e = signal_e
-
-    tolerance_of(tolerance, sensor, Bright())
+    tolerance_of(tolerance, sensor, _Bright())
 
 
 def mean_signal_e(exposure_e: Floats, sensor: Sensor) -> float:
