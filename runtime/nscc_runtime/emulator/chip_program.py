@@ -129,19 +129,10 @@ class ChipProgram:
         ValueError
             If the light's matrix is inconsistent.
         """
-        from nscc_runtime.emulator.loops import (
-            KeptValues,
-            PixelRange,
-            RegisterBits,
-            expose_without_effects,
-        )
+        from nscc_runtime.emulator.loops import PixelRange, expose_without_effects
 
-        starts, index = light.row_start, light.frame_index
-        if starts[0] != 0 or np.any(np.diff(starts) < 0):
-            raise ValueError("the rows of the light's matrix are out of order")
-        if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
-            raise ValueError("the light's matrix names a frame that does not exist")
-        (table, words), (rows, cols), pixels = self._words, light.shape, prod(light.shape)
+        _check_matrix(light)
+        (table, _), (rows, cols), pixels = self._words, light.shape, prod(light.shape)
         # If pixels depend on each other, the whole array is one block, with a column of zeros at
         # the end of each row; otherwise blocks are pieces of one long row.
         if table.reaches_neighbours:
@@ -152,26 +143,7 @@ class ChipProgram:
             length = block[1]
         registers = len(table.analog)
         shape = table.shape(*block, length, registers)
-        loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, rows, cols))
-        bits = RegisterBits(
-            loaded,
-            np.array([table.digital[name] for name in self.planes], np.int64),
-            np.empty((len(digital), *loaded.shape[1:]), np.uint64),
-            np.array([table.digital[name] for name in digital], np.int64),
-        )
-        contents = np.empty((len(analog), pixels))
-        shared: NamedValues = {
-            "shape": shape,
-            "program": words,
-            "bits": bits,
-            "before": KeptValues(
-                np.array([*self.kept.values()], np.float64).reshape(-1, pixels),
-                np.array([table.analog[name] for name in self.kept], np.int64),
-            ),
-            "frame_weight": light.frame_weight,
-            "contents": contents,
-            "register_numbers": np.array([table.analog[name] for name in analog], np.int64),
-        }
+        shared = self._shared(light, analog, digital, (rows, cols))
 
         def fill(lit: Light, first: int, begin: int, end: int) -> None:
             """Run the program on the pixels from first + `begin` up to before first + `end`, and
@@ -182,7 +154,7 @@ class ChipProgram:
                 begin=first + begin,
                 end=first + end,
                 block_rows=rows,
-                row_words=loaded.shape[-1],
+                row_words=shared["bits"].read.shape[-1],
                 frames=len(light.frames),
                 lit_pixels=prod(lit.shape),
                 first_lit=first,
@@ -194,6 +166,7 @@ class ChipProgram:
                 pix=table.analog["PIX"],
             )
             expose_without_effects(
+                shape=shape,
                 chosen=chosen,
                 light=lit.matrix,
                 planes=np.empty(len(table.digital) * rows * shape.plane_words, np.uint64),
@@ -209,5 +182,46 @@ class ChipProgram:
         for strip, _, lit in strips if table.reaches_neighbours else light.strips():
             first, count = strip.start * light.shape[1], len(strip) * light.shape[1]
             in_parts(partial(fill, lit, first), count, threads_of(threads), block[0] * block[1])
-        read = unpacked(bits.read, cols).reshape(-1, *light.shape)
-        return contents.reshape(-1, *light.shape), read
+        read = unpacked(shared["bits"].read, cols).reshape(-1, *light.shape)
+        return shared["contents"].reshape(-1, *light.shape), read
+
+    def _shared(
+        self,
+        light: Light,
+        analog: Sequence[str],
+        digital: Sequence[str],
+        size: tuple[int, int],
+    ) -> NamedValues:
+        """Return the arguments of the loop that all parts of a frame share, by name. `contents` and
+        `bits.read` get the registers `analog` and `digital` at the end of the frame. `size`: rows
+        and columns of digital registers."""
+        from nscc_runtime.emulator.loops import KeptValues, RegisterBits
+
+        (table, words), pixels = self._words, prod(light.shape)
+        loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, *size))
+        return {
+            "program": words,
+            "bits": RegisterBits(
+                loaded,
+                np.array([table.digital[name] for name in self.planes], np.int64),
+                np.empty((len(digital), *loaded.shape[1:]), np.uint64),
+                np.array([table.digital[name] for name in digital], np.int64),
+            ),
+            "before": KeptValues(
+                np.array([*self.kept.values()], np.float64).reshape(-1, pixels),
+                np.array([table.analog[name] for name in self.kept], np.int64),
+            ),
+            "frame_weight": light.frame_weight,
+            "contents": np.empty((len(analog), pixels)),
+            "register_numbers": np.array([table.analog[name] for name in analog], np.int64),
+        }
+
+
+def _check_matrix(light: Light) -> None:
+    """Raise ValueError if the matrix of `light` has rows out of order, or names a frame that does
+    not exist."""
+    starts, index = light.row_start, light.frame_index
+    if starts[0] != 0 or np.any(np.diff(starts) < 0):
+        raise ValueError("the rows of the light's matrix are out of order")
+    if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
+        raise ValueError("the light's matrix names a frame that does not exist")

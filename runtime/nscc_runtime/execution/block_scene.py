@@ -51,14 +51,18 @@ from nscc_runtime.execution.layout import (
 )
 from nscc_runtime.execution.program import light_under
 from nscc_runtime.execution.stretch_loop import (
+    NEIGHBOURS,
+    NONE,
     STRETCH_BLOCK,
     Exchanging,
     Sites,
+    SiteSizes,
     StretchMeans,
     StretchSizes,
     charge_means,
     dark_means,
     exchange_counts,
+    find_sites,
     light_means,
 )
 from nscc_runtime.execution.sum_loop import drawn_at
@@ -326,19 +330,20 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
 
     `beside` has the index of the sites above, below, left and right of each pixel of `places`, -1
     beyond the border; without exchange, only -1."""
-    shape, effects, sensor = scene.program.lane.shape, scene.effects, scene.sensor
-    beside = np.full((len(places), 4), -1, np.int32)
-    every = places
+    effects, sensor, (rows, cols) = scene.effects, scene.sensor, scene.program.lane.shape
+    beside = np.full((len(places), NEIGHBOURS), -1, np.int32)
+    every, count = places, np.zeros(1, np.int64)
     if exchanges:
-        around = neighbours_of(places, shape)
-        # One entry more than the chip has places: index -1, for beyond the border, reads it.
-        number = np.full(shape[0] * shape[1] + 1, -1, np.int32)
-        number[around] = 0
-        number[places] = -1
-        every = np.concatenate([places, np.flatnonzero(number[:-1] == 0)])
-        number[every] = np.arange(len(every))
-        number[-1] = -1  # `around` is -1 beyond the border
-        beside = number[around]
+        every = np.empty(rows * cols, np.int64)
+        find_sites(
+            sizes=SiteSizes(rows=rows, cols=cols, pixels=rows * cols, own=len(places)),
+            own_places=places,
+            number=np.full(rows * cols, NONE, np.int32),
+            place=every,
+            beside=beside,
+            count=count,
+        )
+        every = every[: count[0]]
     device = whole_device(sensor, scene.device_seed, scene.program.lane.size)
     echo, response = effects.find_part(Echo), effects.find_part(Response)
     dark = effects.find_part(CountedDark)
@@ -348,23 +353,7 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
         lane=np.require(scene.program.lane.reshape(-1)[every], np.int32, ["C"]),
         factor=factor * device.fixed(response.factor)[every] if response else factor,
         dark_e_per_s=device.fixed(dark.per_s)[every] if dark else np.zeros(len(every)),
-        beside=np.require(beside, np.int32, ["C"]),
-    )
-
-
-def neighbours_of(places: Places, shape: tuple[int, int]) -> Places:
-    """Return the places (pixels, 4) of the neighbours above, below, left and right of the pixels at
-    `places` (pixels,); -1 beyond the border of an array of `shape` (rows, cols)."""
-    rows, cols = shape
-    row, col = np.divmod(places, cols)
-    return np.stack(
-        [
-            np.where(row > 0, places - cols, -1),
-            np.where(row + 1 < rows, places + cols, -1),
-            np.where(col > 0, places - 1, -1),
-            np.where(col + 1 < cols, places + 1, -1),
-        ],
-        axis=1,
+        beside=beside,
     )
 
 

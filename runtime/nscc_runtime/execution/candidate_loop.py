@@ -1,12 +1,16 @@
-"""The loop that finds pixels whose charge may reach saturation, by an upper bound."""
+"""The loops that find pixels whose charge may reach saturation: by an upper bound, then exactly."""
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
-from nscc.arrays import Bytes, Floats, Ints32
+from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc_runtime.execution.moment_loop import on_side
 from nscc_runtime.loop import Written, loop, record
+
+SIGMAS = 6.0
+"""Number of standard deviations of noise that are added to a pixel's mean charge."""
 
 
 @record
@@ -50,3 +54,52 @@ def find_candidates(
             own_e = most_part[lanes[p]] * (sum_e[p] * factor[p])
             bound_e = own_e + dark_e[p] + gained_e[p]
             may_saturate[p] = bound_e >= mean_e[lanes[p]]
+
+
+@record
+class CandidateSizes:
+    """Sizes for `compare_candidates`: of `candidates` pixels, for each kind of sum and lane.
+    `exchanged`: fraction of its charge that a pixel gives to each neighbour."""
+
+    rows: int
+    cols: int
+    pixels: int
+    exchanged: float
+    candidates: int
+    kinds: int
+    lane_count: int
+
+
+@loop
+def compare_candidates(
+    sizes: CandidateSizes,
+    places: Annotated[Ints, "candidates"],
+    lanes: Annotated[Ints32, "candidates"],
+    seen_e: Annotated[Floats, "kinds candidates"],
+    gained_e: Annotated[Floats, "pixels"],
+    dark_e: Annotated[Floats, "pixels"],
+    dark_part: Annotated[Floats, "kinds lane_count"],
+    saturation_e: Annotated[Floats, "kinds lane_count"],
+    most_e: Written[Annotated[Floats, "candidates"]],
+    is_near: Written[Annotated[Bytes, "candidates"]],
+) -> None:
+    """Set `is_near` to whether any sum of charge of a candidate, with noise, reaches its smallest
+    sum of saturation, and `most_e` to its charge on PIX (the photodiode), with noise.
+
+    `seen_e`: the light in each sum. `gained_e`: the light from neighbours. `dark_e`: dark charge of
+    the frame, of which each sum contains `dark_part`. Candidates are at the ascending `places`."""
+    row, count = 0, sizes.candidates
+    for i in range(count):
+        p, near = places[i], 0
+        while p >= (row + 1) * sizes.cols:
+            row += 1
+        neighbours = (row > 0) + (row + 1 < sizes.rows)
+        neighbours += (p > row * sizes.cols) + (p + 1 < (row + 1) * sizes.cols)
+        for kind in range(sizes.kinds - 1, -1, -1):
+            seen, at = seen_e[kind * count + i], kind * sizes.lane_count + lanes[i]
+            # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
+            mixed = (1.0 - sizes.exchanged * neighbours) * seen + gained_e[p]
+            charge_e = (seen if seen > mixed else mixed) + dark_e[p] * dark_part[at]
+            most_e[i] = charge_e + SIGMAS * math.sqrt(charge_e)
+            near |= most_e[i] >= saturation_e[at]
+        is_near[i] = near

@@ -12,7 +12,13 @@ import numpy as np
 from nscc.arrays import Floats, Ints
 from nscc_runtime.effects.parts import Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
-from nscc_runtime.execution.candidate_loop import Bounding, find_candidates
+from nscc_runtime.execution.candidate_loop import (
+    SIGMAS,
+    Bounding,
+    CandidateSizes,
+    compare_candidates,
+    find_candidates,
+)
 from nscc_runtime.execution.moments import exchanged_fraction, on_chip
 from nscc_runtime.execution.program import AnalysedProgram, light_under
 from nscc_runtime.execution.register_reach import reach_of
@@ -21,8 +27,6 @@ from nscc_runtime.light import Light
 
 Places = Ints
 
-_SIGMAS = 6.0
-"""Number of standard deviations of noise that are added to a pixel's mean charge."""
 _SLACK = 1.0 - 1e-5
 """Factor on limits that allows for rounding, because light is added up in float32."""
 
@@ -119,16 +123,29 @@ def _search(
             for part, own in light_at(light, places)
         ]
     )
-    row, col = np.divmod(places, light.shape[1])
-    below, right = row + 1 < light.shape[0], col + 1 < light.shape[1]
-    neighbour_count = (row > 0).astype(np.int64) + below + (col > 0) + right
-    # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
-    given_fraction = exchanged * neighbour_count
-    most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + gained_e[places])
-    most_e += chip.dark_e[places] * limits.dark_part[:, lanes]
-    most_e += _SIGMAS * np.sqrt(most_e)
-    is_near = np.any(most_e >= limits.saturation_e[:, lanes], axis=0)
-    return NearSaturation(places[is_near], most_e[0, is_near])
+    most_e, is_near = np.empty(len(places)), np.empty(len(places), np.uint8)
+    compare_candidates(
+        sizes=CandidateSizes(
+            rows=light.shape[0],
+            cols=light.shape[1],
+            pixels=pixels,
+            exchanged=exchanged,
+            candidates=len(places),
+            kinds=kinds,
+            lane_count=len(limits.mean_e),
+        ),
+        places=places,
+        lanes=lanes,
+        seen_e=seen_e,
+        gained_e=gained_e,
+        dark_e=chip.dark_e,
+        dark_part=limits.dark_part,
+        saturation_e=limits.saturation_e,
+        most_e=most_e,
+        is_near=is_near,
+    )
+    is_found = is_near.view(np.bool_)
+    return NearSaturation(places[is_found], most_e[is_found])
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
@@ -147,7 +164,7 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
         registers = saturation_e if reach.held_weights is None else saturation_e[1:]
         np.minimum(registers, reach.least_e, out=registers)
     least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
-    # The smallest mean charge m that noise raises to the limit: m + _SIGMAS sqrt(m) = least_e.
-    mean_e = ((np.sqrt(_SIGMAS**2 + 4.0 * least_e) - _SIGMAS) / 2.0) ** 2
+    # The smallest mean charge m that noise raises to the limit: m + SIGMAS sqrt(m) = least_e.
+    mean_e = ((np.sqrt(SIGMAS**2 + 4.0 * least_e) - SIGMAS) / 2.0) ** 2
     dark_part = program.slot_s @ weights / program.slot_s.sum()
     return _Limits(SlotWeights(weights), dark_part, saturation_e, mean_e)

@@ -20,7 +20,8 @@ from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.keys import bits
 from nscc_runtime.noise.poisson_law import RATE_CAP
 
-NEIGHBOURS = 4
+NEIGHBOURS, NONE = 4, -1
+"""Number of neighbours of a pixel. What stands for a site that does not exist."""
 STRETCH_BLOCK = 128
 """Number of sites whose light is added up together."""
 
@@ -59,6 +60,63 @@ class Sites(NamedTuple):
     factor: Annotated[Floats, "sites"]
     dark_e_per_s: Annotated[Floats, "sites"]
     beside: Annotated[Ints32, "own 4"]
+
+
+@record
+class SiteSizes:
+    """Sizes for `find_sites`, of an array of `pixels` pixels. `own`: number of pixels that run
+    through their words."""
+
+    rows: int
+    cols: int
+    pixels: int
+    own: int
+
+
+@inlined
+def _beside(sizes: SiteSizes, p: int, side: int) -> int:
+    """Return the place of the neighbour above, below, left or right (`side` 0 to 3) of the pixel at
+    place `p`, or NONE beyond the border."""
+    if side == 0:
+        return p - sizes.cols if p >= sizes.cols else NONE
+    if side == 1:
+        return p + sizes.cols if p + sizes.cols < sizes.pixels else NONE
+    at_border = p % sizes.cols == (0 if side == 2 else sizes.cols - 1)
+    return NONE if at_border else p + 2 * side - 5
+
+
+@loop
+def find_sites(
+    sizes: SiteSizes,
+    own_places: Annotated[Ints, "own"],
+    number: Written[Annotated[Ints32, "pixels"]],
+    place: Written[Annotated[Ints, "pixels"]],
+    beside: Written[Annotated[Ints32, "own 4"]],
+    count: Written[Ints],
+) -> None:
+    """Number the sites (pixels whose charge is computed), and set count[0] to how many there are,
+    place[k] to the place of site k, and `beside` as in `Sites`.
+
+    The first sites are the pixels at `own_places`; their neighbours that are not among these follow
+    in ascending order of places. `number`: working memory, NONE everywhere before."""
+    wanted = NONE - 1
+    for i in range(sizes.own):
+        number[own_places[i]], place[i] = i, own_places[i]
+    for i in range(sizes.own):
+        for side in range(NEIGHBOURS):
+            other = _beside(sizes, own_places[i], side)
+            if other != NONE and number[other] == NONE:
+                number[other] = wanted
+    found = sizes.own
+    for p in range(sizes.pixels):
+        if number[p] == wanted:
+            number[p], place[found] = found, p
+            found += 1
+    count[0] = found
+    for i in range(sizes.own):
+        for side in range(NEIGHBOURS):
+            other = _beside(sizes, own_places[i], side)
+            beside[NEIGHBOURS * i + side] = number[other] if other != NONE else NONE
 
 
 class StretchMeans(NamedTuple):

@@ -12,7 +12,7 @@ from saturation_oracle import lost_e
 
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.selection import Selection, everything
-from nscc_runtime.execution.block_scene import expose_pixels, lay_out
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.execution.near_saturation import near_saturation
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.register_reach import reach_of
@@ -82,7 +82,7 @@ def test_registers_of_pixels_that_sums_expose_lose_nothing_to_noise(name: str) -
     def frames(light: Light, effects: Selection) -> np.ndarray:
         """200 frames by the loop over words, in electrons (frames, buckets, pixels)."""
         places = np.arange(SHAPE[0] * SHAPE[1])
-        scene = lay_out(container, program.sensor, light, effects, places, DEVICE)
+        scene = prepare_pixels(container, program.sensor, light, effects, places, DEVICE)
         return np.array([expose_pixels(scene, 3, number).exposure_e for number in range(200)])
 
     def lost(light: Light) -> float:
