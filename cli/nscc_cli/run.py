@@ -222,8 +222,7 @@ def _run_on_emulator(
         if simulated.audit is not None:
             say_done(str(simulated.audit))
     # The summary gives one set of figures if all repeated frames are equal.
-    kept = container.keeps_states
-    alike = request.effects.without_effects and not kept
+    alike = request.effects.without_effects and not container.keeps_states
     colours = "colours" in exposed.meta_entries
     say_done(summary(container, frame, files, alike=alike, colours=colours))
     if simulated.broken is not None:

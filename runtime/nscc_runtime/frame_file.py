@@ -219,8 +219,8 @@ def unplanned(
     plans have, and a row for every effect.
 
     `chosen`: the selected effects. `moving`: whether the light moves within slots. `word_reasons`:
-    why pixels run through their words (`RunKind.word_reasons`). `absent`: names of effects that the
-    chip cannot have, with the reason, which has priority over others."""
+    why pixels run through their words (`Exposing.word_reasons`). `absent`: names of effects that
+    the chip cannot have, with the reason, which has priority over others."""
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     rows = []
     # Later conditions override earlier ones: an effect that is absent cannot have been simulated.

@@ -94,8 +94,7 @@ def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
 
 def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
     """Return the bus and reset words of a frame in order, each with the lanes in which it acts.
-    Lane k is the k-th end, and `by_end` has the segments of its path, in any order. A lane is the
-    pixels of one distinct shutter."""
+    Here lane k is the k-th end, and `by_end` has the segments of its path, in any order."""
     acts = np.zeros((len(paths.words), len(by_end)), np.bool_)
     for end, path in enumerate(by_end):
         for segment in path:

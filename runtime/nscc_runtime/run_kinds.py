@@ -35,11 +35,13 @@ class Exposing(Record):
 
     `run()` returns an iterator over frames, or one `Frame` with all repeats. `loop` is the compiled
     loop that it waits for (None: nothing is said about it), and `subject` names its user in a
-    message."""
+    message. `word_reasons()`, called after `run()`, returns why pixels run through their words;
+    empty if sums of light gave all exposures."""
 
     run: Callable[[], Any]
     loop: Any = None
     subject: str = "emulator"
+    word_reasons: Callable[[], tuple[str, ...]] = lambda: ("every pixel is exposed slot by slot",)
 
 
 class RunKind:
@@ -76,13 +78,6 @@ class RunKind:
             container, light, sensor, effects, request
         )
         return exposing
-
-    def word_reasons(
-        self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
-    ) -> tuple[str, ...]:
-        """Return why pixels run through their words in the frames of `exposing`, which has the same
-        arguments; empty if sums of light give all exposures."""
-        return ("every pixel runs through its words",)
 
     def sheet(self, container: Container, title: str) -> Any:
         """Return the figure of `nscc view`: when shutters are open."""

@@ -121,8 +121,7 @@ def _simulated(
     with listener.timings.measure("expose_s"):
         made = exposing.run()
         frame = made if isinstance(made, Frame) else _gathered(made, request.repeat, listener)
-    word_reasons = kind.word_reasons(container, light, sensor, effects, request)
-    moving = light.motion is not None
+    moving, word_reasons = light.motion is not None, exposing.word_reasons()
     plan = frame_file.unplanned(request.effects, moving, word_reasons, absent)
     origin = Provenance(
         digest_of(container),
@@ -133,9 +132,8 @@ def _simulated(
         if without_effects or (kind.is_fast and request.by_plan)
         else "reference",
         plan=plan,
+        params=tuple(setting.plain(container) for setting in request.settings),
     )
-    values = [setting.plain(container) for setting in request.settings]
-    origin = replace(origin, params=tuple(values))
     return Simulated(frame, origin, effects=effects)
 
 

@@ -9,12 +9,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 from checkout import ROOT
+from one_scene import load_scene
 from plan_cases import case
 from promise import POOLED, Outcome, full_frames, outcome
 from reference_programs import sensor_of
 
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 
 DATA = Path(os.environ.get("NSCC_DATA") or ROOT.parent / "shared" / "data")
 FILES = sorted(

@@ -33,6 +33,7 @@ from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
+from one_scene import load_scene
 
 from nscc.compiler import compile_file
 from nscc.pipeline import Options
@@ -44,7 +45,7 @@ from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_request import PlanRequest
 from nscc_runtime.planning.planned_scene import planning_of
-from nscc_runtime.scenes import light_of_array, load_scene
+from nscc_runtime.scenes import light_of_array
 from nscc_runtime.scenes.exposure import parse_exposure
 from nscc_runtime.sensor import default_sensor
 from nscc_training.tradeoff.emulator import unknown

@@ -16,6 +16,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from nscc_command import invoke
+from one_scene import load_scene
 from reference_programs import program, sensor_of
 
 from nscc.diagnostics.diagnostic import Rejected
@@ -24,7 +25,6 @@ from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames as by_reference
-from nscc_runtime.scenes import load_scene
 from nscc_runtime.scenes.exposure import ExposureLevel
 
 ROWS, COLS, SLOTS, SLOT_US = 5, 7, 4, 1000.0

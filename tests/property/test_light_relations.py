@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from reference_exposure import expose as by_reference
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose as by_reference
 
 ROWS, COLS = 4, 16
 SLOTS = 6

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from reference_exposure import expose
 from reference_programs import (
     BUCKETS,
     BUMPS,
@@ -26,7 +27,6 @@ from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose as noiseless
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose
 
 PLACES = np.arange(ROWS * COLS, dtype=np.int64)
 LINEAR = ["shot", "prnu", "dark", "lag", "crosstalk", "reset", "read", "dead_time"]

@@ -13,9 +13,10 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
+from one_scene import load_scene
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 from nscc_runtime.scenes.picture_files import quiet
 
 SUFFIXES = (

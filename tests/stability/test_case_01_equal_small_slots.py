@@ -7,14 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from one_scene import load_scene
+from reference_exposure import expose as by_reference
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose as by_reference
-from nscc_runtime.scenes import load_scene
 from nscc_runtime.scenes.exposure import ExposureLevel
 
 SLOTS = 4096

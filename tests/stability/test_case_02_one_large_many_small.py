@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from reference_exposure import expose as by_reference
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose as by_reference
 
 SLOTS, LARGE = 4096, 10**8
 PLACES = (0, 1, 2047, 4094, 4095)

@@ -6,6 +6,7 @@ from math import fsum
 
 import numpy as np
 import pytest
+from reference_exposure import expose as by_reference
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc_runtime import capture
@@ -13,7 +14,6 @@ from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose as by_reference
 from nscc_runtime.reference import frames as by_reference_read_out
 
 ROWS, COLS, SLOTS = 12, 60, 4

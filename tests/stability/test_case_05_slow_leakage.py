@@ -6,12 +6,12 @@ from decimal import Decimal, getcontext
 
 import numpy as np
 import pytest
+from reference_exposure import expose
 from reference_programs import program, sensor_of
 
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose
 
 getcontext().prec = 50
 SLOTS, SLOT_US, ELECTRONS = 4096, 100.0, 10_000.0

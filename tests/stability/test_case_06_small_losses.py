@@ -6,13 +6,13 @@ from decimal import Decimal, getcontext
 
 import numpy as np
 import pytest
+from reference_exposure import expose
 from reference_programs import program, sensor_of
 
 from nscc_runtime.effects import selected
 from nscc_runtime.effects.spread import log_normal
 from nscc_runtime.light import Light
 from nscc_runtime.noise.poisson_law import poisson_exact
-from nscc_runtime.reference import expose
 
 getcontext().prec = 50
 ELECTRONS = 20_000.0

@@ -6,13 +6,13 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from reference_exposure import expose
 from reference_programs import program, sensor_of
 
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose as exactly
 from nscc_runtime.frame_file import Provenance, meta, read_out
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose
 from nscc_runtime.scenes.timing import check_fps, overlaps, slot_edges_us
 from nscc_runtime.sensor import default_sensor
 

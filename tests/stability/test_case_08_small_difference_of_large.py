@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from reference_exposure import expose as by_reference
 from reference_programs import program, sensor_of
 
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose as by_reference
 
 SMALL, LARGE = np.float32(0.01), np.float32(30_000)
 TEXT = "nsl 1\nframe 8 slots of 1ms\nopen when {}\n"

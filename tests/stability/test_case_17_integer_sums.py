@@ -7,6 +7,7 @@ from statistics import variance
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 from reference_programs import LOWERINGS, program
 
 from nscc_runtime import capture
@@ -14,7 +15,6 @@ from nscc_runtime.calibrate import Stack
 from nscc_runtime.calibrate.levels import level_of
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import load_scene
 from nscc_runtime.scenes.exposure import ExposureLevel
 
 SLOTS = 4096

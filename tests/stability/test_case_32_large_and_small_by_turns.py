@@ -6,13 +6,13 @@ import math
 
 import numpy as np
 import pytest
+from reference_exposure import expose as reference
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose as reference
 
 SLOTS = 4096
 LARGE, SMALL = np.float32(1e8), np.float32(0.1)

@@ -141,9 +141,8 @@ class _PathReplay:
     def __init__(
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
-        """Begin with one lane (the pixels of one code) and one segment for each combination of bits
-        in `starts`: bits (starts,) of the registers known at the start of a frame. All others are
-        unknown.
+        """Begin with one lane and one segment for each combination of bits in `starts`: bits
+        (starts,) of the registers known at the start of a frame. All others are unknown.
 
         A register reads 0 more than `retention_us` microseconds after it was written. A segment is
         the part of a path between two comparisons."""
@@ -178,7 +177,7 @@ class _PathReplay:
     def distinct_endings(self) -> tuple[dict[str, Bits], Indices]:
         """Return the different endings after `run`, as bits (endings,) by state register, and the
         number of the ending of each lane, (lanes,). Raises Pathless if the bit of a state is
-        unknown. A lane is the pixels of one code."""
+        unknown."""
         planes = self.container.state_planes.values()
         names = sorted({register for state_planes in planes for register in state_planes.registers})
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
@@ -191,8 +190,7 @@ class _PathReplay:
     def _met(self, word: RunningWord) -> None:
         """Record in which segments (parts of a path between two comparisons) the analog word `word`
         acts; a comparison continues each in new segments. Raises Pathless if words times lanes
-        exceed `MOST`, or if it is unknown whether a comparison acts. A lane is the pixels of one
-        code."""
+        exceed `MOST`, or if it is unknown whether a comparison acts."""
         flag = self.registers.read("FLAG")
         everywhere = (word.resets and self.target.reset_honours_flag == "no") or (
             word.compares and not self.target.where_obeys_flag
@@ -206,10 +204,10 @@ class _PathReplay:
             self._answered(acts)
 
     def _answered(self, is_asked: Bits) -> None:
-        """Continue every lane (the pixels of one code) with the answer 0, and also with the answer
-        1 where `is_asked` (lanes,) is 1. The answer is written to FLAG, lanes with equal bits are
-        merged, and each remaining one begins a new segment. Raises Pathless if `is_asked` is
-        unknown in a lane. A segment is the part of a path between two comparisons."""
+        """Continue every lane with the answer 0, and also with the answer 1 where `is_asked`
+        (lanes,) is 1. The answer is written to FLAG, lanes with equal bits are merged, and each
+        remaining one begins a new segment. Raises Pathless if `is_asked` is unknown in a lane. A
+        segment is the part of a path between two comparisons."""
         if (is_asked == UNKNOWN).any():
             raise Pathless("a comparison is made where FLAG is unknown")
         all_lanes = np.arange(len(is_asked))
@@ -305,9 +303,8 @@ def _by_segment(walk: _PathReplay, ending: Indices) -> tuple[list[list[tuple[int
     (number of the word, whether it acts: 0, 1 or UNKNOWN) in order, and the next segments
     (segments, 2) for the answers 0 and 1.
 
-    `ending` (lanes,): the ending of each lane (the pixels of one code) after the frame. A number -1
-    - k stands for ending k instead of a segment. Where no comparison acts, both answers lead to the
-    same."""
+    `ending` (lanes,): the ending of each lane after the frame. A number -1 - k stands for ending k
+    instead of a segment. Where no comparison acts, both answers lead to the same."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
         for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):

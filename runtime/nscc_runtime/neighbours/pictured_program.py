@@ -332,16 +332,11 @@ class PicturedProgram:
         `read`: electrons and saturation marks, each (rows, cols), by name. `valid` (rows, cols):
         False where a value is no number or meaningless. `seeds`: of noise and device. `number`:
         number of the frame."""
-        shape = (len(names), *valid.shape)
-        values, marks = np.zeros(shape), np.zeros(shape, np.uint8)
-        for index, name in enumerate(names):
-            values[index], marks[index] = read[name]
-        exposure = Exposure(values, np.broadcast_to(valid, shape).copy(), marks)
-        target = self.container.target
-        if not names:
-            empty = np.zeros(shape, np.uint8)
-            return Frame(empty, values, exposure.valid, marks)
-        return converted(exposure, target, self.sensor, self.effects, seeds, number)
+        exposure, target = _exposure_of(names, read, valid), self.container.target
+        if names:
+            return converted(exposure, target, self.sensor, self.effects, seeds, number)
+        empty = np.zeros(exposure.valid.shape, np.uint8)
+        return Frame(empty, exposure.exposure_e, exposure.valid, empty)
 
     def _converted(
         self,
@@ -360,11 +355,7 @@ class PicturedProgram:
         target = replace(self.container.target, readout="full")
         # The converter draws noise by index: images follow the buckets.
         buckets = len(self.container.buckets)
-        shape = (buckets + len(names), *valid.shape)
-        stack, stacked = np.zeros(shape), np.zeros(shape, np.uint8)
-        for place, name in enumerate(names, buckets):
-            stack[place], stacked[place] = read[name]
-        exposure = Exposure(stack, np.broadcast_to(valid, shape), stacked)
+        exposure = _exposure_of(names, read, valid, buckets)
         frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
         return frame.frame[buckets:], frame.saturated_by[buckets:]
 
@@ -415,6 +406,19 @@ class PicturedProgram:
         pixels.run_words(words.listed(params))
         pixels.hold(pixels.after_us * 1e-6)
         return pixels
+
+
+def _exposure_of(
+    names: list[str], read: dict[str, tuple[Floats, Bytes]], valid: Bools, buckets: int = 0
+) -> Exposure:
+    """Return the values `names` of `read` (electrons and saturation marks by name, each (rows,
+    cols)) as an exposure, after this number of empty `buckets`. `valid` (rows, cols) holds for
+    all."""
+    shape = (buckets + len(names), *valid.shape)
+    values, marks = np.zeros(shape), np.zeros(shape, np.uint8)
+    for index, name in enumerate(names, buckets):
+        values[index], marks[index] = read[name]
+    return Exposure(values, np.broadcast_to(valid, shape).copy(), marks)
 
 
 class _WordsOfParams:

@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.reference.capture import Reference, expose, frames
+from nscc_runtime.reference.capture import Reference, frames
 
-__all__ = ["Reference", "Scene", "expose", "frames"]
+__all__ = ["Reference", "Scene", "frames"]

@@ -154,29 +154,6 @@ class Reference:
         return Executed(in_rows(fall, run, rows, shape, threads), final_planes)
 
 
-def expose(
-    container: Container,
-    light: Light,
-    sensor: Sensor,
-    effects: Selection,
-    *,
-    seed: int = 0,
-    device_seed: int = 0,
-    frame: int = 0,
-    threads: int | None = None,
-) -> Exposure:
-    """Run the words of `container` over `light` with the `effects` of `sensor` in float64, and
-    return the exposure.
-
-    `seed`: of the noise. `device_seed`: of the fixed patterns. `frame`: number of the repeat of the
-    scene, from 0, which selects its noise. `threads`: None for all processors; results do not
-    depend on it. Raises Rejected if the program and the light do not fit (as
-    `nscc_runtime.emulator.expose`), and with NS0442 for words that open no shutters."""
-    check(container, light)
-    scene = reference_scene(container, light)
-    return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
-
-
 def frames(
     container: Container,
     light: Light,

@@ -42,21 +42,16 @@ class ImagesRun(RunKind):
             check(container, frame_light)
         program = PicturedProgram(container, sensor, effects, request.threads, not request.by_plan)
         settings = request.settings
+        run = partial(program.frames, light, *seeds, request.repeat or 1, settings)
         if request.next_lights:
-            return Exposing(partial(program.film, lights, *seeds, settings))
-        return Exposing(partial(program.frames, light, *seeds, request.repeat or 1, settings))
-
-    def word_reasons(
-        self, container: Container, light: Any, sensor: Sensor, effects: Any, request: Any
-    ) -> tuple[str, ...]:
-        """Return why pixels run through their words before images are computed. With effects, only
-        pixels near saturation do, unless the reference is needed."""
+            run = partial(program.film, lights, *seeds, settings)
+        if effects.without_effects or not request.by_plan:
+            return Exposing(run)
         from nscc_runtime.execution.frames import word_reasons
 
-        if effects.without_effects or not request.by_plan:
-            return super().word_reasons(container, light, sensor, effects, request)
-        lights = (light, *request.next_lights)
-        return word_reasons(container, sensor, lights, effects, request.device_seed)
+        # Sums expose all pixels but those near saturation.
+        reasons = partial(word_reasons, container, sensor, lights, effects, request.device_seed)
+        return Exposing(run, word_reasons=reasons)
 
     def flow(self, container: Container, width: float) -> Any:
         """Return the diagram of how images and planes are computed, `width` wide."""

@@ -21,7 +21,3 @@ class BitPlanesRun(RunKind):
         from nscc_runtime.reference.stream import absent_effects
 
         return absent_effects(container, effects)
-
-    def word_reasons(self, *_exposing: Any) -> tuple[str, ...]:
-        """Return why the light is added up slot by slot."""
-        return (self.without_plan,)

@@ -9,7 +9,6 @@ from nscc_runtime.scenes.load import (
     laid_lights,
     laid_scene,
     light_of_array,
-    load_scene,
     scene_light,
 )
 from nscc_runtime.scenes.placement import Placement, parse_crop
@@ -24,7 +23,6 @@ __all__ = [
     "laid_lights",
     "laid_scene",
     "light_of_array",
-    "load_scene",
     "parse_crop",
     "parse_exposure",
     "scene_light",

@@ -179,26 +179,6 @@ def laid_lights(
     return tuple(load(channel=k, factor=factor) for k in range(3))
 
 
-def load_scene(
-    spec: str,
-    *,
-    slot_us: Sequence[float],
-    rows: int,
-    cols: int,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
-    progress: Progress = unseen,
-    **options: Any,
-) -> Light:
-    """Return the light of the scene named `spec`, cropped to one array of `rows` x `cols` pixels,
-    in slots of `slot_us` microseconds.
-
-    `warn` gets notes on changes of the scene, `progress` the frames as they are read. `options` are
-    fields of `Scene`. Raises Rejected like `laid_scene`."""
-    return laid_scene(
-        Scene(spec, **options), slot_us=slot_us, rows=rows, cols=cols, warn=warn, progress=progress
-    ).light
-
-
 def laid_scene(
     scene: Scene, *, slot_us: Sequence[float], rows: int, cols: int, **about: Any
 ) -> PlacedLight:

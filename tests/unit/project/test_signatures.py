@@ -13,7 +13,6 @@ OPTIONS = {
     "scene": "nscc_runtime.scene: its arguments are the options of a scene",
     "film": "nscc_runtime.film: as capture",
     "parameter": "the declaration of a parameter in an effect, also of other packages",
-    "expose": "nscc_runtime.reference.expose: seeds and threads are options",
     "frames": "nscc_runtime.reference.frames, and frames of pixels that look: the same options",
     "prepare_pixels": "pixels of a scene: threads and known means are options",
     "picture_light": "a picture of a file: how its samples are read are options",

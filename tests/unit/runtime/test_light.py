@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import load_scene
 
 
 def some_light(seed: int = 0, slots: int = 7, frames: int = 4) -> tuple[Light, np.ndarray]:

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 from plan_cases import CASES, case
 from reference_programs import program, sensor_of
 
@@ -15,7 +16,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 
 STOPS = """nsl 1
 frame 256 slots of 125us

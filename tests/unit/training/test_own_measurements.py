@@ -176,7 +176,9 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
 
 
 def test_clips_of_matlab_73_are_scenes(tmp_path: Path) -> None:
-    from nscc_runtime.scenes import ExposureLevel, load_scene
+    from one_scene import load_scene
+
+    from nscc_runtime.scenes import ExposureLevel
 
     clip = RNG.integers(0, 256, (ROWS, COLS, 5)).astype(float)
     clip[0, 0, 0] = 255

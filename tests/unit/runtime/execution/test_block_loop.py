@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from plan_cases import CASES, case, moving_light
+from reference_exposure import expose
 from reference_programs import sensor_of
 
 from nscc.words.container import Container
@@ -16,7 +17,6 @@ from nscc_runtime.execution import block_scene
 from nscc_runtime.execution.block_program import _in_use
 from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
 
 SEEDS = {"seed": 3, "device_seed": 5, "frame": 2}

@@ -7,6 +7,7 @@ import tracemalloc
 import numpy as np
 import pytest
 from plan_cases import CASES, case
+from reference_exposure import expose
 from reference_programs import program, sensor_of
 
 from nscc.words.container import Container
@@ -15,7 +16,6 @@ from nscc_runtime.effects.parts import Errors
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.execution.register_reach import reach_of
 from nscc_runtime.light import Light
-from nscc_runtime.reference import expose
 from nscc_runtime.reference.weights import ByName, WeightModel
 from nscc_runtime.sensor import Sensor
 

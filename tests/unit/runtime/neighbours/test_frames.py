@@ -228,12 +228,12 @@ def test_python_has_images_planes_and_reports(tmp_path: Path) -> None:
 
 def test_a_frame_with_images_says_which_pixels_ran_through_their_words() -> None:
     """With effects, sums expose all pixels but the 256 that 40,000 e bring near saturation. Without
-    effects, and in the reference, words run in every pixel."""
+    effects, and in the reference, every pixel is exposed slot by slot."""
     program = nscc.compile(HEAD + "image i = exposure / 2 read i", level=0)
     dim = np.full((1, 256, 256), 900, np.float32)
     bright = dim.copy()
     bright[:, 0] = 40_000
-    every = ["every pixel runs through its words"]
+    every = ["every pixel is exposed slot by slot"]
 
     def reasons(light: NDArray[np.float32], **settings: str) -> tuple[bool, list[str]]:
         plan = nscc_runtime.capture(program, light, **settings).meta["plan"]

@@ -19,6 +19,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 from matplotlib.text import Text
+from one_scene import load_scene
 from PIL import Image as PillowImage
 
 import nscc
@@ -37,7 +38,6 @@ from nscc_runtime.pictures.sheet import MARKERS, THEMES, Theme, contrast, theme,
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.planning.plan import Choice, Decision, Plan
 from nscc_runtime.request import Request
-from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.simulate import simulate
 from nscc_training.tradeoff.emulator import (

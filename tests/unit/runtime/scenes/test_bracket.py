@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 import tifffile
+from one_scene import load_scene
 from PIL import Image
 from raw_files import write_dng
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
+from nscc_runtime.scenes import ExposureLevel, Scene
 from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
 from nscc_runtime.scenes.colour import srgb_to_linear
 

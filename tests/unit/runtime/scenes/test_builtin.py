@@ -7,13 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 
 import nscc
 import nscc_runtime
 import nscc_runtime.light as light_module
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.light import DrawnFrames
-from nscc_runtime.scenes import ExposureLevel, builtin_motion, load_scene
+from nscc_runtime.scenes import ExposureLevel, builtin_motion
 
 
 def test_hdr_spans_five_decades_at_any_size() -> None:

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 import tifffile
+from one_scene import load_scene
 from PIL import Image, ImageCms
 
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 from nscc_runtime.scenes.bracket import merged_bracket
 from nscc_runtime.scenes.picture_files import open_pages
 

@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import ExposureLevel, load_scene, parse_crop, parse_exposure
+from nscc_runtime.scenes import ExposureLevel, parse_crop, parse_exposure
 from nscc_runtime.scenes.picture_light import picture_light
 
 ROWS, COLS = 16, 24

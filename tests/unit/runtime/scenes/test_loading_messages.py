@@ -7,10 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 from nscc_runtime.scenes.numbering import missing_frames
 
 ROWS, COLS = 8, 10

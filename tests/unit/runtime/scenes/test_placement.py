@@ -12,20 +12,14 @@ import numpy as np
 import pytest
 from nscc_command import RunNscc
 from numpy.typing import NDArray
+from one_scene import load_scene
 from PIL import Image
 from scipy.io import savemat
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import (
-    ExposureLevel,
-    PlacedLight,
-    Scene,
-    laid_lights,
-    laid_scene,
-    load_scene,
-)
+from nscc_runtime.scenes import ExposureLevel, PlacedLight, Scene, laid_lights, laid_scene
 from nscc_runtime.scenes.colour import srgb_to_linear
 from nscc_runtime.scenes.placement import Placement
 

@@ -8,9 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from checkout import ROOT
+from one_scene import load_scene
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 
 DATA = Path(os.environ.get("NSCC_DATA") or ROOT.parent / "shared" / "data")
 FILES = sorted(

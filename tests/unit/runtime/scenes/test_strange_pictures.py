@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 import tifffile
+from one_scene import load_scene
 from PIL import Image
 from raw_files import write_dng
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 from nscc_runtime.scenes.picture_files import open_pages, read_frames, read_picture
 
 RNG = np.random.default_rng(3)

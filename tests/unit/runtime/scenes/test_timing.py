@@ -7,9 +7,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import ExposureLevel, load_scene, timing
+from nscc_runtime.scenes import ExposureLevel, timing
 
 
 def dense(found: timing.Overlaps, frames: int) -> np.ndarray:

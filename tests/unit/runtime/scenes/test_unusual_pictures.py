@@ -9,12 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 import tifffile
+from one_scene import load_scene
 from PIL import Image
 
 import nscc
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime import capture
-from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
+from nscc_runtime.scenes import ExposureLevel, Scene
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
 
 RNG = np.random.default_rng(0)

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from one_scene import load_scene
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.scenes import ExposureLevel, load_scene
+from nscc_runtime.scenes import ExposureLevel
 from nscc_runtime.scenes.film_times import timed
 from nscc_runtime.scenes.picture_files import open_pages, read_frames
 
