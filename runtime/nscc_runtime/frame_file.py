@@ -130,14 +130,14 @@ def converted(
     sensor: Sensor,
     effects: Selection,
     seeds: tuple[int, int],
-    frame: int,
+    number: int,
 ) -> Frame:
-    """Convert the exposure of frame number `frame` to converter codes, with the converter's noise
+    """Convert the exposure of frame `number` to converter codes, with the converter's noise
     if `effects` include it. `seeds`: noise seed, device seed. NaN becomes code 0 and is not valid.
     Raises Rejected (NS0742) for a target whose ADC has more than 8 bits."""
     buckets, *shape = exposure.exposure_e.shape
     noise = ReadoutNoise.of(sensor, effects, seeds[1], (shape[0], shape[1]))
-    return read_out(exposure, target, sensor, noise.codes(seeds[0], frame, buckets))
+    return read_out(exposure, target, sensor, noise.codes(seeds[0], number, buckets))
 
 
 def check_adc(target: Target) -> None:

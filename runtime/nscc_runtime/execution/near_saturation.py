@@ -153,15 +153,15 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
     shutter) of `program` under these effects. Without an effect that saturates PIX (the photodiode)
     or registers, their limits are infinite."""
     reach = reach_of(program)
-    held_weights = () if reach.held_weights is None else reach.held_weights
-    weights = np.stack([program.seen_slots, *held_weights]).astype(np.float64)
+    charge_weights = () if reach.charge_weights is None else reach.charge_weights
+    weights = np.stack([program.seen_slots, *charge_weights]).astype(np.float64)
     saturation_e = np.full((len(weights), len(program.container.encoding)), np.inf)
     well = effects.find_part(Well)
     if well is not None:
         saturation_e[0] = well.full_e(program.sensor)
     if effects.find_part(Soft) is not None:
         # If no register holds a sum of its own, row 0 stands for PIX and the registers.
-        registers = saturation_e if reach.held_weights is None else saturation_e[1:]
+        registers = saturation_e if reach.charge_weights is None else saturation_e[1:]
         np.minimum(registers, reach.least_e, out=registers)
     least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
     # The smallest mean charge m that noise raises to the limit: m + SIGMAS sqrt(m) = least_e.

@@ -1,7 +1,8 @@
 """The charge with which the registers of a program leave their linear range.
 
 The words run forwards over some lanes. Register values are linear functions of the charge of each
-stretch of slots between words, of the fixed error of a word, and of noise."""
+stretch of slots, of the fixed error of a word, and of noise. Here a stretch ends at each boundary
+at which an analog word runs, whatever the word does and in whichever lane."""
 
 from __future__ import annotations
 
@@ -32,12 +33,13 @@ _ROUNDING = 1e-9
 class RegisterReach:
     """The charge up to which registers stay in their linear range.
 
-    `held_weights` (kinds, N, lanes): largest weights of the slots' charge in any register.
+    `charge_weights` (kinds, N, lanes): largest weights of the slots' charge in any register.
     Registers stay linear while the charge weighted by each of them is below `least_e` (kinds,
-    lanes), which is 0 where noise alone may leave the range. If `held_weights` is None, `least_e`
-    limits the charge that PIX (the photodiode) has collected. A lane is the pixels of one code."""
+    lanes), which is 0 where noise alone may leave the range. If `charge_weights` is None, `least_e`
+    limits the charge that PIX (the photodiode) has collected. A lane is the pixels of one distinct
+    shutter."""
 
-    held_weights: Floats | None
+    charge_weights: Floats | None
     least_e: Floats
 
 
@@ -51,8 +53,8 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
     """Return the charge with which registers of `program` leave their linear range.
 
     With more than `_MOST_LANES` lanes or `_MOST_STRETCHES` stretches, only a sample evenly spread
-    over them is followed, and the worst of it counts for all. A stretch is the slots between two
-    reads or resets of PIX, the photodiode. A lane is the pixels of one code."""
+    over them is followed, and the worst of it counts for all. A lane is the pixels of one distinct
+    shutter."""
     lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in program.decayed])
@@ -66,7 +68,7 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
     # The stretch of each slot; slots after the last word get the column of zeros that is appended.
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(
-        register_reach.held_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
+        register_reach.charge_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
     )
     return RegisterReach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
 
@@ -74,23 +76,23 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
 def _farthest(program: AnalysedProgram, sampled_lanes: Indices, ends: Ints) -> _RegisterReach:
     """Run the words over the lanes with the numbers `sampled_lanes`, and return how far the written
     registers are from the ends of their linear range. Stretches of slots end at the boundaries
-    `ends`, ascending. A lane is the pixels of one code."""
+    `ends`, ascending. A lane is the pixels of one distinct shutter."""
     effects, sensor = everything(), program.sensor
     gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
     state = _RegisterState(program, len(sampled_lanes), len(ends))
-    held_weights = np.zeros((_KINDS, len(sampled_lanes), len(ends)))
+    charge_weights = np.zeros((_KINDS, len(sampled_lanes), len(ends)))
     least = np.full((_KINDS, len(sampled_lanes)), np.inf)
-    reach, at = _RegisterReach(linear_e, error_e, held_weights, least), -1
+    reach, at = _RegisterReach(linear_e, error_e, charge_weights, least), -1
     for word in program.decayed:
-        state.held_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
+        state.charge_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
         at, in_lane = word.boundary, word.lanes[sampled_lanes]
         if word.resets:
             state.reset(in_lane)
         elif in_lane.any():
             state.execute(word, in_lane)
             for row in map(state.names.index, word.op.destinations):
-                lit, fixed = state.held_weights[:, row, :-1], state.held_weights[:, row, -1]
+                lit, fixed = state.charge_weights[:, row, :-1], state.charge_weights[:, row, -1]
                 reach.add(in_lane, lit, fixed, np.sqrt(state.covariance[:, row, row]))
     return reach
 
@@ -98,9 +100,9 @@ def _farthest(program: AnalysedProgram, sampled_lanes: Indices, ends: Ints) -> _
 class _RegisterState:
     """The contents of registers, PIX and its reset level, as linear functions.
 
-    `held_weights` (lanes, rows, columns): weights of the charge of each stretch (slots between two
-    reads or resets of PIX) and, in the last column, of the fixed error. `covariance` (lanes, rows,
-    rows): covariance of their noise. A lane is the pixels of one code."""
+    `charge_weights` (lanes, rows, columns): weights of the charge of each stretch and, in the last
+    column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise. A lane
+    is the pixels of one distinct shutter."""
 
     def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
         """Begin with all registers at 0, without noise, for this number of `lanes` and of
@@ -108,7 +110,7 @@ class _RegisterState:
         self._container, sensor, effects = program.container, program.sensor, everything()
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
-        self.held_weights = np.zeros((lanes, len(self.names), stretches + 1))
+        self.charge_weights = np.zeros((lanes, len(self.names), stretches + 1))
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
         gain = effects.find_part(WordGain)
         # Plans may drop the effect, so a gain below 1 counts as 1.
@@ -119,18 +121,18 @@ class _RegisterState:
             self._variance[errors.at] += errors.sigma_e(sensor) ** 2
 
     def reset(self, in_lane: Bools) -> None:
-        """Reset PIX (the photodiode) in the lanes (groups of pixels with one code each) of the mask
-        `in_lane` (lanes,): its charge becomes 0, and its reset level has the variance of a reset,
-        independent of everything before."""
+        """Reset PIX (the photodiode) in the lanes (the pixels of one distinct shutter each) of the
+        mask `in_lane` (lanes,): its charge becomes 0, and its reset level has the variance of a
+        reset, independent of everything before."""
         self._write(
             np.flatnonzero(in_lane), [self.pix, self._level], np.zeros(len(self.names)), 0.0
         )
         self.covariance[in_lane, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, in_lane: Bools) -> None:
-        """Run the bus word `word` in the lanes (groups of pixels with one code each) of the mask
-        `in_lane` (lanes,): update weights and covariance of its destinations, with the errors of
-        reading PIX (the photodiode) and of the word itself."""
+        """Run the bus word `word` in the lanes (the pixels of one distinct shutter each) of the
+        mask `in_lane` (lanes,): update weights and covariance of its destinations, with the errors
+        of reading PIX (the photodiode) and of the word itself."""
         source_factor = -self._gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:
@@ -142,18 +144,18 @@ class _RegisterState:
         lanes = np.flatnonzero(in_lane)
         self._write(lanes, rows, total, read)
         for name, row in zip(word.op.destinations, rows, strict=True):
-            self.held_weights[lanes, row, -1] += error_sign(name, self._container) * word.adds
+            self.charge_weights[lanes, row, -1] += error_sign(name, self._container) * word.adds
             own = 1.0 if word.adds else self._move_noise**2
             self.covariance[lanes, row, row] += own * self._variance["words"]
 
     def _write(self, lanes: Indices, rows: list[int], total: Floats, variance: float) -> None:
         """Set the registers `rows` in the lanes `lanes` (their numbers) to the sum of all rows with
         the weights `total` (rows,), plus noise of this `variance` (e^2), the same in all `rows`. A
-        lane is the pixels of one code."""
-        new_weights = total @ self.held_weights[lanes]
+        lane is the pixels of one distinct shutter."""
+        new_weights = total @ self.charge_weights[lanes]
         new_covariance = total @ self.covariance[lanes]
         for row in rows:
-            self.held_weights[lanes, row] = new_weights
+            self.charge_weights[lanes, row] = new_weights
             self.covariance[lanes, row] = self.covariance[lanes, :, row] = new_covariance
         own_variance = new_covariance @ total + variance
         for row in rows:
@@ -166,28 +168,26 @@ class _RegisterReach:
     in `RegisterReach`.
 
     `linear_e`: end of that range, in electrons. `error_e`: mean and spread of the fixed error.
-    `held_weights` (kinds, lanes, stretches): largest weights of a stretch's charge; 0 before the
-    first register. `least` (kinds, lanes): the charge in electrons; infinite before. A stretch is
-    the slots between two reads or resets of PIX, the photodiode. A lane is the pixels of one code.
-    """
+    `charge_weights` (kinds, lanes, stretches): largest weights of a stretch's charge; 0 before the
+    first register. `least` (kinds, lanes): the charge in electrons; infinite before. A lane is the
+    pixels of one distinct shutter."""
 
     linear_e: float
     error_e: tuple[float, float]
-    held_weights: Floats
+    charge_weights: Floats
     least: Floats
 
     @property
     def most(self) -> float:
         """The largest weight of a charge in a register, at least 1."""
-        return max(1.0, float(self.held_weights.max(initial=0.0)))
+        return max(1.0, float(self.charge_weights.max(initial=0.0)))
 
     def add(self, lanes: Bools, lit: Floats, fixed: Floats, sigma: Floats) -> None:
         """Take a written register into account.
 
-        `lanes`: mask (lanes,) of the lanes (groups of pixels with one code each) that write it.
+        `lanes`: mask (lanes,) of the lanes (the pixels of one distinct shutter each) that write it.
         `lit` (lanes, stretches), `fixed` (lanes,): weights of charge and of the fixed error in it.
-        `sigma` (lanes,): standard deviation of its noise, in electrons. A stretch is the slots
-        between two reads or resets of PIX, the photodiode."""
+        `sigma` (lanes,): standard deviation of its noise, in electrons."""
         mean_e, spread_e = self.error_e
         low_e, high_e = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))
         above = self.linear_e - np.maximum(low_e, high_e) - _SIGMAS * sigma
@@ -198,12 +198,12 @@ class _RegisterReach:
         size = np.abs(lit)
         # Merge into the first kind whose weights are all smaller or all larger, else into the last.
         for kind in range(_KINDS):
-            held_weights = self.held_weights[kind]
-            is_smaller = (size <= held_weights + _ROUNDING).all(axis=1)
-            is_larger = (held_weights <= size).all(axis=1)
+            charge_weights = self.charge_weights[kind]
+            is_smaller = (size <= charge_weights + _ROUNDING).all(axis=1)
+            is_larger = (charge_weights <= size).all(axis=1)
             fits = lanes & (is_smaller | is_larger | (kind == _KINDS - 1))
-            self.held_weights[kind] = np.where(
-                fits[:, None], np.maximum(held_weights, size), held_weights
+            self.charge_weights[kind] = np.where(
+                fits[:, None], np.maximum(charge_weights, size), charge_weights
             )
             self.least[kind] = np.where(fits, np.minimum(self.least[kind], least), self.least[kind])
             lanes = lanes & ~fits

@@ -26,8 +26,8 @@ def _places(pixels: int) -> Ints:
     return np.arange(pixels, dtype=np.int64)
 
 
-def draw_exposures(moments: Moments, seed: int, frame: int, threads: int) -> Floats:
-    """Return the exposures of frame number `frame`, in electrons, (buckets, pixels), drawn from the
+def draw_exposures(moments: Moments, seed: int, number: int, threads: int) -> Floats:
+    """Return the exposures of frame `number`, in electrons, (buckets, pixels), drawn from the
     moments of its scene without saturation.
 
     `seed`: of the noise. Results do not depend on `threads`."""
@@ -37,10 +37,10 @@ def draw_exposures(moments: Moments, seed: int, frame: int, threads: int) -> Flo
     away = np.empty((0, pixels))
     if len(moments.count_means):
         sources = [(SUMS, COUNTS, moments.count_means)]
-        away = draw_deviations(sources, places, seed, frame, threads)
+        away = draw_deviations(sources, places, seed, number, threads)
     # Errors of words are drawn for all words of a pixel together.
     error_draws, _, lanes = moments.error_e.shape
-    noise_keys = keys(seed, SUMS, ERRORS, frame, error_draws)
+    noise_keys = keys(seed, SUMS, ERRORS, number, error_draws)
     sizes: NamedValues = {
         "rows": rows,
         "cols": cols,

@@ -30,7 +30,7 @@ sign, or a full PIX in the level of a reset. `read_out` turns them into saturati
 
 @inlined
 def begin(switches: Switches, state: PixelState, i: int) -> None:
-    """Set the registers, PIX and IN of pixel number `i` of a block to 0, without saturation marks,
+    """Set the registers, PIX and IN of pixel number `i` of a block to 0, without PIX flags,
     as at the start of a frame, written at time 0. The reset level is 0. PIX is the photodiode. IN
     is the level sent to all pixels."""
     for register in range(switches.registers + 2):

@@ -157,8 +157,8 @@ def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
     made = AnalysedProgram.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
     most = [[brute_force(made, lane, slot) for lane in lanes] for slot in slots]
-    assert reach_of(made).held_weights is not None
-    np.testing.assert_array_equal(reach_of(made).held_weights.max(axis=0), most)
+    assert reach_of(made).charge_weights is not None
+    np.testing.assert_array_equal(reach_of(made).charge_weights.max(axis=0), most)
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -194,7 +194,7 @@ def test_many_lanes_share_the_reach_of_the_worst() -> None:
     text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
     container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
     made = AnalysedProgram.of(container, sensor_of(container))
-    assert reach_of(made).held_weights is None
+    assert reach_of(made).charge_weights is None
     assert reach_of(made).least_e.shape[1] == len(container.encoding) > 64
     assert np.ptp(reach_of(made).least_e) == 0
 

@@ -33,8 +33,8 @@ def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
     program = program_of(name)
     linear_e = everything().require_part(Soft).linear_e(program.sensor)
     light = np.random.default_rng(4).lognormal(0.0, 1.5, (program.container.slots, *SHAPE))
-    assert reach_of(program).held_weights is not None
-    weights = reach_of(program).held_weights[:, :, program.lanes].reshape(-1, len(light), *SHAPE)
+    assert reach_of(program).charge_weights is not None
+    weights = reach_of(program).charge_weights[:, :, program.lanes].reshape(-1, len(light), *SHAPE)
     least_e = reach_of(program).least_e[:, program.lanes].reshape(-1, *SHAPE)
     part = ((weights * light).sum(axis=1) / least_e).max(axis=0)
     whole = light / np.where(part > 0, part, 1.0)
