@@ -449,9 +449,10 @@ def _refusal(
 def _in_text(program: Program, name: str) -> str:
     """Return the name, in the program's text, of the image or plane to which `name` belongs.
 
-    A part comes before its image or plane, and its own name is no name of a program."""
-    names = [*program.pictures.expressions]
-    after = names[names.index(name) :] if name in names else []
+    A part comes before its image or plane, and its own name is no name of a program. A bit of a
+    state is called by the name of the state, a blank and its number."""
+    names, states = [*program.pictures.expressions], program.pictures.stepping
+    after = names[names.index(name) :] if name in names and name not in states else []
     return next(filter(str.isidentifier, after), name.partition(" ")[0])
 
 

@@ -88,7 +88,10 @@ def make_looking(
         return None
     maker = _Maker(declared, constants, target, problems)
     senses = [maker.sense(sense) for sense in declared.senses.values()]
-    states = [maker.state(name, state) for name, state in declared.states.items()]
+    states = [
+        checked_state(name, state, maker.constants, problems, declared)
+        for name, state in declared.states.items()
+    ]
     nexts = {name: maker.next(statement) for name, statement in declared.nexts.items()}
     for name in () if declared.pictures else declared.reads.values():
         maker.known_state(name)
@@ -291,45 +294,6 @@ class _Maker:
             return None
         return level_steps(float(value), unit, target)
 
-    def state(self, name: str, state: State) -> machine.State | None:
-        """Return a checked state with its range and initial value; None after reporting an error.
-
-        A bit has the range 0..1. Among the errors are an empty range (NS0306) and a start outside
-        it (NS0311)."""
-        boolean = isinstance(state, tree.StateBit)
-        low, high = 0, 1
-        if isinstance(state, tree.StateRange):
-            bounds = [
-                constant(expression, self.constants, self.problems, role)
-                for expression, role in (
-                    (state.low, "the start of a range"),
-                    (state.high, "its end"),
-                )
-            ]
-            if bounds[0] is None or bounds[1] is None:
-                return None
-            low, high = bounds[0], bounds[1]
-            if low > high:
-                span = state.low.span.to(state.high.span)
-                message = f"the range {low}..{high} is empty"
-                self.problems.error(
-                    "NS0306", message, span, "the first value is larger than the second"
-                )
-                return None
-        start: int | None
-        if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
-            start = int(state.start.value)
-        else:
-            start = constant(state.start, self.constants, self.problems, "the start of a state")
-        if start is None:
-            return None
-        if not low <= start <= high:
-            message = f"`{name}` starts with {start}, outside {low}..{high}"
-            self.problems.error("NS0311", message, state.start.span, "its value at boundary 0")
-            return None
-        read = name in self.declared.reads
-        return machine.State(name, low, high, start, is_kept=state.kept, read=read, boolean=boolean)
-
     def next(self, statement: tree.Next) -> CheckedNext | None:
         """Return the checked `next` statement, the change of a state, with its condition; None
         after reporting an error."""
@@ -389,3 +353,47 @@ def can_tell(value: float, unit: str, target: Target) -> bool:
 def _full_e(target: Target) -> float:
     """Return the electrons at which the photodiode or a register saturates, whichever is first."""
     return min(target.full_well_e, target.register_max_e)
+
+
+def checked_state(
+    name: str,
+    state: State,
+    constants: Mapping[str, Meaning],
+    problems: Problems,
+    declared: Declarations,
+) -> machine.State | None:
+    """Return a checked state with its range and initial value; None after reporting an error.
+
+    A bit has the range 0..1. Among the errors are an empty range (NS0306) and a start outside
+    it (NS0311)."""
+    boolean = isinstance(state, tree.StateBit)
+    low, high = 0, 1
+    if isinstance(state, tree.StateRange):
+        bounds = [
+            constant(expression, constants, problems, role)
+            for expression, role in (
+                (state.low, "the start of a range"),
+                (state.high, "its end"),
+            )
+        ]
+        if bounds[0] is None or bounds[1] is None:
+            return None
+        low, high = bounds[0], bounds[1]
+        if low > high:
+            span = state.low.span.to(state.high.span)
+            message = f"the range {low}..{high} is empty"
+            problems.error("NS0306", message, span, "the first value is larger than the second")
+            return None
+    start: int | None
+    if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
+        start = int(state.start.value)
+    else:
+        start = constant(state.start, constants, problems, "the start of a state")
+    if start is None:
+        return None
+    if not low <= start <= high:
+        message = f"`{name}` starts with {start}, outside {low}..{high}"
+        problems.error("NS0311", message, state.start.span, "its value at boundary 0")
+        return None
+    read = name in declared.reads
+    return machine.State(name, low, high, start, is_kept=state.kept, read=read, boolean=boolean)

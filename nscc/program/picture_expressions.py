@@ -10,8 +10,8 @@ from nscc.diagnostics.diagnostic import Fix
 from nscc.program.constants import constant
 from nscc.program.host_values import HostValues
 from nscc.program.picture_comparisons import WrongPicture, picture_sum
-from nscc.program.picture_loops import LoopReader
 from nscc.program.problems import Problems
+from nscc.program.range_states import RangeReader
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.words import pictures as p
@@ -20,7 +20,7 @@ from nscc.words.counts import counts_of
 _FUNCTIONS = ("abs", "agree", "max", "min")
 
 
-class Reader(LoopReader):
+class Reader(RangeReader):
     """Converts expressions of images and planes to those of `nscc.words.pictures`, in the order of
     the text.
 
@@ -42,7 +42,9 @@ class Reader(LoopReader):
         self.buckets, self.outside = buckets, outside
         declared = self.declared
         if declared.keeps_planes:
-            self.kinds.update(dict.fromkeys(declared.states, "plane"))
+            states = declared.states.items()
+            bits = [name for name, state in states if isinstance(state, tree.StateBit)]
+            self.kinds.update(dict.fromkeys(bits, "plane"))
             self.kinds.update(dict.fromkeys(declared.kept_images, "image"))
         self.kinds.update(dict.fromkeys(declared.inputs, "plane"))
         self._outside_asked = False
@@ -285,7 +287,12 @@ class Reader(LoopReader):
                 first, second = self._condition(expr.left), self._condition(expr.right)
                 if op == "and":
                     return self._both(first, second)
-                return p.Joined(cast(Any, op), first, second)
+                return self._joined(op, first, second)
+            case tree.Compare() if self.reads_range(expr):
+                conditions = self.conditions(expr)
+                if not conditions:
+                    raise WrongPicture
+                return conditions[0]
             case tree.Compare():
                 return self._compare(expr)
             case tree.Place():
@@ -325,6 +332,17 @@ class Reader(LoopReader):
                 "`xor`, `not`, `any(PLANE, kernel)`, `all(PLANE, kernel)` and `PLANE[dx, dy]`",
             ),
         )
+
+    def _joined(self, op: str, first: p.Condition, second: p.Condition) -> p.Condition:
+        """Return `or` or `xor` of two planes. From version 4 on, a shift of both becomes one of the
+        result, if that has the bit `outside` beyond the array, too."""
+        is_kept = self.declared.version > 3 and (op == "or" or not self.outside)
+        match first, second:
+            case p.At(right=x, down=y), p.At(right=x_too, down=y_too) if is_kept:
+                if (x, y) == (x_too, y_too):
+                    joined = self._joined(op, first.condition, second.condition)
+                    return p.At(joined, x, y)
+        return p.Joined(cast(Any, op), first, second)
 
     def _named_plane(self, name: tree.Name) -> p.Condition:
         """Return the node that reads the plane `name`.
@@ -424,13 +442,13 @@ class Reader(LoopReader):
                 "not computed yet",
                 ("images and planes are computed in the order of the program: move it up",),
             )
-        if text in (*self.declared.senses, *self.declared.states):
+        if text in self.ranges:
             return self._report(
-                "NS0539",
-                f"`{text}` in images and planes is not supported yet",
+                "NS0531",
+                f"`{text}` is a number of each pixel, but {category} is required here",
                 name.span,
-                "not yet",
-                ("use `exposure`, buckets, images, planes, and states that step on them",),
+                "a state with a range",
+                (f"compare it in a plane: `{text} > {self.ranges[text].low}`",),
             )
         known = {
             "kernel": [*self.kernels, *_FUNCTIONS[:3]],

@@ -131,8 +131,8 @@ class LoopReader(PictureComparer):
         """Return `base`, an image or plane, shifted by the offset `[dx, dy]` of `expr`: columns to
         the right, rows down; far shifts become loops.
 
-        Raises WrongPicture after reporting NS0541 for a shift beyond the array, or an invalid
-        offset."""
+        Raises WrongPicture after reporting NS0541 for a shift beyond the array, NS0539 for a
+        parameter inside `repeat`, or an invalid offset."""
         for size, axis, what in (
             (self.target.cols, expr.right, "columns to the right"),
             (self.target.rows, expr.down, "rows down"),
@@ -140,6 +140,14 @@ class LoopReader(PictureComparer):
             distance = self.host.number(axis, what)
             if distance is None:
                 raise WrongPicture
+            if distance.param and self._in_step:
+                raise self._report(
+                    "NS0539",
+                    "a shift by a parameter is not supported inside `repeat` yet",
+                    axis.span,
+                    "set by the host",
+                    ("shift by a constant, or shift before the `repeat`",),
+                )
             name = f"{self._text_of(expr)} {what}"
             base = self._along(base, distance, (1, 0) if axis is expr.right else (0, 1), name)
             # `most` of a constant is 0 to the left or up; there the offset is negative.
@@ -209,16 +217,7 @@ class LoopReader(PictureComparer):
 
         Each of the `times` steps shifts by `pixels` along `step`, beginning with `start`. `base`
         tells whether it is an image or a plane. A step is (1, 0) to the right or (0, 1) down; a
-        negative `pixels` reverses it. Raises WrongPicture inside `repeat`, where loops are not
-        supported."""
-        if self._in_step:
-            raise self._report(
-                "NS0539",
-                "a shift by a parameter is not supported inside `repeat` yet",
-                self.declared.statements[0].span,
-                "in this program",
-                ("shift by a constant, or shift before the `repeat`",),
-            )
+        negative `pixels` reverses it. It must not be called for a step of `repeat`."""
         own: Any = p.Bit(name) if isinstance(base, p.Condition) else p.Source(name)
         make: Any = p.RepeatedPlane if isinstance(base, p.Condition) else p.RepeatedImage
         if all(item.name != name for item in self.items):

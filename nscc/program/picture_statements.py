@@ -14,11 +14,13 @@ from nscc.program.constants import constant, constants_scope
 from nscc.program.expressions import Meaning
 from nscc.program.field_planes import PlaneMaker
 from nscc.program.host_values import HostValues, signed_level
-from nscc.program.names import Declarations, State
+from nscc.program.looking import checked_state
+from nscc.program.names import Declarations
 from nscc.program.picture_expressions import Reader, is_power_of_two, refuse_divisor
 from nscc.program.problems import Problems, clipped, counted
 from nscc.source import Span
 from nscc.syntax import tree
+from nscc.words import machine
 from nscc.words.counts import count_unit
 from nscc.words.pictures import (
     NO_PICTURES,
@@ -33,6 +35,7 @@ from nscc.words.pictures import (
     Picture,
     Pictures,
     PlaneReport,
+    RangeState,
     Source,
     Weights,
 )
@@ -94,6 +97,15 @@ class PictureMaker:
         )
         host = HostValues(self.declared, self.constants, self.target, planes, self.problems)
         reader = Reader(host, known, self.buckets, self._outside())
+        known_states = {
+            name: checked_state(name, state, self.constants, self.problems, self.declared)
+            for name, state in self.declared.states.items()
+        }
+        for name, state in known_states.items():
+            if state is None:
+                reader.failed.add(name)
+            elif not state.boolean:
+                reader.ranges[name] = RangeState(name, state.low, state.high)
         for picture in self.declared.pictures:
             reader.now = name = picture.name.text
             if name in self.declared.repeats:
@@ -110,12 +122,14 @@ class PictureMaker:
             reader.declare(name, node)
             if node is not None:
                 reader.items.append(Picture(name, node))
-        states = self._states(reader) if self.declared.keeps_planes else ()
+        states = self._states(reader, known_states)
         kept_images = self._kept_images(reader)
         names = []
         for read in self.declared.reads.values():
             kinds = {**dict.fromkeys(self.named, "bucket"), **reader.kinds}
-            if read.text in kinds:
+            if read.text in reader.ranges:
+                names += reader.ranges[read.text].bits
+            elif read.text in kinds:
                 names.append(read.text)
             elif read.text not in (*self.declared.refused, *reader.failed):
                 self.problems.unknown("an image, a plane or a bucket", read.text, read.span, kinds)
@@ -148,6 +162,7 @@ class PictureMaker:
             kept_images=kept_images,
             params=tuple(host.params.values()),
             version=max(3, self.declared.version),
+            ranges=tuple(reader.ranges.values()),
         )
         return self._with_unit(pictures)
 
@@ -312,77 +327,74 @@ class PictureMaker:
 
     # --- kept states: they step once a frame, after all images and planes
 
-    def _states(self, reader: Reader) -> tuple[KeptPlane, ...]:
+    def _states(
+        self, reader: Reader, known_states: Mapping[str, machine.State | None]
+    ) -> tuple[KeptPlane, ...]:
         """Return the states of a program with images or planes, with their next values.
 
         `reader` reads the next values. Invalid ones are left out and reported: a state that is not
-        a kept bit (NS0543), a start that is not 0 or 1 (NS0311), a `next` of an unknown state
-        (NS0214)."""
+        kept (NS0543), a `next` of an unknown state (NS0214). `known_states` are the checked states
+        by name, None for an invalid one."""
         declared = self.declared
         known = {**declared.states, **declared.kept_images}
         for name, step in declared.nexts.items():
             if name not in known and name not in declared.refused:
                 self.problems.unknown("a state", name, step.name.span, known)
         states = []
-        for name, state in declared.states.items():
-            start, following = self._start(name, state), self._next(name, reader)
-            if start is not None and following is not None:
-                states.append(KeptPlane(name, start, following))
+        for name, statement in declared.states.items():
+            if not statement.kept:
+                self.problems.error(
+                    "NS0543",
+                    f"`{name}` is not kept, but the program has images or planes",
+                    statement.span,
+                    "this state",
+                    notes=(
+                        "images and planes are computed after the last slot, so the new value of "
+                        "the state is used in the next frame",
+                    ),
+                    helps=("write `kept` at its end",),
+                )
+            elif (state := known_states[name]) is not None:
+                of_range = reader.ranges.get(name)
+                bits = of_range.bits if of_range else [name]
+                start = state.start - state.low if of_range else state.start
+                nexts = self._nexts(name, bits, reader)
+                states += [
+                    KeptPlane(bit, start >> k & 1, node)
+                    for k, (bit, node) in enumerate(zip(bits, nexts, strict=bool(nexts)))
+                ]
         return tuple(states)
 
-    def _start(self, name: str, state: State) -> int | None:
-        """Return the initial bit of the state `name`; None after reporting an error.
-
-        The state must be a kept bit (NS0543), and its start 0 or 1 (NS0311)."""
-        if isinstance(state, tree.StateRange) or not state.kept:
-            bits = self._bits_of(state) if isinstance(state, tree.StateRange) else [name]
-            self.problems.error(
-                "NS0543",
-                f"`{name}` is not a kept bit, but the program has images or planes",
-                state.span,
-                "this state",
-                notes=(
-                    "images and planes are computed after the last slot, so the new value of "
-                    "the state is used in the next frame",
-                ),
-                helps=(f"write {' and '.join(f'`state {bit} : bit = 0 kept`' for bit in bits)}",),
-            )
-            return None
-        if isinstance(state.start, tree.Bool):
-            return int(state.start.value)
-        start = constant(state.start, self.constants, self.problems, "the start of a state")
-        if start is not None and start not in (0, 1):
-            message = f"`{name}` starts with {start}, outside 0..1"
-            self.problems.error("NS0311", message, state.start.span, "its value in the first frame")
-            return None
-        return start
-
-    def _bits_of(self, state: tree.StateRange) -> list[str]:
-        """Return names of the bits that the numbers of a state's range need; one bit after
-        reporting an error in the range."""
-        ends = (state.low, state.high)
-        low, high = (constant(e, self.constants, self.problems, "the range") or 0 for e in ends)
-        return [f"{state.name.text}_{bit}" for bit in range(max(1, (high - low).bit_length()))]
-
-    def _next(self, name: str, reader: Reader) -> Condition | None:
-        """Return the value of the state `name` after a frame; None after reporting an error. It is
-        a plane.
+    def _nexts(self, name: str, bits: list[str], reader: Reader) -> list[Condition]:
+        """Return the values of the planes `bits` of the state `name` after a frame; [] after
+        reporting an error.
 
         The state keeps its value without a `next` statement, and where the statement's condition is
         0. `reader` reads the expressions."""
-        step = self.declared.nexts.get(name)
+        step, state = self.declared.nexts.get(name), reader.ranges.get(name)
         if step is None:
-            return Bit(name)
-        value = reader.condition(step.value)
-        if step.condition is None or value is None:
-            return value
-        when = reader.condition(step.condition)
-        if when is None:
-            return None
+            return [*map(Bit, bits)]
+        value, when = step.value, step.condition
+        if state is None:
+            nodes = [node for node in [reader.condition(value)] if node is not None]
+        else:
+            if when is not None and reader.reads_range(when):
+                # Where the condition is 0, the value may be outside the range.
+                value, when = tree.IfElse(value.span, value, when, step.name), None
+            nodes = reader.conditions(value, state)
+        if when is None or not nodes:
+            return nodes
+        changes = reader.condition(when)
+        if changes is None:
+            return []
+        pairs = [(node, Bit(bit)) for node, bit in zip(nodes, bits, strict=True)]
         if self.declared.version > 3:  # words of older programs stay as they are
-            return ChosenPlane(when, value, Bit(name))
-        changed, unchanged = Joined("and", when, value), Joined("and", Inverse(when), Bit(name))
-        return Joined("or", changed, unchanged)
+            return [ChosenPlane(changes, node, bit) for node, bit in pairs]
+        unchanged = Inverse(changes)
+        return [
+            Joined("or", Joined("and", changes, node), Joined("and", unchanged, bit))
+            for node, bit in pairs
+        ]
 
     def _kept_images(self, reader: Reader) -> tuple[KeptImage, ...]:
         """Return the states that are images, with their start in electrons and their next value.

@@ -325,6 +325,25 @@ class KeptPlane(Record):
     next: Condition
 
 
+class RangeState(Record):
+    """A state with the values `low` to `high`, which are kept in planes: each holds a bit of the
+    value minus `low`, the lowest first."""
+
+    name: str
+    low: int
+    high: int
+
+    @property
+    def values(self) -> range:
+        """All values, in order."""
+        return range(self.low, self.high + 1)
+
+    @property
+    def bits(self) -> list[str]:
+        """The names of the planes of its bits, at least one."""
+        return [f"{self.name} {bit}" for bit in range(max(1, (self.high - self.low).bit_length()))]
+
+
 class InputPlane(Record):
     """A plane that the host loads before a frame, and that no word changes.
 
@@ -408,7 +427,8 @@ class Pictures:
     and parameters. `launches` contains the launches (starts of kernels) of each loop once, and
     those that set IN to a parameter (`levels_of`) without a level; `executed` returns them all.
     `negated` are the kept images of which registers hold the negative. `version` is 4 for programs
-    of `nsl 4`. A lowering is a way to compute the exposure."""
+    of `nsl 4`. `ranges` are the states with a range, whose bits are among `states`. A lowering is a
+    way to compute the exposure."""
 
     weights: Annotated[tuple[Weights, ...], KeyName("kernels")]
     items: tuple[Picture, ...]
@@ -429,6 +449,7 @@ class Pictures:
     levels_of: Annotated[tuple[LevelOf, ...], LATER] = ()
     negated: Annotated[tuple[str, ...], LATER] = ()
     version: Annotated[Length, LATER] = 3
+    ranges: Annotated[tuple[RangeState, ...], LATER] = ()
 
     @property
     def is_of_version_4(self) -> bool:

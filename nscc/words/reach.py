@@ -154,22 +154,16 @@ class RegisterReaches:
 
         A register then has the largest reach, and the border that is known, after each of these
         numbers of times."""
-        ends: list[tuple[dict[str, Reach], dict[str, Border]]] = []
+        joined, known = dict(self.reach), dict(self._borders)
         for step in range(most + 1):
-            now = dict(self.reach), dict(self._borders)
-            if step >= least:
-                ends.append(now)
+            if step <= least:
+                joined, known = dict(self.reach), dict(self._borders)
+            for name, far in self.reach.items() - joined.items():
+                joined[name] = far.joined(joined.get(name, Reach()))
+            for name, border in self._borders.items() - known.items():
+                known[name] = Border(*map(_narrower, border, known.get(name, Border())))
             if step < most:
                 self.run(words)
-            if now == (self.reach, self._borders):  # further steps change nothing
-                ends = ends or [now]
-                break
-        (joined, known), *others = ends
-        for reach, borders in others:
-            changed = reach.items() - joined.items()
-            joined |= {name: far.joined(joined.get(name, Reach())) for name, far in changed}
-            for name, border in borders.items() - known.items():
-                known[name] = Border(*map(_narrower, border, known.get(name, Border())))
         self.reach, self._borders = joined, known
 
     def _run(self, op: Op) -> None:

@@ -11,6 +11,7 @@
 A program with images and planes also has, for every image that it reads, `image_NAME` float64
 (rows, cols), electrons before the converter, `image_codes_NAME` uint8 and `image_saturated_by_NAME`
 uint8 (32: a value left the range of registers). For every plane it has `plane_NAME` bool, for
+states with a range `states_NAME` int64 and the plane of each bit, `plane_NAME 0` and so on, for
 reports `report_any_NAME`, `report_events_NAME` (with `_count` and `_overflow`) and
 `report_box_NAME`, and `margin` bool: pixels that depend on light beyond the array. `frame` then
 contains the buckets that the program reads, possibly none. `image_unit` in `meta` has the electrons

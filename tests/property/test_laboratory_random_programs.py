@@ -90,7 +90,13 @@ class Writer:
         name, other = (str(name) for name in self.rng.choice(self.planes, 2))
         dx, dy = (int(step) for step in self.rng.integers(-12, 13, 2))
         third = str(self.rng.choice(self.planes))
-        match self.rng.integers(11):
+        match self.rng.integers(12):
+            case 10:
+                op = "xor" if dx % 2 else "or"
+                text = f"{name}[{dx % 3}, {dy % 4}] {op} {other}[{dx % 3}, {dy % 4}]"
+                return text, lambda v, p: moved(
+                    v[name] ^ v[other] if op == "xor" else v[name] | v[other], dx % 3, dy % 4
+                )
             case 6:
                 text = f"{name}[0, 1] if {other} else {name}[-1, 0] and not {third}"
                 return text, lambda v, p: np.where(
@@ -182,6 +188,11 @@ class Writer:
 
     def write(self) -> str:
         self.lines += ["state old : image kept = 3%", "state flag : bit = 1 kept"]
+        self.has_number = bool(self.rng.random() < 0.3)
+        if self.has_number:
+            self.lines.append("state k : -1..2 = 1 kept")
+            low = int(self.rng.integers(0, 3))
+            self.add(f"plane high = k >= {low}", "high", lambda v, p: v["k"] >= low, self.planes)
         for number in range(int(self.rng.integers(2, 5))):
             kind = self.rng.integers(3)
             if kind == 0:
@@ -201,6 +212,10 @@ class Writer:
             f"read {last}, old, flag",
             f"report {'sum' if last in self.images else 'count'} {last}",
         ]
+        if self.has_number:
+            when, bit = self.when, self.next_bit
+            text = f"next k = min(k + 1, 2) if {when} else -k if {bit} and k < 2 else -1"
+            self.lines += [text, "read k"]
         return "\n".join(self.lines) + "\n"
 
 
@@ -216,15 +231,21 @@ def agree(writer: Writer, container: Any, seed: int) -> None:
     settings = host_settings(container, params, [{"i": bits} for bits in inputs])
     runner = PicturedProgram(container, default_sensor(container.target), selected("none"), 1)
     kept, bit = np.full((ROWS, COLS), 900.0), np.ones((ROWS, COLS), np.bool_)
+    number = np.ones((ROWS, COLS), np.int64)
     for frame, made in enumerate(runner.film(lights, seed, 0, settings)):
         numbers = {"t": round(params[frame]["t"] / STEP_E), "s": int(params[frame]["s"])}
         exposure = (steps[frame] * STEP_E).astype(np.float32).astype(np.float64).sum(axis=0)
         known: Values = {"exposure": exposure, "old": kept, "flag": bit, "i": inputs[frame]}
+        known["k"] = number
         for name, make in writer.makers:
             known[name] = make(known, numbers)
         last, sure = writer.makers[-1][0], ~made.told["margin"]
         kept = np.where(known[writer.when], known[writer.next_image], kept)
         bit = known[writer.next_bit]
+        down = np.where(bit & (number < 2), -number, -1)
+        number = np.where(known[writer.when], np.minimum(number + 1, 2), down)
+        if writer.has_number:
+            assert np.array_equal(made.told["states_k"], number)
         known |= {"old": kept, "flag": bit}
         for name in (last, "old", "flag"):
             image = f"image_{name}" in made.told

@@ -22,8 +22,9 @@ from nscc.arrays import Bools
 from nscc.chips.target import Target
 from nscc.emit.cpp.cpp_text import Call, comment, literal, section, template_lines
 from nscc.emit.cpp.kernels import calls_words
+from nscc.logic.cubes import Budget, Cube, cover
 from nscc.lower.exposure_plan import RETENTION_SHARE
-from nscc.truth import packed_bits
+from nscc.truth import number_planes, packed_bits
 
 ADDRESS_BITS = 8
 """Number of address bits of a row, and of a column."""
@@ -34,6 +35,8 @@ MOST_BITS = 12
 Such a plane needs up to about 700 patterns. With more bits, drawing an image pixel by pixel is as
 fast."""
 
+_MOST_STEPS = 1 << 62
+"""Steps of a search for patterns, more than any plane of `MOST_BITS` needs."""
 _SIDE = 1 << ADDRESS_BITS
 """Rows and columns that the address bits can select."""
 _OPEN = _SIDE - 1
@@ -77,9 +80,10 @@ def patterns_of(plane: Bools) -> Patterns | None:
     ones, zeros, bits = _support(on, off)
     if len(bits) > MOST_BITS:
         return None
-    everything = (1 << (1 << len(bits))) - 1  # the truth table that is 1 at all 2^bits addresses
-    plain, _ = _cover(ones, everything & ~zeros, len(bits))
-    complement, _ = _cover(zeros, everything & ~ones, len(bits))
+    variables = number_planes(np.arange(1 << len(bits)), len(bits))
+    plain, complement = (
+        cover(wanted, variables, ones | zeros, Budget(_MOST_STEPS)) for wanted in (ones, zeros)
+    )
     inverted = len(complement) + 1 < len(plain)  # inverting is a kernel of its own
     cubes = complement if inverted else plain
     return Patterns(tuple(sorted(_match(cube, bits) for cube in cubes)), inverted)
@@ -87,9 +91,6 @@ def patterns_of(plane: Bools) -> Patterns | None:
 
 _Bit = tuple[bool, int]
 """An address bit: whether it is a column bit, and its value."""
-
-_Cube = tuple[int, int]
-"""A cube: the mask of its variables, and the mask of the variables that are 1."""
 
 
 def _support(on: Bools, off: Bools) -> tuple[int, int, list[_Bit]]:
@@ -113,48 +114,16 @@ def _support(on: Bools, off: Bools) -> tuple[int, int, list[_Bit]]:
     return packed_bits(on), packed_bits(off), bits[::-1]
 
 
-def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
-    """Return a union of cubes (NORs of registers) that contains `needed` and lies in `allowed`, and
-    the union's truth table.
+def _match(cube: Cube, bits: list[_Bit]) -> Match:
+    """Return the address pattern of a cube, which is one pattern for rows and columns together.
 
-    All three are truth tables of `bits` variables as integers; `allowed` must contain `needed`. No
-    cube can be left out. Without `needed` there is no cube. The method is the algorithm of Minato
-    and Morreale."""
-    if not needed:
-        return [], 0
-    if allowed == (1 << (1 << bits)) - 1:
-        return [(0, 0)], allowed
-    # The highest variable, as a bit of a cube, splits the truth tables in two: its 2^(bits - 1)
-    # rows with 0 are the lower half of the integer, those with 1 the upper half.
-    variable, half = 1 << (bits - 1), 1 << (bits - 1)
-    low = (1 << half) - 1
-    needed_0, needed_1 = needed & low, needed >> half
-    allowed_0, allowed_1 = allowed & low, allowed >> half
-    cubes_0, covered_0 = _cover(needed_0 & ~allowed_1, allowed_0, bits - 1)
-    cubes_1, covered_1 = _cover(needed_1 & ~allowed_0, allowed_1, bits - 1)
-    # Cubes without the variable cover what is allowed in both halves.
-    uncovered = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
-    both, covered = _cover(uncovered, allowed_0 & allowed_1, bits - 1)
-    cubes = [
-        *((named | variable, ones) for named, ones in cubes_0),
-        *((named | variable, ones | variable) for named, ones in cubes_1),
-        *both,
-    ]
-    return cubes, (covered_0 | covered) | (covered_1 | covered) << half
-
-
-def _match(cube: _Cube, bits: list[_Bit]) -> Match:
-    """Return the address pattern of a cube (a NOR of registers), which is one pattern for rows and
-    columns together.
-
-    Bit i of a cube belongs to `bits[i]`: whether it is an address bit of the column, and the value
-    of that bit. Bits that the cube does not name are ignored."""
-    named, ones = cube
+    The literal (i, value) of a cube says the value of `bits[i]`. Bits that the cube does not name
+    are ignored."""
     value, mask = [0, 0], [_OPEN, _OPEN]
-    for index, (column, bit) in enumerate(bits):
-        if named >> index & 1:
-            mask[column] &= ~bit
-            value[column] |= bit if ones >> index & 1 else 0
+    for number, is_one in cube:
+        column, bit = bits[number]
+        mask[column] &= ~bit
+        value[column] |= bit if is_one else 0
     return Match(value[0], value[1], mask[0], mask[1])
 
 

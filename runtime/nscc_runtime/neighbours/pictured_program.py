@@ -495,7 +495,8 @@ def told_of_planes(
     summaries: Mapping[str, PlaneSummary] = MappingProxyType({}),
 ) -> Told:
     """Return the planes, reports and margin of a frame: `margin` and `plane_NAME` are bits (rows,
-    cols), and reports have the keys of `reported`. Sums of images are not among them.
+    cols), `states_NAME` the values of states with a range, and reports have the keys of `reported`.
+    Sums of images are not among them.
 
     `planes`: the bits (rows, cols) by digital register. `summaries`: by digital register, the
     summary of a plane that is only reported, without the pixels of its margin; other reported
@@ -509,6 +510,10 @@ def told_of_planes(
     for name in pictures.reads:
         if pictures.registers[name] in planes:
             told[f"plane_{name}"] = planes[pictures.registers[name]]
+    for state in pictures.ranges:
+        if {*state.bits} <= {*pictures.reads}:
+            bits = [told[f"plane_{name}"] << k for k, name in enumerate(state.bits)]
+            told[f"states_{state.name}"] = np.sum([*bits, np.full(shape, state.low)], axis=0)
     for report in pictures.reports:
         if report.kind == "sum":
             continue

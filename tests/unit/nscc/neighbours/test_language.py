@@ -40,15 +40,6 @@ def refused(text: str) -> list[str]:
     return [diagnostic.code for diagnostic in caught.value.diagnostics]
 
 
-def test_the_error_for_a_range_names_a_state_for_each_of_its_bits() -> None:
-    with pytest.raises(Rejected) as caught:
-        program(KEPT + "state h : 0..5 = 0 kept next h = p read h")
-    (help_text,) = caught.value.diagnostics[0].helps
-    assert [f"state h_{bit} : bit = 0 kept" in help_text for bit in range(4)] == [True] * 3 + [
-        False
-    ]
-
-
 @pytest.mark.parametrize("version", [1, 2])
 def test_words_of_version_3_are_names_before_it(version: int) -> None:
     """`kernel`, `image` and others are free names in versions 1 and 2."""
@@ -122,7 +113,15 @@ def test_statements_of_version_3_are_refused_before_it(version: int, statement: 
         (COUNT + "plane q = c == 1 read q", ["NS0533"]),
         (COUNT + "image i = c * 26 read i", ["NS0540"]),
         (COUNT + "image i = agree(c, k) read i", ["NS0531"]),
-        (KEPT + "state h : 0..3 = 0 kept next h = p read h", ["NS0543"]),
+        (KEPT + "state h : 0..3 = 0 next h = 1 if p else h read h", ["NS0543"]),
+        (KEPT + "state h : 0..3 = 0 kept next h = p read h", ["NS0301"]),
+        (KEPT + "state h : 0..3 = 0 kept next h = h + 1 when p read h", ["NS0311"]),
+        (KEPT + "state h : 0..3 = 4 kept read h", ["NS0311"]),
+        (KEPT + "state h : 3..0 = 0 kept plane q = h > 1 next h = 1 read h", ["NS0306"]),
+        (KEPT + "state h : 0..3 = 0 kept plane q = p and h read q", ["NS0531"]),
+        (KEPT + "state h : 0..3 = 0 kept next h = 1 if exposure > 0 else 0 read h", ["NS0208"]),
+        (KEPT + "state h : 0..3 = 0 kept next h = 1 / (h - 1) read h", ["NS0302"]),
+        (KEPT + "state h : 0..99999 = 0 kept next h = min(h + 1, 9) read h", ["NS0450"]),
         (KEPT + "state h : bit = 0 next h = p read h", ["NS0543"]),
         (KEPT + "state h : bit = 2 kept next h = p read h", ["NS0311"]),
         (KEPT + "state h : bit = 0 kept next h = exposure read h", ["NS0531"]),

@@ -137,6 +137,14 @@ def test_a_program_has_no_more_words_than_the_public_one(name: str) -> None:
     assert words <= PUBLIC_WORDS[name]
 
 
+def test_a_step_of_the_automaton_has_no_more_words_than_the_public_one() -> None:
+    """The survey counts 21 words for rule 90, which its program runs once for each row."""
+    pictures = program("rule_90").container.pictures
+    (loop,) = pictures.loops
+    step = pictures.launches[loop.first : loop.first + loop.launches]
+    assert sum(len(pictures.kernels[launch.kernel]) for launch in step) <= 21
+
+
 @pytest.mark.parametrize(("name", "public_words"), [("median_of_5", 165), ("median_of_9", 1026)])
 def test_medians_have_at_most_60_percent_of_the_public_words(name: str, public_words: int) -> None:
     compiled = program(name)
@@ -319,3 +327,30 @@ def test_half_size_averages_four_pixels() -> None:
     capture = nscc_runtime.film(program("half"), light)
     for frame, e in enumerate(exposures(light)):
         np.testing.assert_allclose(capture.images["both"][frame][64:192], e[::2], atol=1e-6)
+
+
+def test_states_with_a_range_count_in_each_pixel() -> None:
+    """Two states step together on planes, on a comparison and on each other; a plane compares them.
+    The oracle computes with integers."""
+    compiled = nscc.compile(
+        "nsl 4\nframe 4 slots of 1ms\nopen when true\noutside 0\n"
+        "state seen : 0..5 = 2 kept\nstate sign : -1..0 = -1 kept\n"
+        "plane bright = exposure > 40%\nplane often = seen >= 3 and exposure < 70% or seen == 0\n"
+        "next seen = min(seen + 1, 5) if bright else max(seen + 2 * sign, 0)\n"
+        "next sign = -1 - sign when sign * seen < -2 or not bright and seen == 0\n"
+        "read seen, often, sign\n"
+    )
+    lights = film_light(4, seed=5, most_steps=110)
+    seen, sign = np.full((SIDE, SIDE), 2), np.full((SIDE, SIDE), -1)
+    capture = nscc_runtime.film(compiled, lights)
+    for n, exposure in enumerate(lights.sum(axis=1)):
+        bright = exposure > 0.4 * 30000
+        often = (seen >= 3) & (exposure < 0.7 * 30000) | (seen == 0)
+        turns = (sign * seen < -2) | ~bright & (seen == 0)
+        seen = np.where(bright, np.minimum(seen + 1, 5), np.maximum(seen + 2 * sign, 0))
+        sign = np.where(turns, -1 - sign, sign)
+        assert np.array_equal(capture.told["states_seen"][n], seen)
+        assert np.array_equal(capture.told["states_sign"][n], sign)
+        assert np.array_equal(capture.planes["often"][n], often)
+    assert len(np.unique(seen)) == 6
+    assert len(np.unique(sign)) == 2
