@@ -427,9 +427,9 @@ def _refusal(
         notes += [f"R1 to R4 choose neighbours until `{last[0]}` is computed"] if last else []
     reports = program.pictures.reports
     reported = {report.plane for report in reports if report.kind not in ("sum", "flood")}
-    if refused.kind == "planes" and len(reported) > 1:
-        before = takewhile(lambda item: item.name != name, program.pictures.items)
-        fitting = len([item for item in before if item.name in reported])
+    before = takewhile(lambda item: item.name != name, program.pictures.items)
+    fitting = len([item for item in before if item.name in reported])
+    if refused.kind == "planes" and len(reported) > 1 and fitting:
         helps.append(
             "a reported plane keeps its register until the end of the frame: report at most "
             f"{fitting} of these {len(reported)} planes, or count one plane in several frames, "

@@ -174,18 +174,22 @@ class HostValues:
         most = offset + max(sign * param.low, sign * param.high)
         return Times(offset, max(0, most), param=name, factor=sign)
 
+    def is_of_places(self, expr: tree.Expr) -> bool:
+        """Return whether a condition depends on x and y, and on nothing else but constants."""
+        known = {*_OF_A_PLACE, "rows", "cols", "N", "min", "max", *self.declared.lets}
+        names = {name.text for name in names_in(expr)}
+        if not names & _OF_A_PLACE or names - known:
+            return False
+        kinds = (tree.Place, tree.Amount)
+        return not any(isinstance(node, kinds) for node in in_evaluation_order(expr))
+
     def plane_of_places(self, expr: tree.Expr, text: str) -> InputPlane | None:
         """Return the input plane of a condition over x and y; None for any other condition.
 
         `text` is its source text, which becomes the plane's name. The plane is added to `inputs`,
         once for each text. If the condition has an error, it is reported, and the plane's bits are
         0."""
-        known = {*_OF_A_PLACE, "rows", "cols", "N", "min", "max", *self.declared.lets}
-        names = {name.text for name in names_in(expr)}
-        kinds = (tree.Place, tree.Amount)
-        if not names & _OF_A_PLACE or names - known:
-            return None
-        if any(isinstance(node, kinds) for node in in_evaluation_order(expr)):
+        if not self.is_of_places(expr):
             return None
         name = " ".join(text.split())
         if name not in self.inputs:

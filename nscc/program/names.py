@@ -103,7 +103,10 @@ class Declarations:
         A `next` without any sense also counts: its state changes with images and planes."""
         steps = self.nexts and self.version > 2 and not self.senses
         host = self.params or self.inputs or self.kept_images
-        return bool(self.pictures or self.reports or self.kernels or self.assumes or steps or host)
+        # Without states, `read` names exposures.
+        reads = self.reads and self.version > 2 and not (self.states or self.senses)
+        words = self.pictures or self.reports or self.kernels or self.assumes
+        return bool(words or steps or host or reads)
 
     @property
     def has_pixels(self) -> bool:

@@ -284,7 +284,18 @@ class Reader(RangeReader):
             case tree.Unary(op="not"):
                 return self._not(self._condition(expr.operand))
             case tree.Binary(op="and" | "or" | "xor" as op):
-                first, second = self._condition(expr.left), self._condition(expr.right)
+                inner = expr.left
+                # Conditions over x and y that follow each other are one plane.
+                if (
+                    self.declared.version > 3
+                    and isinstance(inner, tree.Binary)
+                    and inner.op == op
+                    and all(map(self.host.is_of_places, (inner.right, expr.right)))
+                ):
+                    span = Span(inner.right.span.start, expr.span.end)
+                    places = tree.Binary(span, op, inner.right, expr.right)
+                    return self._condition(tree.Binary(expr.span, op, inner.left, places))
+                first, second = self._condition(inner), self._condition(expr.right)
                 if op == "and":
                     return self._both(first, second)
                 return self._joined(op, first, second)

@@ -328,6 +328,26 @@ def test_an_error_says_what_to_write(text: str, message: str) -> None:
     assert message in str(caught.value)
 
 
+def test_conditions_over_places_that_follow_each_other_are_one_plane() -> None:
+    text = (
+        "plane p = exposure > 20% plane q = p and 3 <= x < 9 and y > 4 and (x + y) % 3 == 0 read q"
+    )
+    program = nscc.compile(HEAD + text)
+    assert len(program.container.pictures.inputs) == 1
+    y, x = np.mgrid[:256, :256]
+    found = nscc_runtime.capture(program, (x % 2) * 9000.0).planes["q"]
+    expected = (x % 2 == 1) & (x >= 3) & (x < 9) & (y > 4) & ((x + y) % 3 == 0)
+    np.testing.assert_array_equal(found, expected)
+
+
+def test_a_program_may_read_one_exposure_and_compute_nothing() -> None:
+    text = "nsl 4 frame 4 slots of 1ms bucket a open when n < 1 bucket b open when n > 0 read b"
+    light = np.arange(4.0)[:, None, None] * np.ones((256, 256)) * 900
+    capture = nscc_runtime.capture(nscc.compile(text), light)
+    assert capture.meta["buckets"] == ["b"]
+    np.testing.assert_allclose(capture.exposure_e[0], 5400, atol=1e-6)
+
+
 @pytest.mark.parametrize("sign", ["-", "+"])
 def test_a_sum_may_have_more_terms_than_a_word_has_sources(sign: str) -> None:
     levels = (10, 5, 2.5, 1.25, 0.75)
