@@ -335,7 +335,8 @@ def test_conditions_over_places_that_follow_each_other_are_one_plane() -> None:
     program = nscc.compile(HEAD + text)
     assert len(program.container.pictures.inputs) == 1
     y, x = np.mgrid[:256, :256]
-    found = nscc_runtime.capture(program, (x % 2) * 9000.0).planes["q"]
+    light = np.tile((x % 2) * 3000.0, (4, 1, 1))
+    found = nscc_runtime.capture(program, light).planes["q"]
     expected = (x % 2 == 1) & (x >= 3) & (x < 9) & (y > 4) & ((x + y) % 3 == 0)
     np.testing.assert_array_equal(found, expected)
 
