@@ -100,10 +100,10 @@ class Declarations:
         """Whether the file has images, planes, convolution kernels, reports or values that the host
         sets.
 
-        A `next` without any sense also counts: its state changes with images and planes."""
+        A `next` without any sense also counts: its state changes with images and planes. So does a
+        `read` without states, which names exposures."""
         steps = self.nexts and self.version > 2 and not self.senses
         host = self.params or self.inputs or self.kept_images
-        # Without states, `read` names exposures.
         reads = self.reads and self.version > 2 and not (self.states or self.senses)
         words = self.pictures or self.reports or self.kernels or self.assumes
         return bool(words or steps or host or reads)
