@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Annotated
 
+import numpy as np
+
 from nscc.arrays import Floats, Floats32
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.poisson_law import RATE_CAP
@@ -84,7 +86,8 @@ def _separate(
                 own_weights[out + i] = electron_weights[at + i] if b == a else 0.0
             for i in range(cols if b > a else 0):
                 variance_e2 = covariance_e2[own + i]
-                part = covariance_e2[pair + i] / variance_e2 if variance_e2 > 0.0 else 0.0
+                # Without a branch, so that LLVM vectorises the loop.
+                part = covariance_e2[pair + i] / (variance_e2 if variance_e2 > 0.0 else np.inf)
                 covariance_e2[pair + i] = part
                 own_weights[out + i] = part * electron_weights[at + i]
             for c in range(a + 1, b + 1):

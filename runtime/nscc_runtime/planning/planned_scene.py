@@ -11,6 +11,7 @@ import numpy as np
 
 from nscc.arrays import Array, Floats, Ints, Ints32
 from nscc.words.container import Container
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.sensor import Sensor
@@ -202,6 +203,13 @@ class Trial:
             exposed.exposure_e, true.exposure_e, exposed.endings == true.endings, self.sample.weight
         )
 
+    @remembered
+    def unsaturated_e(self, effects: Selection) -> Floats:
+        """Return a frame of the sampled pixels near saturation under `effects` without those that
+        saturate, in electrons (buckets, pixels); remembered for each selection."""
+        linear = effects.without(*everything().names(Saturates))
+        return _sampled(self.scene, self.sample.near_only, linear)(0, None).exposure_e
+
     def signal_e(self) -> float:
         """Return the mean signal of a frame of the whole scene without effects, in electrons."""
         return self.scene.signal_e()
@@ -234,10 +242,11 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     expose = _sampled(scene, sample, full)
     begins: tuple[States | None, ...] = (None,)
     truth = _exposures(expose, begins, repeats)
-    keeps_states = scene.container.keeps_states and not scene.needs_reference(full)
-    kept = _kept_bits(scene.container) if keeps_states else 0
+    if not scene.container.keeps_states or scene.needs_reference(full):
+        return Trial(scene, sample, repeats, begins, full, expose, truth)
+    kept = _kept_bits(scene.container)
     initial = _packed(scene.container, scene.container.planes(), scene.pixels)[sample.places] & kept
-    while keeps_states and len(begins) < _MOST_FRAMES:
+    while len(begins) < _MOST_FRAMES:
         following = truth.endings[-1, 0] & kept
         known = [following == (initial if before is None else before) for before in begins]
         new_weight = sample.weight[~np.any(known, axis=0)]
@@ -326,8 +335,6 @@ def _state_registers(container: Container) -> list[str]:
 def _kept_bits(container: Container) -> int:
     """Return a mask of the bits of `SampledExposures.endings` that belong to states which
     `container` keeps between frames; 0 without such states."""
-    if not container.keeps_states:
-        return 0
     names = {state.name for state in container.machine.states if state.is_kept}
     kept = {register for name in names for register in container.state_planes[name].registers}
     return sum(1 << k for k, name in enumerate(_state_registers(container)) if name in kept)
@@ -368,14 +375,11 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
     For example, nearly all pixels may be full, so that noise changes nothing, except a few. Each of
     these pixels is assumed to change as much as the sampled pixels would if nothing saturated and
     their light just filled PIX. PIX is the photodiode."""
-    sample, saturating = trial.sample, everything().names(Saturates)
-    if not sample.unseen_share or effects.on | saturating >= trial.full.on:
+    sample = trial.sample
+    if not sample.unseen_share or effects.on | everything().names(Saturates) >= trial.full.on:
         return 0.0
     near = sample.near_only
-    kept, complete = (
-        _sampled(trial.scene, near, selection.without(*saturating))(0, None).exposure_e
-        for selection in (effects, trial.full)
-    )
+    kept, complete = map(trial.unsaturated_e, (effects, trial.full))
     full_e = trial.scene.sensor.full_well_e
     just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete)), full_e)
     square_e2 = (np.nan_to_num(kept - complete) * just_full) ** 2

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, Saturates
 from nscc_runtime.effects.parts import Errors as SmallErrors
@@ -80,9 +81,10 @@ class Work:
         count_ns = prices.count * sites * len(effects.names(Counted))
         return prices.loop + self.words * word_ns + self.stretches * count_ns
 
+    @remembered
     def milliseconds(self, effects: Selection, frames: int = 1) -> float:
         """Return the predicted milliseconds of one core for the first `frames` frames of the scene
-        with `effects`, including what is computed once for a scene."""
+        with `effects`, including what is computed once for a scene; remembered."""
         scene, prices = self.scene, SHIPPED
         if scene.needs_reference(effects):
             return frames * prices.slot * scene.light.slots * scene.pixels * 1e-6
