@@ -32,8 +32,6 @@ from nscc_runtime.light import Light
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, reference_scene
 
-Places = Ints
-
 
 @dataclass(frozen=True, eq=False)
 class FrameSource:
@@ -60,7 +58,7 @@ class FrameSource:
     device_seed: int
     threads: int
     simulator: Moments | Reference
-    near: Places
+    near: Ints
     block: BlockScene | None = None
 
     def expose(self, seed: int, number: int) -> Exposure:

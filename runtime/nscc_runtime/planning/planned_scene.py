@@ -9,7 +9,7 @@ from functools import cached_property
 
 import numpy as np
 
-from nscc.arrays import Array, Floats, Ints, Ints32
+from nscc.arrays import Array, Floats, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection, everything, selected
@@ -39,7 +39,6 @@ from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.run_kinds import KINDS
 
-Places = Ints
 States = Ints32
 
 SAMPLED = 4000
