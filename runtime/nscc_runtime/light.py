@@ -80,7 +80,8 @@ class Light:
     Parameters
     ----------
     frames : array of float32, or DrawnFrames
-        (T, rows, cols), finite, at least 0, in any unit; the weights convert to electrons.
+        (T, rows, cols), at least 0, in any unit; the weights convert to electrons. A pixel with NaN
+        is invalid in frames, and its neighbours get no charge from this light.
     row_start : array of int64
         (N + 1,): where the entries of each slot begin.
     frame_index : array of int32
@@ -365,7 +366,7 @@ class Light:
     @cached_property
     def _summed(self) -> tuple[Floats, bool]:
         """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and
-        whether a pixel exceeded that."""
+        whether a pixel exceeded that or is NaN."""
         weight = self.frame_weight
         with np.errstate(over="ignore", invalid="ignore"):
             strips = (np.asarray(light.frames) for _, _, light in self.strips())
@@ -379,7 +380,7 @@ class Light:
         total = np.ascontiguousarray(sums[0] if len(sums) == 1 else np.concatenate(sums))
         if total.max() <= _MOST_E:  # False if a pixel is NaN
             return total, False
-        return np.minimum(total, _MOST_E), bool((total > _MOST_E).any())
+        return np.minimum(total, _MOST_E), True
 
     def on_frames(self, slots: Floats) -> Floats:
         """Convert weights of slots to weights of frames.
@@ -403,14 +404,14 @@ class Light:
 
     @cached_property
     def ended(self) -> Floats32:
-        """The frames (T, rows, cols) in memory, with 1e30 for infinite light, so that closed slots
-        contribute 0 and not NaN; the frames themselves if no such light can meet a weight of 0."""
+        """The frames (T, rows, cols) in memory, with 0 for NaN and 1e30 for infinite light, so
+        that closed slots contribute 0; the frames themselves without light that needs this."""
         frames = np.asarray(self.frames)
         if self.frame_weight.min() > 0 and not self._summed[1]:
             return frames
-        if np.isfinite(frames.max(initial=0)) or not np.isinf(frames).any():
+        if np.isfinite(frames.max(initial=0)):
             return frames
-        return np.minimum(frames, np.float32(1e30))
+        return np.minimum(np.where(np.isnan(frames), np.float32(0.0), frames), np.float32(1e30))
 
     @cached_property
     def one_each(self) -> bool:

@@ -11,6 +11,7 @@ import pytest
 from nscc_command import Outcome, invoke
 
 from nscc_runtime.effects import registered
+from nscc_runtime.execution import frames
 
 PROGRAM = """nsl 1
 target "small.toml"
@@ -183,6 +184,31 @@ def test_run_writes_an_audit_that_holds_into_the_frame_file(scene: str, folder: 
     assert report["measured_rms_e"] <= 3.3
     assert report["samples"] >= 2 * 24 * 30
     assert "the promise holds" in outcome.err
+
+
+@pytest.mark.parametrize("wrong_e", [7.0, np.nan])
+def test_an_audit_of_frames_that_differ_from_the_loop_exits_1(
+    wrong_e: float, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Sums whose pixels are wrong by 7 electrons either way, far below their noise of 70, or one of
+    which is not a number."""
+    draw = frames.draw_exposures
+
+    def wrong(*arguments: Any) -> np.ndarray:
+        exposure_e: np.ndarray = draw(*arguments)
+        if np.isnan(wrong_e):
+            exposure_e[0, 5] = wrong_e
+        else:
+            exposure_e += wrong_e * (-1.0) ** np.arange(exposure_e.shape[1])
+        return exposure_e
+
+    monkeypatch.setattr(frames, "draw_exposures", wrong)
+    outcome = run(folder, "--audit", "--tolerance", "5e", scene="builtin:flat:10000")
+    assert outcome.status == 1
+    assert "the frames differ from the loop by " in outcome.err
+    report = loaded(folder)[1]["audit"]
+    assert report["measured_rms_e"] < 5.5
+    assert report["path_e"] == pytest.approx(1e30 if np.isnan(wrong_e) else 7.0, rel=0.05)
 
 
 def test_an_audited_error_above_the_tolerance_exits_1_and_leaves_the_files(folder: Path) -> None:

@@ -8,6 +8,7 @@ numbers."""
 
 from __future__ import annotations
 
+from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
 from math import prod
@@ -145,6 +146,8 @@ class BlockScene:
     """Cache of means of light that several scenes share, see `prepare_pixels`."""
     kept: tuple[ChargeScene, ...] = ()
     """The charge of all parts; empty if it takes too much memory."""
+    draws: bool = True
+    """Whether counts of electrons are drawn."""
 
 
 def prepare_pixels(
@@ -216,6 +219,15 @@ def prepare_pixels(
     if len(parts) > 1:
         return scene
     return replace(scene, kept=(_charge_scene(scene, parts[0], threads),))
+
+
+def without_draws(scene: BlockScene) -> BlockScene:
+    """Return the scene with frames that draw no random numbers: charge has its mean, and words have
+    their fixed errors only."""
+    numbers = copy(scene.numbers)
+    numbers.reset_error = numbers.read_error = numbers.compare_noise = 0.0
+    numbers.word_error = numbers.move_error = 0.0
+    return replace(scene, numbers=numbers, draws=False)
 
 
 def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
@@ -401,7 +413,7 @@ def _charge_of_frame(
     `seed`: of the noise. `frame`: number of the frame. Without counts this is the array of means
     itself, which callers must not change. A stretch is the slots between two reads or resets of
     PIX, the photodiode."""
-    if not charge.counted:
+    if not (scene.draws and charge.counted):
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
     charge_e = np.empty(charge.means.charge.shape)

@@ -48,7 +48,8 @@ def find_candidates(
         for side in range(4 if sizes.exchanged > 0.0 else 0):
             step, begin, end = on_side(row, sizes.rows, cols, side)
             for p in range(begin, end):
-                gained_e[p] += sum_e[p + step] * factor[p + step]
+                given_e = sum_e[p + step] * factor[p + step]
+                gained_e[p] += given_e if given_e >= 0.0 else 0.0  # 0 for NaN
         for p in range(first, stop):
             gained_e[p] *= sizes.exchanged
             own_e = most_part[lanes[p]] * (sum_e[p] * factor[p])

@@ -11,7 +11,7 @@ covariance; the random numbers are others."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -21,8 +21,13 @@ from nscc.words.container import Container
 from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
-from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, prepare_pixels
-from nscc_runtime.execution.moments import Moments, scene_moments
+from nscc_runtime.execution.block_scene import (
+    BlockScene,
+    expose_pixels,
+    prepare_pixels,
+    without_draws,
+)
+from nscc_runtime.execution.moments import Moments, scene_moments, uneven_leakage
 from nscc_runtime.execution.near_saturation import NO_PIXELS, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.execution.summed import draw_exposures
@@ -46,7 +51,8 @@ class FrameSource:
     simulator : Moments or Reference
         The sums of the light, or the reference, which exposes all pixels word by word.
     near : int64, shape (pixels,)
-        Places of the pixels that run through their words because they may saturate.
+        Places of the pixels that run through their words because they may saturate or leak unlike
+        most (`uneven_leakage`).
     block : BlockScene or None
         These pixels, prepared; None without any.
     """
@@ -65,8 +71,8 @@ class FrameSource:
         """Return frame `number` before the converter, with the noise of `seed`.
 
         It is computed by the reference, or all pixels by sums. Pixels near saturation then run
-        through their words, whose results replace their sums. Values that are not finite, as for
-        light that is NaN, are invalid."""
+        through their words, whose results replace their sums. Values that are not finite are
+        invalid, and so are pixels whose light is NaN."""
         if isinstance(self.simulator, Reference):
             scene = reference_scene(self.container, self.light)
             return self.simulator.expose(scene, seed, self.device_seed, number, self.threads)
@@ -77,7 +83,17 @@ class FrameSource:
             exposure_e[:, self.near] = pixels.exposure_e
             saturated_by[:, self.near] = pixels.saturated_by
         whole = exposure_e.reshape(-1, *self.light.shape)
+        whole[:, np.isnan(self.light.sum_e)] = np.nan
         return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
+
+    def without_draws(self) -> FrameSource:
+        """Return this source with frames that draw no random numbers: expected exposures, except
+        where noise saturates. The reference draws them all the same."""
+        moments = self.simulator
+        if isinstance(moments, Moments):
+            none_e, no_counts = 0.0 * moments.error_e, 0.0 * moments.count_means
+            moments = replace(moments, count_means=no_counts, error_e=none_e)
+        return replace(self, simulator=moments, block=self.block and without_draws(self.block))
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Yield frames 0 to `count` - 1, with converter codes and the noise of `seed`. Raises
@@ -119,7 +135,9 @@ def word_reasons(
         return reasons
     program = analysed(container, sensor)
     near = max(len(near_saturation(program, x, device_seed, effects).places) for x in lights)
-    return (f"{near} pixels may saturate",) if near else ()
+    uneven = len(uneven_leakage(program, effects, device_seed))
+    reasons = (f"{near} pixels may saturate",) if near else ()
+    return (*reasons, f"the leakage of {uneven} pixels is far from the mean") if uneven else reasons
 
 
 def frame_source(
@@ -166,9 +184,10 @@ def frame_source(
     if by_words or reference_reasons(effects):
         return FrameSource(*chip, Reference.of(container, sensor, effects), NO_PIXELS.places)
     program = analysed(container, sensor)
-    # Pixels that cannot saturate are exposed by sums of light; the others run their words. The
+    # Sums of light expose pixels that cannot saturate and leak like most; the others run words. The
     # light stores the search: planning made it for all effects (`Work.of`).
     near = near_saturation(program, light, device_seed, effects).places
+    near = np.union1d(near, uneven_leakage(program, effects, device_seed))
     moments = scene_moments(program, light, effects, device_seed, count)
     block = None
     if len(near):

@@ -132,12 +132,11 @@ def complete_moments(
         first, stop = row * cols, (row + 1) * cols
         for bucket in range(sizes.buckets):
             at = bucket * pixels
-            lower = (sizes.light_pairs + bucket * sizes.rates) * pixels
-            upper, last = lower + (sizes.rates - 1) * pixels, (sizes.rates - 1) * pixels
-            for p in range(first, stop):
-                part = rate_weights[last + p]  # of two rates; the weight of a single one is 1
-                low_e = ((1.0 - part) if last else part) * sums[lower + p]
-                mean_e[at + p] = fixed_e[at + p] + low_e + (part * sums[upper + p] if last else 0.0)
+            for rate in range(sizes.rates):
+                sum_at = (sizes.light_pairs + bucket * sizes.rates + rate) * pixels
+                for p in range(first, stop):
+                    before = mean_e[at + p] if rate else fixed_e[at + p]
+                    mean_e[at + p] = before + rate_weights[rate * pixels + p] * sums[sum_at + p]
         if not (sizes.light_pairs or sizes.dark_pairs):
             continue
         for pair in range(sizes.buckets * (sizes.buckets + 1) // 2):
@@ -153,7 +152,7 @@ def complete_moments(
                 of_side = (side * sizes.buckets + bucket) * pixels
                 for p in range(begin, end):
                     light_e = factor[p + step] * sum_e[p + step] if sizes.light_pairs else 0.0
-                    light_e = RATE_CAP if light_e > RATE_CAP else light_e
+                    light_e = min(light_e, RATE_CAP) if light_e >= 0.0 else 0.0  # 0 for NaN
                     variance_e2 = unknown[of_side + p] * (dark_e[p + step] + light_e)
                     covariance_e2[here + p] += sizes.exchanged * sizes.exchanged * variance_e2
         for i in range(sizes.buckets * (sizes.buckets + 1) // 2 * cols):

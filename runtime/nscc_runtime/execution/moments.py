@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from nscc.arrays import Floats, Floats32, Ints32
+from nscc.arrays import Floats, Floats32, Ints, Ints32
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
     Counted,
@@ -23,7 +23,6 @@ from nscc_runtime.effects.parts import (
     Response,
     WordGain,
 )
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.execution.moment_loop import Completing, complete_moments
 from nscc_runtime.execution.overlap import NEIGHBOURS, weights_beside
@@ -34,8 +33,11 @@ from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.weights import WeightModel
 
 _LEAK_SIGMAS = 4.0
-"""Leakage rates within this number of standard deviations lie between the two nodes; one pixel in
-ten thousand is outside."""
+"""Two nodes are placed for leakage rates within this number of standard deviations."""
+_SMALL_LEAK = 2.5e-3
+"""Two nodes are enough if the decay of a frame differs by at most this part between pixels."""
+_MOST_LEAK = 0.03
+"""A pixel whose decay in a frame differs by more than this part from the mean runs its words."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -147,7 +149,7 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
         """Compute everything about the moments that depends on the chip and the effects but not on
         the light. `own_weights` is None if buckets overlap: then it depends on the light."""
         device, model = program.device(device_seed), program.model(effects)
-        rates = leak_rates(effects, program.sensor)
+        rates = leak_rates(program, effects)
         rate_weights = _rate_weights(effects, device, rates)
         factor, lanes = light_factor(effects, device), program.lanes
         electron_weights = _electron_weights(program, model).take(lanes, axis=1)
@@ -266,33 +268,48 @@ def dark_e_per_s(effects: Selection, device: Device) -> Floats:
     return np.zeros(len(device.places)) if dark is None else device.fixed(dark.per_s)
 
 
-def leak_rates(effects: Selection, sensor: Sensor) -> tuple[float, ...]:
-    """Return leakage rates in 1/s for which sums are computed: (0,) without leakage.
+def leak_rates(program: AnalysedProgram, effects: Selection) -> tuple[float, ...]:
+    """Return leakage rates in 1/s, ascending, for which sums are computed: (0,) without leakage.
 
-    If the rate differs between pixels, there are two Chebyshev nodes, and sums are interpolated
-    linearly between them. The error is the square of the spread of rate times age, a few parts in a
-    million for the default sensor."""
+    If the rate differs between pixels, sums are interpolated between two or three Chebyshev nodes.
+    The error is at most about 1e-6 of the charge (`_SMALL_LEAK`, `_MOST_LEAK`)."""
     leak = effects.find_part(Leak)
     if leak is None:
         return (0.0,)
-    mean = 1.0 / leak.tau_s(sensor)
-    sigma = math.sqrt(math.log1p(leak.spread(sensor) ** 2))
+    mean = 1.0 / leak.tau_s(program.sensor)
+    sigma = math.sqrt(math.log1p(leak.spread(program.sensor) ** 2))
     low, high = (mean * math.exp(side * _LEAK_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1))
+    if (high - low) / 2 * program.oldest_s > _SMALL_LEAK:
+        away = _MOST_LEAK / program.oldest_s * math.sqrt(0.75)
+        return mean - away, mean, mean + away
     away = (high - low) / 2 * math.sqrt(0.5)
     nodes = (low + high) / 2 - away, (low + high) / 2 + away
     # Without a spread, or with one that float64 cannot represent, both nodes are equal.
     return nodes if nodes[0] < nodes[1] else (mean,)
 
 
-def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Floats:
-    """Return weights (rates, pixels) with which sums at the `rates` of leakage (1/s, one or two:
-    `leak_rates`) are added up to those at each pixel's own rate. They sum to 1; a pixel whose rate
-    is outside the two has a negative one."""
+def uneven_leakage(program: AnalysedProgram, effects: Selection, device_seed: int) -> Ints:
+    """Return the places (count,) of the pixels whose leakage differs too much for sums, ascending.
+
+    Sums take the noise at the mean rate, so it is wrong by up to `_MOST_LEAK` in other pixels."""
     leak = effects.find_part(Leak)
-    if leak is None or len(rates) == 1:
-        return np.ones((1, len(device.places)))
-    upper = (device.fixed(leak.per_s) - rates[0]) / (rates[1] - rates[0])
-    return np.stack([1.0 - upper, upper])
+    if leak is None:
+        return np.empty(0, np.int64)
+    away = program.device(device_seed).fixed(leak.per_s) - 1.0 / leak.tau_s(program.sensor)
+    return np.flatnonzero(np.abs(away) * program.oldest_s > _MOST_LEAK)
+
+
+def _rate_weights(effects: Selection, device: Device, rates: tuple[float, ...]) -> Floats:
+    """Return weights (rates, pixels) with which sums at the `rates` of leakage (1/s, `leak_rates`)
+    are added up to those at each pixel's own rate: Lagrange polynomials, which add up to 1."""
+    leak = effects.find_part(Leak)
+    weights = np.ones((len(rates), len(device.places)))
+    own = weights[0] if leak is None else device.fixed(leak.per_s)
+    for i, rate in enumerate(rates[1:], 1):
+        for other in rates[:i] + rates[i + 1 :]:
+            weights[i] *= (own - other) / (rate - other)
+    weights[0] -= weights[1:].sum(axis=0)
+    return weights
 
 
 def _fixed_e(
@@ -307,23 +324,17 @@ def _fixed_e(
 
     `device`: the fixed patterns of all pixels. `rates`: the rates of leakage (1/s) at which sums
     are computed. `rate_weights` (rates, pixels): weights that give the sum at each pixel's rate."""
-    model, lanes = program.model(effects), program.lanes
-    weights = [program.weights(replace(model, leak_per_s=rate)) for rate in rates]
-    total = np.zeros((len(program.container.buckets), lanes.size))
-    gain = effects.find_part(WordGain)
-    if gain is not None:
-        by_rate = np.stack([of_rate.error_sum.T[:, lanes] for of_rate in weights], axis=1)
-        errors = np.einsum("brp,rp->bp", by_rate, rate_weights)
-        total += errors * device.fixed(gain.error_e)
-    if effects.find_part(CountedDark) is not None:
-        exchange, current = effects.find_part(Exchange), dark_e_per_s(effects, device)
-        if exchange is not None:
-            by_row = current.reshape(program.lane.shape)
-            fraction = exchange.fraction(program.sensor)
-            current = exchange.smeared(by_row, fraction).reshape(-1)
-        open_s = np.einsum("n,nlb->bl", program.slot_s, program.weights(model).slots)
-        total += current * open_s[:, lanes]
-    return total
+    lanes, current = program.lanes, dark_e_per_s(effects, device)
+    exchange, gain = effects.find_part(Exchange), effects.find_part(WordGain)
+    if exchange is not None:
+        by_row = current.reshape(program.lane.shape)
+        current = exchange.smeared(by_row, exchange.fraction(program.sensor)).reshape(-1)
+    errors, open_s = np.zeros((2, len(program.container.buckets), lanes.size))
+    for rate, part in zip(rates, rate_weights, strict=True):
+        weights = program.weights(replace(program.model(effects), leak_per_s=rate))
+        errors += part * weights.error_sum.T[:, lanes]
+        open_s += part * np.einsum("n,nlb->bl", program.slot_s, weights.slots)[:, lanes]
+    return np.asarray(errors * (device.fixed(gain.error_e) if gain else 0.0) + current * open_s)
 
 
 def _dark_covariances(program: AnalysedProgram, effects: Selection, device: Device) -> Floats:

@@ -18,7 +18,12 @@ from nscc_runtime.effects.views import Device, whole_device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.light import Light
-from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
+from nscc_runtime.reference.trace import (
+    AnalogWord,
+    analog_words,
+    readout_waits_s,
+    retention_us,
+)
 from nscc_runtime.reference.weights import Backward, WeightModel, backward
 
 _RECENT_MODELS, _RECENT_LARGE = 24, 12
@@ -127,6 +132,12 @@ class AnalysedProgram:
                 live = live | word.lanes
         is_seen[:later] = live
         return is_seen
+
+    @cached_property
+    def oldest_s(self) -> float:
+        """The longest time in seconds that an analog register may hold a charge: the frame, then
+        the wait for the last readout."""
+        return float(self.slot_s.sum() + readout_waits_s(self.container).max(initial=0.0))
 
     def device(self, device_seed: int) -> Device:
         """Return the fixed patterns of all pixels of the chip with this seed."""

@@ -183,12 +183,13 @@ def _exchanged(
 ) -> float:
     """Return the light of one slot that pixel `i` collects after crosstalk, in electrons. `own` is
     its light before. The slot has the entries `start` to `stop` - 1 of `light`. A neighbour beyond
-    the border neither gives nor takes."""
+    the border neither gives nor takes, and light of a neighbour that is NaN counts as 0."""
     flow = 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
         other = sites.beside[NEIGHBOURS * i + side]
         if other >= 0:
-            flow += _light_of_slot(sizes, light, sites, start, stop, other) - own
+            given = _light_of_slot(sizes, light, sites, start, stop, other)
+            flow += (given if given >= 0.0 else 0.0) - own
     return own + sizes.exchanged * flow
 
 
@@ -201,7 +202,7 @@ def _store(
     runs through its words. A stretch is the slots between two reads or resets of PIX, the
     photodiode."""
     if sizes.counts_light:
-        means.lit[e * sizes.sites + i] = own
+        means.lit[e * sizes.sites + i] = own if own >= 0.0 else 0.0  # 0 for NaN
     if i < sizes.own:
         means.charge[e * sizes.own + i] = total
 

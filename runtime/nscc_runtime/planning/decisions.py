@@ -7,7 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from nscc_runtime.effects import Effect, everything, registered
-from nscc_runtime.effects.parts import CodeErrors, Codes, Saturates
+from nscc_runtime.effects.parts import CodeErrors, Codes
+from nscc_runtime.execution.frames import word_reasons
 from nscc_runtime.planning import plan as plans
 from nscc_runtime.planning.plan import Decision, Plan
 from nscc_runtime.planning.plan_request import Names, PlanRequest
@@ -52,8 +53,9 @@ def decided_plan(choice: EffectChoice) -> Plan:
     reasons = scene.needs_reference(effects)
     if not reasons and scene.looks:
         reasons = ("pixels look at the light: each runs through the words that act in it",)
-    elif not reasons and work.near and effects.names(Saturates):
-        reasons = (f"{work.near} pixels may saturate",)
+    elif not reasons:
+        chip = scene.container, scene.sensor, [scene.light]
+        reasons = word_reasons(*chip, effects, scene.device_seed)
     measured = together is not None
     return Plan(
         tolerance=str(request.tolerance) if allowed is None else allowed.text,

@@ -22,6 +22,7 @@ from nscc_runtime.execution.block_scene import (
     PixelExposures,
     expose_pixels,
     prepare_pixels,
+    without_draws,
 )
 from nscc_runtime.execution.frames import frame_source, reference_reasons
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
@@ -115,6 +116,18 @@ class PlannedScene:
             self.container, self.sensor, self.light, effects, self.device_seed, self.threads
         )
         return source.frames(seed, count)
+
+    def expected_e(self, effects: Selection) -> tuple[Floats, Floats] | None:
+        """Return exposures (buckets, pixels) of two frames that draw no random numbers: one as a
+        run exposes it with `effects`, one of the loop over words with every effect. None if pixels
+        look, or if the loop lacks an effect."""
+        if self.looks or self.needs_reference(everything()):
+            return None
+        chip, device_seed = (self.container, self.sensor, self.light), self.device_seed
+        source = frame_source(*chip, effects, device_seed, self.threads).without_draws()
+        scene = prepare_pixels(*chip, everything(), np.arange(self.pixels), device_seed)
+        loop_e = expose_pixels(without_draws(scene), SEED, 0).exposure_e
+        return source.expose(SEED, 0).exposure_e.reshape(loop_e.shape), loop_e
 
     def signal_e(self) -> float:
         """Return the mean signal of a frame without effects, in electrons: the mean of absolute

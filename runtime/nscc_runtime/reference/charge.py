@@ -31,7 +31,7 @@ class Fallen(NamedTuple):
 
     `charge` float64 (intervals, rows, cols): electrons that reach PIX (the photodiode) in each
     interval. `light`, of the same shape: the electrons of the scene alone, without effects. `valid`
-    (rows, cols): False where a rate is NaN or its count is invalid."""
+    (rows, cols): False where light is NaN."""
 
     charge: Charge
     light: Charge
@@ -79,7 +79,7 @@ def charge_of_rows(
         for change in effects.at(stage):
             charge = change(slots, charge)
     inner = slice(rows.start - begin, rows.stop - begin)
-    valid = slots.valid.reshape(end - begin, cols)[inner]
+    valid = ~np.isnan(scene.light.sum_e[rows.start : rows.stop])
     return Fallen(charge[:, inner], light[:, inner], valid)
 
 
@@ -87,15 +87,10 @@ def charge_of_rows(
 class _Slots(Slots):
     """The intervals of slots of some rows of the array.
 
-    `rows`: these rows. `starts`: the first slot of each interval. `valid` (pixels,): all True at
-    first; False from the time at which a rate of the pixel was NaN."""
+    `rows`: these rows. `starts`: the first slot of each interval."""
 
     rows: slice
     starts: Sequence[int]
-
-    def __post_init__(self) -> None:
-        """Begin with all pixels valid."""
-        self.valid = np.ones(len(self.places), np.bool_)
 
     def fixed(self, make: OnDevice) -> Charge:
         """Return the fixed pattern of the chip that `make` computes, for these rows, (rows,
@@ -105,25 +100,25 @@ class _Slots(Slots):
     @remembered
     def electrons(self, light: Light) -> Charge:
         """Return the electrons that `light` gives in each interval of slots, (intervals, rows,
-        cols); remembered for each light. Callers do not change the result."""
+        cols); remembered for each light. Callers do not change the result.
+
+        Light that is NaN counts as 0, so that neighbours of its pixel stay valid."""
         shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
         out = np.zeros(shape)
         for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):
             for n in range(start, stop):
                 out[interval] += light.slot(n, self.rows)
+        out[np.isnan(out)] = 0.0
         return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
         """Return Poisson counts with the means `rates`, both float64 (intervals, rows, cols).
 
         Rates outside 0..`RATE_CAP` are clipped to it. `stream` (of the effect) and `source` (light
-        or dark charge) select the random numbers. Pixels with a NaN in any interval become invalid;
-        the count of a NaN is 0."""
+        or dark charge) select the random numbers. The count of a NaN is 0."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
-        self.valid &= ~np.isnan(rates).any(axis=0)
         counted = np.zeros(rates.shape)
         for n, slot_rates in enumerate(rates):
             of_slot = key(self.seed, stream, source, self.frame, n)
-            counted[n], is_valid = poisson(of_slot, self.places, slot_rates)
-            self.valid &= is_valid
+            counted[n], _ = poisson(of_slot, self.places, slot_rates)
         return counted.reshape(shape)
