@@ -35,6 +35,8 @@ _LONGEST = 4096
 # initial tolerance for more words.
 _EXCHANGED = 0.8
 _SLACK = 0.03
+# So many predicates for each plane may come in by an exchange: those with the fewest ones.
+_CANDIDATES = 1.6
 # Steps for a choice of planes before any search.
 _STEPS_A_CHOICE = 100
 
@@ -126,6 +128,16 @@ class _Finder:
         budget.spend(len(problem.demands) * problem.shutters // 512)
         self._points = _points(problem)
         self._sets = packed(self._points.bits)
+        # All predicates as planes, inverted if they are 1 at most points. Planes with few ones come
+        # first, because their NORs are cubes of many points.
+        count = self._points.bits.shape[1]
+        ones = self._points.bits.sum(axis=1)
+        sparse = np.argsort(np.minimum(ones, count - ones), kind="stable").tolist()
+        self._orders = [[(number, bool(2 * ones[number] > count)) for number in sparse]]
+        demanded = self._points.demanded
+        if demanded < len(sparse):
+            # First those without a demand: edges can be computed from levels.
+            self._orders.insert(0, sorted(self._orders[0], key=lambda plane: plane[0] < demanded))
         self._tasks = self._tasks_of_demands()
         # How often each task occurs in a frame.
         self._times = Counter(task for task in self._tasks if task is not None)
@@ -163,13 +175,8 @@ class _Finder:
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
-            # Predicates without a demand are tried first (edges can be computed from levels), then
-            # demanded ones.
-            numbers = range(len(self._points.bits))
-            undemanded = numbers[self._points.demanded :]
-            orders = [(*undemanded, *numbers), tuple(numbers)] if undemanded else [tuple(numbers)]
-            for order in orders:
-                choice = tuple((number, False) for number in order[:width])
+            for order in self._orders:
+                choice = tuple(order[:width])
                 most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
                 plan = self._quick(choice, scratch, quick, most)
                 if plan is not None:
@@ -305,17 +312,18 @@ class _Finder:
         `best` is the plan to begin with, `width` the width of the beam. Ends when only `until`
         steps of the budget are left."""
         choose = random.Random(0)
-        everyone = range(len(self._points.bits))
         current = best
         span = max(1, self._budget.left - until)
+        count = round(_CANDIDATES * len(best.choice))
+        candidates = dict.fromkeys(plane for order in self._orders for plane in order[:count])
         while self._budget.left > until:
             neighbour = list(current.choice)
             index = choose.randrange(len(neighbour))
             number, turned = neighbour[index]
             chosen_planes = dict(neighbour)
-            unchosen_planes = [number for number in everyone if number not in chosen_planes]
+            unchosen_planes = [plane for plane in candidates if plane[0] not in chosen_planes]
             if unchosen_planes and choose.random() < _EXCHANGED:
-                neighbour[index] = choose.choice(unchosen_planes), False
+                neighbour[index] = choose.choice(unchosen_planes)
             else:
                 neighbour[index] = number, not turned
             # Slightly worse choices are accepted, less and less (threshold accepting; Dueck and

@@ -36,8 +36,8 @@ _STEPS_A_BATCH = 8
 # Words of 64 points in a batch, which fits the cache.
 _BATCH = 1 << 18
 # Numbers of best cubes to try as the first and as each further one of a link.
-_FIRST_CUBES = 4
-_NEXT_CUBES = 2
+_FIRST_CUBES = 8
+_NEXT_CUBES = 4
 
 
 @dataclass(frozen=True)
@@ -360,14 +360,15 @@ class Search:
                 batch_values = values.take(np.arange(start, min(len(values), start + batch)))
                 self._budget.spend(_STEPS_A_BATCH + len(batch_values) * cubes.size // _WORDS_A_STEP)
                 gain = gains(cubes, batch_values.on, batch_values.off)
-                most = min(top, len(cubes))
-                # Ties go to the first, independent of the processor's partition order: integer
-                # gains are scaled by more than the number of places.
-                rank = gain * -len(cubes) + np.arange(len(cubes), dtype=np.int32)
-                best = np.sort(np.argpartition(rank, most - 1, axis=1)[:, :most], axis=1)
-                rows, columns = np.nonzero(np.take_along_axis(gain, best, 1) > 0)
+                found: list[Ints] = []
+                # `argmax` takes the first of equal cubes; a cube that is taken gains no more.
+                for _ in range(min(top, len(cubes))):
+                    best = gain.argmax(axis=1)
+                    rows = np.flatnonzero(gain[np.arange(len(best)), best])
+                    found.append(rows * len(cubes) + best[rows])
+                    gain[rows, best[rows]] = 0
+                rows, chosen = np.divmod(np.sort(np.concatenate(found)), len(cubes))
                 if len(rows):
-                    chosen = best[rows, columns]
                     wider = batch_values.take(rows)
                     wider.cubes[:, used] = masks[chosen]
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])

@@ -46,9 +46,10 @@ _CLOSE = 1.1
 # cascade rarely decides more with a word.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
 _SHUTTERS_A_WORD = 4
-# Searches for more demands get more steps, up to a factor.
 _MANY_DEMANDS = 32
-_MOST_STEPS = 2
+# At -O2, searches get steps in proportion to their demands: so many times the steps of a level for
+# 64 demands, but never more, nor fewer than once.
+_MOST_STEPS = 6
 # They get all steps if every other solution takes this many times the words, and fewer if one is
 # nearer.
 _ALL_STEPS = 15.0
@@ -247,7 +248,7 @@ def solutions(
     worth = fewest >= _WORTH_CASCADES.get(level, inf) * least
     if worth and (level > 2 or count <= _MANY_DEMANDS or random):
         share = min(1.0, fewest / (_ALL_STEPS * least))
-        share *= min(_MOST_STEPS, max(1.0, count / _MANY_DEMANDS)) if level == 2 else 1.0
+        share *= max(1.0, _MOST_STEPS * min(1.0, count / 64)) if level == 2 else 1.0
         yield from counted(solve_kinds("cascade", allowed=int(share * steps)))
     if fewest == inf:
         yield from solve_kinds("cover", "last", allowed=PATIENT_STEPS)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.arrays import Bools, Ints, Ints32
+from nscc.arrays import Bools, Ints
 from nscc.logic.problem import Machine, words_of
 
 Points = NDArray[np.uint64]
@@ -75,17 +75,16 @@ def disjoint(first_sets: Points, second_sets: Points) -> Bools:
     return none
 
 
-def gains(cubes: Points, on: Points, off: Points) -> Ints32:
+def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.uint16]:
     """Return the number of points of each set of `on` in each cube, 0 if the cube contains a point
-    of `off`, as int32 (n, M).
+    of `off`, as uint16 (n, M).
 
-    `cubes` are M sets (M, W); `on` and `off` are n sets each (n, W), in pairs. A cube is a NOR of
-    registers."""
-    gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
-    excluded = np.zeros(gain.shape, dtype=np.bool_)
-    for word in range(cubes.shape[1]):
-        row = cubes[:, word][None]
-        excluded |= (row & off[:, word, None]) != 0
-        gain += np.bitwise_count(row & on[:, word, None])
-    gain[excluded] = 0
+    `cubes` are M sets (M, W); `on` and `off` are n sets each (n, W), in pairs; W is at most 1023.
+    A cube is a NOR of registers."""
+    gain = np.zeros((len(on), len(cubes)), dtype=np.uint16)
+    pure = np.ones(gain.shape, dtype=np.bool_)
+    for row, inside, outside in zip(cubes.T, on.T[..., None], off.T[..., None], strict=True):
+        pure &= (row & outside) == 0
+        gain += np.bitwise_count(row & inside)
+    gain *= pure
     return gain

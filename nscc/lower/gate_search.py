@@ -122,14 +122,9 @@ class GateSearch:
         """Improve all candidates a little, and the best of them more; return the best result.
 
         `candidates` are sorted by price, at least one. Solutions with masked gates stay as they
-        are. With more demands (sets of shutters that FLAG must select at boundaries) than the store
-        has words, the first candidate is returned unchanged. FLAG is the bit that lets a pixel act.
-        """
+        are."""
         from nscc.logic.improve.search import balance, improve, words_at  # `check` does not need it
 
-        if len(self.problem.demands) > self.program.target.store_words:
-            # Kernels must repeat to fit the store, and improvement makes equal segments different.
-            return candidates[0]
         current = [each for each in candidates if each.solution.masked_state() is None]
         known = [*candidates]
         for count, steps in ROUNDS[level]:

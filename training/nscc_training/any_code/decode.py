@@ -89,7 +89,7 @@ def decoded_clip(
     else:
         coded = _coded_clip(measured, count, min(count, FIRST_STAGE), progress)
         clip = joined(measured, coded, number)
-    return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
+    return clip.clamp_(min=0).mul_(unit.reshape(-1, 1, 1, 1))
 
 
 def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Progress) -> Tensor:
@@ -98,7 +98,7 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
 
     The measurement must be divided by white. `progress` receives the stages."""
     clip, target = gap_tv_of(measured)
-    mean = torch.zeros_like(clip)
+    mean = clip.new_zeros(())
     with bf16_where_multiplied():
         for number, sigma in enumerate(progress(schedule(count), "decoding the clip", count)):
             level = clip.new_full((len(clip),), sigma)
@@ -111,7 +111,7 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
                 number,
             )
             if number + 1 >= first:
-                mean += clip / (count + 1 - first)
+                mean = mean + clip / (count + 1 - first)
         return led(measured, mean)
 
 

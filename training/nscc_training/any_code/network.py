@@ -87,7 +87,7 @@ class ClipDenoiser(nn.Module):
         for block in self.deep:
             x = block(x, frames)
         for k in reversed(range(len(self.up))):
-            x = skips[k] + self.grow[k](x)
+            x = self.grow[k](x).add_(skips.pop())
             for block in self.up[k]:  # type: ignore[attr-defined]
                 x = block(x, frames)
         output: Tensor = self.last(x)
@@ -109,8 +109,8 @@ class FrameExchangeBlock(nn.Module):
         first, the frames of a clip exchange channels (`exchanged`). `frames` is the number of
         frames of each clip of the batch."""
         inner = functional.relu(self.one(exchanged(x, frames)), inplace=True)
-        output: Tensor = x + self.two(inner)
-        return output
+        output: Tensor = self.two(inner)
+        return output.add_(x)
 
 
 def exchanged(x: Tensor, frames: int) -> Tensor:

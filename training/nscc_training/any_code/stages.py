@@ -77,7 +77,7 @@ def led(measured: Measured[Tensor], clip: Tensor) -> Tensor:
     stage without a denoiser. The error of the clip after the last stage is assumed to be `_LEFT`.
     """
     gap = measured.missing(measured.of(clip), measured.value)
-    return clip + measured.correction(gap, clip.new_full((len(clip),), _LEFT))
+    return measured.correction(gap, clip.new_full((len(clip),), _LEFT)).add_(clip)
 
 
 STILL_STAGES = 1

@@ -43,10 +43,10 @@ def gap_tv_of(
     start, slots that no pixel recorded would stay about a fifth too dark (64 slots)."""
     library, target = namespace(measured.value), measured.value
     sigma: Array = library.full_like(measured.value[:, 0, 0, 0], _FAR)
-    if start is None:
-        mean = measured.mean()
-        start = library.stack([mean] * measured.mask.shape[2], 1)
-    clip: Array = start
+    # The first clip must have no other name, or its memory stays in use.
+    clip: Array = (
+        library.stack([measured.mean()] * measured.mask.shape[2], 1) if start is None else start
+    )
     for _ in range(iterations):
         clip, target = gap_step(measured, clip, target, sigma)
         clip = _denoised(clip, weight)
@@ -64,7 +64,9 @@ def gap_step(
     corrected."""
     predicted = measured.of(clip)
     target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(predicted, target), sigma), target
+    corrected: Array = measured.correction(measured.missing(predicted, target), sigma)
+    corrected += clip
+    return corrected, target
 
 
 def _denoised(clip: Array, weight: float) -> Array:

@@ -55,18 +55,25 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
     cols); `least` may be -inf."""
     weighted = precision * light
     result = light.copy()
-    missing = np.full(light.shape, bool((precision > 0).any()))
+    near = precision > 0
+    missing = np.full(light.shape, bool(near.any()))
     reach = 2
-    while missing.any() and reach <= 2 * max(light.shape):
-        # Sums are needed around the missing pixels only.
-        part = tuple(_from_first_to_last(np.any(missing, axis=axis), reach) for axis in (1, 0))
-        own, own_weighted = precision[part], weighted[part]
-        # `tent_sums` counts a pixel itself once; the second term makes that `_OWN` times.
-        total = tent_sums(own, reach) + (_OWN - 1) * own
-        value = tent_sums(own_weighted, reach) + (_OWN - 1) * own_weighted
-        fillable = missing[part] & (total > 0)
-        result[part][fillable] = value[fillable] / total[fillable]
-        missing[part] &= ~fillable
+    while missing.any():
+        # Windows of twice the reach are three of these side by side, along each axis.
+        for pixels in (near, near.T):
+            before = pixels.copy(order="K")
+            pixels[reach // 2 :] |= before[: -(reach // 2)]
+            pixels[: -(reach // 2)] |= before[reach // 2 :]
+        # Sums are needed around the pixels that this reach fills only.
+        fillable = missing & near
+        if fillable.any():
+            part = tuple(_from_first_to_last(fillable.any(axis=axis), reach) for axis in (1, 0))
+            own, own_weighted, inside = precision[part], weighted[part], fillable[part]
+            # `tent_sums` counts a pixel itself once; the second term makes that `_OWN` times.
+            total = tent_sums(own, reach) + (_OWN - 1) * own
+            value = tent_sums(own_weighted, reach) + (_OWN - 1) * own_weighted
+            np.divide(value, total, out=result[part], where=inside)
+            missing &= ~fillable
         reach *= 2
     return np.maximum(result, least)
 
