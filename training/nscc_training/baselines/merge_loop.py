@@ -67,7 +67,7 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
         # Sums are needed around the pixels that this reach fills only.
         fillable = missing & near
         if fillable.any():
-            part = tuple(_from_first_to_last(fillable.any(axis=axis), reach) for axis in (1, 0))
+            part = tuple(_from_first_to_last(np.any(fillable, axis=axis), reach) for axis in (1, 0))
             own, own_weighted, inside = precision[part], weighted[part], fillable[part]
             # `tent_sums` counts a pixel itself once; the second term makes that `_OWN` times.
             total = tent_sums(own, reach) + (_OWN - 1) * own
