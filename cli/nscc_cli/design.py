@@ -58,7 +58,7 @@ def command(scenes: tuple[str, ...], out: Path | None, **options: Any) -> None:
     noise, converter, copies and comparators of the sensor. --criterion sve-risk: compares all 2 x
     2 tiles of half stops by the error that an ideal decoder cannot remove. --search: tries
     patterns of one to eight geometric stops on the emulated chip, or for clips bumps, mixtures
-    and free bits in one and two readouts. --motion: compares bumps of
+    and free bits in one and two readouts, then changes of the best. --motion: compares bumps of
     several lengths and patterns by the information that a frame contains about moving light. The
     program is compiled and proved before it is written."""
     from nscc.chips.load import load_target
@@ -109,6 +109,8 @@ def _file_name(wanted: DesignSettings) -> str:
         )
     if wanted.motion is None:
         refuse_ignored("it limits the codes of --motion", "max_words")
+    if not wanted.search:
+        refuse_ignored("it changes the best candidate of --search", "trials")
     return chosen[0]
 
 
@@ -140,10 +142,11 @@ def _designed(
     if of_clips:
         from nscc_training.search.clip_codes import design_clip
 
-        return design_clip(_moving(scenes, target, options, wanted.slots), frame, searching)
+        clips = _moving(scenes, target, options, wanted.slots)
+        return design_clip(clips, frame, searching, wanted.trials)
     scene_lights = _scene_lights(scenes, target, options)
     if wanted.search:
-        return design_pattern(scene_lights, frame, searching)
+        return design_pattern(scene_lights, frame, searching, wanted.trials)
     if wanted.looks is None:
         return design_tile(scene_lights, frame)
     curve = wanted.criterion or "mu"

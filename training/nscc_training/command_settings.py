@@ -87,6 +87,11 @@ class DesignSettings:
         "under every effect",
         False,
     )
+    trials: int = key(
+        Integer(0, 10_000),
+        "With --search: changes of the best candidate that are tried; each takes about 3 s a clip",
+        24,
+    )
     motion: MotionKind | None = key(
         TextKind(get_args(MotionKind)),
         "Choose a code for clips by their motion: slow, fast, or as in the scenes",

@@ -8,11 +8,12 @@ is therefore composed of emulated frames in which all pixels have the same stop.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
 
-from nscc.arrays import Bools, Floats, Ints
+from nscc.arrays import Bools, Floats, Floats32, Ints
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
@@ -28,6 +29,9 @@ from nscc_training.metrics import mu_psnr, psnr
 Levels = Ints
 Progress = Callable[[Sequence[int]], Iterable[int]]
 """A function that passes on the numbers of tasks, and may show a bar."""
+Candidate = TypeVar("Candidate")
+TRIALS = 24
+"""Number of changes of the best candidate that a search tries at the end."""
 
 _HALF_STOPS = (2, 3, 4, 5, 6, 7, 8)
 """Ratios between neighbouring levels in half stops: factors of 2 to 16."""
@@ -61,6 +65,8 @@ def shapes() -> dict[str, Levels]:
         "checkerboard": np.array([[0, 1], [1, 0]]),
         "L-shaped": np.array([[0, 1], [1, 2]]),
         "2 x 2": np.array([[0, 1], [2, 3]]),
+        "1 x 4": np.array([[0, 2, 1, 3]]),
+        "diagonal 3 x 3": np.add.outer(np.arange(3), np.arange(3)) % 3,
         "ordered 4 x 4": RANKS // 2,
     }
     for levels in (2, 3, 4, 8):
@@ -85,42 +91,79 @@ def patterns(slots: int) -> list[Pattern]:
     return candidates
 
 
-def judged(
+def judge(
     chip: DesignChip,
     scenes: Sequence[Floats],
     slots: int,
     slot_us: float,
     compiled: Callable[[int], Container],
     progress: Progress,
-) -> list[Pattern]:
-    """Return all patterns with their mean PSNR over the scenes after merging, under all effects,
-    the best first.
+) -> Callable[[Pattern], Pattern]:
+    """Expose the scenes under all effects. Return a function that gives a pattern its mean PSNR
+    over them after merging.
 
     `scenes` are stills (rows, cols) in electrons over the frame. `slot_us` is the length of a slot.
     `compiled` returns the program whose pixels are all open for the number of slots that it gets.
-    `progress` receives the numbers of the scenes."""
-    candidates = patterns(slots)
-    sums = np.zeros((len(candidates), 2))
+    `progress` receives the numbers of the scenes. Raises Rejected (NS0824) for a scene without
+    light."""
+    exposed = []
     for number in progress(range(len(scenes))):
         light_e = np.asarray(scenes[number], np.float64)
         peak = peak_of(light_e.reshape(-1), number)
         frames = _frames(chip, light_e, slots, slot_us, compiled, number)
-        truth = np.clip(light_e / peak, 0, 1)
-        for k, pattern in enumerate(candidates):
+        exposed.append((np.clip(light_e / peak, 0, 1), peak, frames))
+
+    def measured(pattern: Pattern) -> Pattern:
+        """Return `pattern` with its mean PSNR."""
+        scores = []
+        for truth, peak, frames in exposed:
             light = np.clip(_merged(chip, frames, pattern, slots) / peak, 0, 1)
-            sums[k] += psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)
-    means = sums / len(scenes)
-    results = [
-        Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(candidates, means, strict=True)
-    ]
-    return sorted(results, key=lambda pattern: -pattern.mean_db)
+            scores.append((psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)))
+        linear_db, mu_db = np.mean(scores, axis=0)
+        return replace(pattern, linear_db=float(linear_db), mu_db=float(mu_db))
+
+    return measured
+
+
+def changed(pattern: Pattern, slots: int, generator: np.random.Generator) -> Pattern:
+    """Return `pattern` with one of its exposure times, chosen at random, longer or shorter by one
+    or two half stops, in a frame of `slots` slots."""
+    stops = stops_tried(slots)
+    old = generator.choice(np.unique(pattern.stops))
+    place = stops.index(old) + generator.choice((-2, -1, 1, 2))
+    new = stops[int(np.clip(place, 0, len(stops) - 1))]
+    return replace(pattern, stops=np.where(pattern.stops == old, new, pattern.stops))
+
+
+def tuned(
+    best: Candidate,
+    trials: Iterable[int],
+    change: Callable[[Candidate, np.random.Generator], Candidate],
+    worth_db: Callable[[Candidate], float],
+) -> tuple[Candidate, float]:
+    """Return `best` after those of random changes that improve it, and its gain in dB.
+
+    `change` returns a changed and measured candidate for each of `trials`. `worth_db` is the PSNR
+    minus a cost for words (`less_words`)."""
+    generator = np.random.default_rng(0)
+    first = worth = worth_db(best)
+    for _ in trials:
+        candidate = change(best, generator)
+        if (found := worth_db(candidate)) > worth:
+            best, worth = candidate, found
+    return best, worth - first
+
+
+def less_words(mean_db: float, words: int) -> float:
+    """Return a PSNR in dB minus the cost of a frame's words."""
+    return mean_db - _DB_PER_WORD * words
 
 
 def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
     """Return the index of the highest PSNR minus the cost of its words, among the first
     `_FINALISTS` of `ranked_db`, which falls. `words` returns the number of words for an index."""
     candidates = range(min(len(ranked_db), _FINALISTS))
-    return max(candidates, key=lambda k: ranked_db[k] - _DB_PER_WORD * words(k))
+    return max(candidates, key=lambda k: less_words(ranked_db[k], words(k)))
 
 
 def _frames(
@@ -130,7 +173,7 @@ def _frames(
     slot_us: float,
     compiled: Callable[[int], Container],
     number: int,
-) -> dict[int, tuple[Floats, Bools]]:
+) -> dict[int, tuple[Floats32, Bools]]:
     """Return the frames of a still whose pixels all have the same exposure time, by this time in
     slots: electrons (rows, cols) and which pixels are saturated.
 
@@ -149,13 +192,15 @@ def _frames(
         request = Request.of(effects="all", seed=1000 * number + stop)
         frame = simulate(container, light, sensor, request).frame
         electrons = response_of(container, sensor, everything()).electrons(frame.frame)[0]
-        frame_by_stop[stop] = (electrons[:rows, :cols], frame.saturated[0, :rows, :cols])
+        # All scenes stay in memory, in half the bytes of a float64.
+        electrons = electrons[:rows, :cols].astype(np.float32)
+        frame_by_stop[stop] = (electrons, frame.saturated[0, :rows, :cols])
     return frame_by_stop
 
 
 def _merged(
     chip: DesignChip,
-    frames: dict[int, tuple[Floats, Bools]],
+    frames: dict[int, tuple[Floats32, Bools]],
     pattern: Pattern,
     slots: int,
 ) -> Floats:

@@ -26,11 +26,13 @@ from nscc_training.code_choices import RANKS, ShutterSpec
 from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
-from nscc_training.design.stop_patterns import Progress, cheapest
+from nscc_training.design.stop_patterns import TRIALS, Progress, cheapest, less_words, tuned
 from nscc_training.emulated import light_on_array
+from nscc_training.encoders.base import Codes
 from nscc_training.metrics import psnr
 from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name
+from nscc_training.search.moves import Generator, moved
 
 Clip = NDArray[np.floating]
 
@@ -45,6 +47,8 @@ _EIGHT_STARTS = RANKS.argsort(axis=None)[2 * RANKS % RANKS.size]
 eight of the sixteen starts of `cyclic`, evenly around the frame."""
 _USUAL = "always open, one readout"
 """The name of the code without coding, with which others are compared."""
+_TUNED = ", tuned"
+"""The end of the name of a code that was changed after the comparison."""
 _JUDGED_SIDE = 128
 """Rows and columns in the middle of a scene that are reconstructed."""
 
@@ -61,16 +65,31 @@ class ClipCode:
     long: bool = False
     mean_db: float = 0.0
 
+    def codebook(self) -> tuple[ShutterSpec, Codes]:
+        """Return the code as a codebook of its different shutters."""
+        slots, rows, cols = self.opened.shape
+        shutters = self.opened.reshape(slots, -1).T.astype(np.int64)
+        book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
+        spec = ShutterSpec("codebook", slots, tile=(rows, cols), length=None, rows=len(book))
+        return spec, {"book": book, "id": row_of_place.reshape(rows, cols)}
+
+    def changed(self, generator: Generator) -> ClipCode:
+        """Return another code: this one after random moves of a search, with at most one shutter
+        more."""
+        spec, codes = self.codebook()
+        codes["book"] = np.concatenate([codes["book"], codes["book"][-1:]])
+        opened = self.opened
+        while np.array_equal(opened, self.opened):
+            moved_codes = moved(spec, codes, generator)
+            opened = np.moveaxis(moved_codes["book"][moved_codes["id"]] == 1, -1, 0)
+        return replace(self, name=self.name.removesuffix(_TUNED) + _TUNED, opened=opened)
+
     def text(self, frame: Frame, remark: str = "") -> str:
         """Return the program of the code for the chip and slots of `frame`, with a codebook of its
         shutters. `remark` is the comment at its head."""
-        slots, *tile = self.opened.shape
-        shutters = self.opened.reshape(slots, -1).T.astype(np.int64)
-        book, row_of_place = np.unique(shutters, axis=0, return_inverse=True)
-        spec = ShutterSpec("codebook", slots, tile=(tile[0], tile[1]), length=None, rows=len(book))
-        codes = {"book": book, "id": row_of_place.reshape(tile)}
+        spec, codes = self.codebook()
         if self.opened.all():  # one shutter needs no code
-            spec, codes = ShutterSpec("a", slots, tile=(1, 1)), {}
+            spec, codes = ShutterSpec("a", spec.slots, tile=(1, 1)), {}
         text = program(spec, codes, Chip(frame.target, frame.slot_us), remark).text
         if self.long:
             rule = "open when book"
@@ -117,21 +136,37 @@ def clip_codes(slots: int) -> list[ClipCode]:
 
 
 def design_clip(
-    scenes: Sequence[Clip], frame: Frame | None = None, progress: Progress = iter
+    scenes: Sequence[Clip],
+    frame: Frame | None = None,
+    progress: Progress = iter,
+    trials: int = TRIALS,
 ) -> ClipDesign:
     """Design the code for clips with the highest PSNR, minus a cost for its words.
 
-    `scenes` are light in electrons per slot, (N, rows, cols), at most as large as the array.
-    `frame` is the chip with its slots; None takes 16 slots. `progress` receives the codes while
-    they are compared. Raises Rejected: NS0824 for a scene without light, and the compiler's errors
-    if no code fits the chip."""
+    The best of `clip_codes` is improved by `trials` random changes, each of which is kept if it
+    measures better. `scenes` are light in electrons per slot, (N, rows, cols), at most as large as
+    the array. `frame` is the chip with its slots; None takes 16 slots. `progress` receives the
+    numbers of the codes and of the changes. Raises Rejected: NS0824 for a scene without light, and
+    the compiler's errors if no code fits the chip."""
     frame = frame or Frame(slots=16)
     ranked = _judged(clip_codes(frame.slots), scenes, frame, progress)
-    best = ranked[
-        cheapest(
-            [code.mean_db for code in ranked], lambda k: ranked[k].container(frame).words_per_frame
-        )
-    ]
+    quick = replace(frame, level=min(frame.level, 1))
+
+    def change(code: ClipCode, generator: Generator) -> ClipCode:
+        """Return a changed and measured code, or `code` if the changed one does not fit."""
+        return next(iter(_judged([code.changed(generator)], scenes, frame, iter)), code)
+
+    best, gain_db = tuned(
+        ranked[
+            cheapest(
+                [code.mean_db for code in ranked],
+                lambda k: ranked[k].container(frame).words_per_frame,
+            )
+        ],
+        progress(range(trials)),
+        change,
+        lambda code: less_words(code.mean_db, code.container(quick).words_per_frame),
+    )
     remark = f"The code that the decoder for any code is best with, of {len(ranked)}: {best.name}."
     text = best.text(frame, remark)
     single = next(code for code in ranked if not code.long)
@@ -139,6 +174,7 @@ def design_clip(
     lines = (
         ("code", best.name),
         ("tried", f"{len(ranked)} codes, by the decoder for any code under every effect"),
+        ("tuned", f"{trials} changes of the best tried: {gain_db:+.2f} dB"),
         ("reached", f"{best.mean_db:.1f} dB PSNR in sRGB"),
         ("single", f"{single.name}: {single.mean_db:.1f} dB PSNR in sRGB"),
         ("open", f"{usual.name}: {usual.mean_db:.1f} dB PSNR in sRGB"),

@@ -30,7 +30,7 @@ from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.make import best_tile
 from nscc_training.design.scene import best_stop, histogram, stops_tried
-from nscc_training.design.stop_patterns import cheapest, patterns
+from nscc_training.design.stop_patterns import changed, cheapest, patterns, tuned
 from nscc_training.design.text import level_text
 from nscc_training.metrics import mu_psnr, psnr
 
@@ -213,6 +213,7 @@ def test_a_search_tries_patterns_of_one_to_eight_levels() -> None:
     assert len(tiles) == len(found) > 250
     counts = {len(np.unique(pattern.stops)) for pattern in found}
     assert counts == {1, 2, 3, 4, 8}
+    assert {p.stops.shape for p in found} == {(1, 1), (2, 2), (1, 4), (3, 3), (4, 4), (8, 8)}
     for pattern in found:
         levels = np.unique(pattern.stops)
         assert levels[0] >= 1
@@ -228,6 +229,7 @@ def test_a_searched_pattern_keeps_its_predicted_rank_on_the_emulator() -> None:
     made = design_pattern([light_e], Frame(slots=64, level=0))
     best, found = made.pattern, made.ranked
     assert best.mean_db >= found[0].mean_db - 0.5
+    assert dict(made.lines)["tuned"].startswith("24 changes of the best tried: +")
     assert best.mean_db > max(p.mean_db for p in found if p.name == "uniform")
     container = made.compiled.container
     assert container is not None
@@ -242,6 +244,26 @@ def test_a_searched_pattern_keeps_its_predicted_rank_on_the_emulator() -> None:
     assert best.mu_db - 0.5 < mu_psnr(light_e, light, peak) < best.mu_db + 0.3
     truth, shown = (np.clip(part / peak, 0, 1) for part in (light_e, light))
     assert psnr(truth, shown, 1.0) == pytest.approx(best.linear_db, abs=0.3)
+
+
+def test_a_change_of_a_pattern_moves_one_exposure_time_by_at_most_two_half_stops() -> None:
+    pattern, generator = patterns(256)[150], np.random.default_rng(2)
+    stops = stops_tried(256)
+    for _ in range(50):
+        found = changed(pattern, 256, generator)
+        moved = pattern.stops != found.stops
+        assert len(np.unique(pattern.stops[moved])) == len(np.unique(found.stops[moved])) <= 1
+        for old, new in zip(pattern.stops[moved], found.stops[moved], strict=True):
+            assert 1 <= abs(stops.index(old) - stops.index(new)) <= 2
+
+
+def test_changes_are_kept_while_the_worth_rises() -> None:
+    """Numbers that change by one each climb to 5 and stay; without trials the first stays."""
+    best, gain_db = tuned(
+        0, range(40), lambda x, draw: x + int(draw.choice((-1, 1))), lambda x: -abs(x - 5)
+    )
+    assert (best, gain_db) == (5, 5)
+    assert tuned(0, range(0), lambda x, _: x + 1, float) == (0, 0)
 
 
 @pytest.mark.parametrize("slots", [2, 5])

@@ -14,6 +14,7 @@ torch = pytest.importorskip("torch")
 from training_oracle import small_target  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc.words.container import Container  # noqa: E402
 from nscc_training.design.make import Frame  # noqa: E402
 from nscc_training.search import clip_codes as searched  # noqa: E402
 from nscc_training.search.clip_codes import ClipCode, clip_codes, design_clip  # noqa: E402
@@ -87,7 +88,10 @@ def test_the_search_prints_the_score_of_its_program(
     light = scene(0.4)
     np.savez(tmp_path / "clip.npz", light=light)
     chip = ["--target", target]
-    done = invoke(["design", "--search", "--scene", "clip.npz", "-o", "p.nsl", *chip], tmp_path)
+    done = invoke(
+        ["design", "--search", "--trials", "0", "--scene", "clip.npz", "-o", "p.nsl", *chip],
+        tmp_path,
+    )
     assert done.status == 0, done.err
     lines = dict(line.split(maxsplit=1) for line in done.out.splitlines()[1:])
     assert lines["code"].endswith("two readouts, one always open")
@@ -123,15 +127,15 @@ def test_codes_are_chosen_by_motion_and_then_by_words(
     )
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     frame = Frame(slots=SLOTS, target=target, level=1)
-    design = design_clip([scene(0.0)], frame)
+    design = design_clip([scene(0.0)], frame, trials=0)
     assert design.code.name == "always open, one readout"
     assert [code.mean_db for code in design.ranked] == sorted(
         (code.mean_db for code in design.ranked), reverse=True
     )
     monkeypatch.setattr(searched, "_psnr_db", lambda *_: 30.0)
-    assert design_clip([scene(0.0)], frame).code.name == "always open, one readout"
+    assert design_clip([scene(0.0)], frame, trials=0).code.name == "always open, one readout"
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes[::-1])
-    assert design_clip([scene(0.0)], frame).code.name == "always open, one readout"
+    assert design_clip([scene(0.0)], frame, trials=0).code.name == "always open, one readout"
 
 
 def test_codes_that_do_not_fit_are_left_out(target: str, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -140,12 +144,58 @@ def test_codes_that_do_not_fit_are_left_out(target: str, monkeypatch: pytest.Mon
     codes = named("always open, one readout", "random bits, one readout")
     monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
     short = Frame(slots=SLOTS, slot_us=2.0, target=target, level=1)
-    assert [code.name for code in design_clip([scene(0.0)], short).ranked] == [
+    assert [code.name for code in design_clip([scene(0.0)], short, trials=0).ranked] == [
         "always open, one readout"
     ]
     with pytest.raises(Rejected) as refusal:
         design_clip([scene(0.0)], replace(short, slot_us=0.05))
     assert refusal.value.diagnostics[0].code.startswith("NS06")
+
+
+def test_a_changed_code_differs_and_has_a_program_of_its_own(target: str) -> None:
+    """Twenty changes in turn, each with at most one shutter more: the program opens the changed
+    tile, repeated."""
+    frame, generator = Frame(slots=SLOTS, target=target, level=1), np.random.default_rng(1)
+    [first] = named("two-phase, 1/4 of the frame, two readouts, one always open")
+    code = first
+    for _ in range(20):
+        before, code = code, code.changed(generator)
+        assert not np.array_equal(code.opened, before.opened)
+        count, count_before = (len(c.codebook()[1]["book"]) for c in (code, before))
+        assert count <= count_before + 1
+    assert code.name == f"{first.name}, tuned"
+    assert code.long
+    assert code.opened.any(axis=0).all()
+    container = code.container(frame)
+    shutters = container.table.shutters[container.table.shutter_of_code[container.pixel_codes]]
+    expected = np.tile(code.opened, (1, ROWS // 4, COLS // 4))
+    np.testing.assert_array_equal(shutters[:, :, 1].transpose(2, 0, 1), expected)
+
+
+def test_changes_of_the_best_code_are_kept_if_they_measure_better(
+    target: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The judge here prefers pixels that open late: the changed code is later than the table's."""
+    codes = named("always open, one readout", "cyclic, 1/4 of the frame, one readout")
+
+    def lateness(container: Container, *_: object) -> float:
+        shutters = container.table.shutters[container.table.shutter_of_code[container.pixel_codes]]
+        return float(20 + shutters[:, :, -1].mean(axis=(0, 1)) @ (np.arange(SLOTS) - 7.5))
+
+    monkeypatch.setattr(searched, "clip_codes", lambda _slots: codes)
+    monkeypatch.setattr(searched, "_psnr_db", lateness)
+    frame = Frame(slots=SLOTS, target=target, level=1)
+    design = design_clip([scene(0.0)], frame, trials=12)
+    best = design.ranked[0]
+    assert design.code.mean_db > best.mean_db + 0.5
+    assert design.code.name == f"{best.name}, tuned"
+    lines = dict(design.lines)
+    assert lines["code"] == design.code.name
+    gain_db = float(lines["tuned"].removeprefix("12 changes of the best tried: +").split()[0])
+    words = [code.container(frame).words_per_frame for code in (design.code, best)]
+    expected_db = design.code.mean_db - best.mean_db - 0.005 * (words[0] - words[1])
+    assert gain_db == pytest.approx(expected_db, abs=0.006)
+    assert design.compiled.built.words_per_frame == words[0]
 
 
 def test_design_repeats_a_still_in_all_slots_beside_a_clip(
@@ -163,6 +213,8 @@ def test_design_repeats_a_still_in_all_slots_beside_a_clip(
         [
             "design",
             "--search",
+            "--trials",
+            "0",
             "--scene",
             "builtin:hdr",
             "--scene",
