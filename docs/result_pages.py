@@ -10,6 +10,7 @@ metric may end in /source (each file counts once, however many items it has), in
 
 from __future__ import annotations
 
+import json
 import re
 import shlex
 import sys
@@ -22,7 +23,7 @@ from nscc_training.evaluation.results import compare, mean_of
 from nscc_training.measures import bootstrap, number
 
 EVALUATIONS = Path(__file__).resolve().parents[1] / "training/results/evaluations"
-_WORDS = ("mean", "gain", "value", "row", "against", "verdict", "columns")
+_WORDS = ("mean", "gain", "value", "validated", "row", "against", "verdict", "columns")
 _LABELS = {
     "psnr_db": "PSNR",
     "mu_psnr_db": "PSNR-mu",
@@ -108,6 +109,14 @@ class Page:
             count = results[0]["parameters"]
             return f"{count / 1e6:.2g} million" if count < 1e7 else f"{count / 1e6:.1f} million"
         return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
+
+    def validated(self, run: str) -> str:
+        """Return the PSNR of a run on its validation scenes. `run` is a folder beside the
+        results."""
+        path = self.results.parent / run / "result.json"
+        if not path.is_file():
+            return NOT_RUN
+        return _digits(json.loads(path.read_text())["headline"]["psnr_db"], "psnr_db")
 
     def row(self, label: str, name: str, *cells: str) -> str:
         """Return a table row of metrics, keys of `value`, gains over NAME (NAME:METRIC), or empty

@@ -70,6 +70,13 @@ def page(tmp_path: Path) -> Page:
     return Page(tmp_path / "evaluations")
 
 
+def test_a_template_shows_the_validation_score_of_a_run(page: Page) -> None:
+    told = {"headline": {"effects": "all", "psnr_db": 31.256}}
+    (page.results.parent / "runs/run/seed1/result.json").write_text(json.dumps(told))
+    assert page.filled("{{validated runs/run/seed1}} dB") == "31.26 dB"
+    assert page.filled("{{validated shipped/run}}") == NOT_RUN
+
+
 def test_templates_are_filled_with_means_and_values(page: Page) -> None:
     # The mean over the windows whose PSNR is finite, for each seed; then over the seeds.
     assert page.filled("a {{mean run/* psnr_db}} b") == f"a {(82 / 3 + 85 / 3) / 2:.2f} b"

@@ -7,6 +7,7 @@ print(made.text)"""
 
 from __future__ import annotations
 
-from nscc_training.design.make import Design, Frame, design_looks, design_pattern, design_tile
+from nscc_training.design.make import Design, Frame, design_looks, design_tile
+from nscc_training.design.stop_patterns import design_pattern
 
 __all__ = ["Design", "Frame", "design_looks", "design_pattern", "design_tile"]

@@ -22,17 +22,6 @@ from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.design.chip import CURVES, Curve, DesignChip, on_curve
 from nscc_training.design.looking import Expected, LookModel, LookSchedule
 from nscc_training.design.scene import histogram, peak_of, stops_tried
-from nscc_training.design.stop_patterns import (
-    TRIALS,
-    Pattern,
-    Progress,
-    changed,
-    cheapest,
-    judge,
-    less_words,
-    patterns,
-    tuned,
-)
 from nscc_training.design.text import level_text, looking_text, tile_text
 from nscc_training.metrics import psnr_of_mse
 
@@ -177,15 +166,6 @@ class LookingDesign(Design):
 
 
 @dataclass(frozen=True, eq=False)
-class PatternDesign(Design):
-    """A design that gives every pixel of a tile an exposure time: `pattern` is the best tile of
-    stops (times in slots), `ranked` all tiles that were tried, the best first."""
-
-    pattern: Pattern
-    ranked: tuple[Pattern, ...]
-
-
-@dataclass(frozen=True, eq=False)
 class TileDesign(Design):
     """A design that repeats a `tile` of 2 x 2 exposure times over the sensor."""
 
@@ -246,75 +226,6 @@ def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu")
         ("risk", expected_text({curve: tile.risk}) + ", by an ideal decoder"),
     )
     return TileDesign(text, frame.compiled("sve-risk.nsl", text), lines, tile)
-
-
-def design_pattern(
-    scenes: Scenes, frame: Frame | None = None, progress: Progress = iter, trials: int = TRIALS
-) -> PatternDesign:
-    """Design the pattern of stops with the highest PSNR after merging, minus a cost for its words.
-
-    The PSNR is simulated with all effects. `nscc_training.design.stop_patterns` lists the patterns.
-    The best one is improved by `trials` changes of single stops. `scenes` are stills (rows, cols)
-    in electrons over the frame; `frame` None takes the defaults of `Frame`. Raises Rejected: NS0824
-    for a scene without light, and the compiler's errors. `progress` receives the numbers of the
-    scenes, the patterns and the changes."""
-    frame = frame or Frame()
-
-    def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
-        """Return the program of a pattern of `stops` (rows, cols), with `remark` as the comment at
-        its head."""
-        return tile_text(stops, frame.slots, frame.slot_us, frame.named, remark)
-
-    def words_of(pattern: Pattern) -> int:
-        """Compile the program of a pattern, and return its words per frame."""
-        text = text_of(pattern.stops.tolist())
-        return frame.container("pattern.nsl", text).words_per_frame
-
-    measured = judge(
-        frame.chip(),
-        [np.asarray(scene, np.float64) for scene in scenes],
-        frame.slots,
-        frame.slot_us,
-        lambda stop: frame.container("pattern.nsl", text_of([[stop]])),
-        progress,
-    )
-    candidates = patterns(frame.slots)
-    scored = [measured(candidates[k]) for k in progress(range(len(candidates)))]
-    ranked = sorted(scored, key=lambda pattern: -pattern.mean_db)
-    best, gain_db = tuned(
-        ranked[cheapest([pattern.mean_db for pattern in ranked], lambda k: words_of(ranked[k]))],
-        progress(range(trials)),
-        lambda pattern, generator: measured(changed(pattern, frame.slots, generator)),
-        lambda pattern: less_words(pattern.mean_db, words_of(pattern)),
-    )
-    best_of_shape = {pattern.name: pattern for pattern in reversed(ranked)}
-    # Frames of few slots have no 2 x 2 tile of four stops.
-    others = [best_of_shape[name] for name in ("uniform", "2 x 2") if name in best_of_shape]
-    remark = f"The pattern of stops that merging is best behind, of {len(ranked)}: {best.name}."
-    text = text_of(best.stops.tolist(), remark)
-    lines = (
-        ("pattern", _pattern_text(best, frame.slots)),
-        ("tried", f"{len(ranked)} patterns, by merging under every effect"),
-        ("tuned", f"{trials} changes of the best tried: {gain_db:+.2f} dB"),
-        ("reached", _reached_text(best)),
-        *(
-            (other.name, f"{_pattern_text(other, frame.slots)}: {_reached_text(other)}")
-            for other in others
-        ),
-    )
-    return PatternDesign(text, frame.compiled("pattern.nsl", text), lines, best, tuple(ranked))
-
-
-def _pattern_text(pattern: Pattern, slots: int) -> str:
-    """Return the name of a pattern and its different exposure times, the longest first, as text.
-    `slots` is the length of the frame."""
-    stops = sorted({int(stop) for stop in pattern.stops.flat}, reverse=True)
-    return f"{pattern.name}, {', '.join(map(str, stops))} of {slots} slots"
-
-
-def _reached_text(pattern: Pattern) -> str:
-    """Return the two mean PSNR of a pattern, linear and mu-law, as text."""
-    return f"{pattern.linear_db:.1f} dB PSNR linear, {pattern.mu_db:.1f} dB PSNR mu-law"
 
 
 _CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarithm"}

@@ -23,7 +23,9 @@ from nscc_runtime.simulate import simulate
 from nscc_training.baselines.merge_loop import merged
 from nscc_training.code_choices import RANKS, over_array
 from nscc_training.design.chip import DesignChip
+from nscc_training.design.make import Design, Frame, Scenes
 from nscc_training.design.scene import peak_of, stops_tried
+from nscc_training.design.text import tile_text
 from nscc_training.metrics import mu_psnr, psnr
 
 Levels = Ints
@@ -55,6 +57,36 @@ class Pattern:
     def mean_db(self) -> float:
         """The mean of linear and mu-law PSNR, so that a pattern must be good in both."""
         return (self.linear_db + self.mu_db) / 2
+
+    @property
+    def psnr_text(self) -> str:
+        """The two mean PSNR, linear and mu-law, as text."""
+        return f"{self.linear_db:.1f} dB PSNR linear, {self.mu_db:.1f} dB PSNR mu-law"
+
+    def stops_text(self, slots: int) -> str:
+        """Return the name and the different exposure times, the longest first, as text. `slots` is
+        the length of the frame."""
+        stops = sorted({int(stop) for stop in self.stops.flat}, reverse=True)
+        return f"{self.name}, {', '.join(map(str, stops))} of {slots} slots"
+
+    def text(self, frame: Frame, remark: str = "") -> str:
+        """Return the program for the chip and slots of `frame`, with `remark` as the comment at its
+        head."""
+        stops = self.stops.tolist()
+        return tile_text(stops, frame.slots, frame.slot_us, frame.named, remark)
+
+    def container(self, frame: Frame) -> Container:
+        """Compile the program. Raise Rejected if it does not fit."""
+        return frame.container("pattern.nsl", self.text(frame))
+
+
+@dataclass(frozen=True, eq=False)
+class PatternDesign(Design):
+    """A design that gives every pixel of a tile an exposure time: `pattern` is the best tile of
+    stops (times in slots), `ranked` all tiles that were compared, the best first."""
+
+    pattern: Pattern
+    ranked: tuple[Pattern, ...]
 
 
 def shapes() -> dict[str, Levels]:
@@ -91,33 +123,62 @@ def patterns(slots: int) -> list[Pattern]:
     return candidates
 
 
-def judge(
-    chip: DesignChip,
-    scenes: Sequence[Floats],
-    slots: int,
-    slot_us: float,
-    compiled: Callable[[int], Container],
-    progress: Progress,
-) -> Callable[[Pattern], Pattern]:
+def design_pattern(
+    scenes: Scenes, frame: Frame | None = None, progress: Progress = iter, trials: int = TRIALS
+) -> PatternDesign:
+    """Design the pattern of stops with the highest PSNR after merging, minus a cost for its words.
+
+    The PSNR is simulated with all effects. The best of `patterns` is improved by `trials` random
+    changes of one stop, each of which is kept if it measures better. `scenes` are stills (rows,
+    cols) in electrons over the frame; `frame` None takes the defaults of `Frame`. Raises Rejected:
+    NS0824 for a scene without light, and the compiler's errors. `progress` receives the numbers of
+    the scenes, the patterns and the changes."""
+    frame = frame or Frame()
+    slots = frame.slots
+    measured = _judge(scenes, frame, progress)
+    candidates = patterns(slots)
+    scored = [measured(candidates[k]) for k in progress(range(len(candidates)))]
+    ranked = sorted(scored, key=lambda pattern: -pattern.mean_db)
+
+    best, gain_db = tuned(
+        ranked,
+        progress(range(trials)),
+        lambda pattern, generator: measured(changed(pattern, slots, generator)),
+        lambda pattern: less_words(pattern.mean_db, pattern.container(frame)),
+    )
+    best_of_shape = {pattern.name: pattern for pattern in reversed(ranked)}
+    # Frames of few slots have no 2 x 2 tile of four stops.
+    others = [best_of_shape[name] for name in ("uniform", "2 x 2") if name in best_of_shape]
+    remark = f"The pattern of stops that merging is best behind, of {len(ranked)}: {best.name}."
+    text = best.text(frame, remark)
+    lines = (
+        ("pattern", best.stops_text(slots)),
+        ("tried", f"{len(ranked)} patterns, by merging under every effect"),
+        ("tuned", f"{trials} changes of the best tried: {gain_db:+.2f} dB"),
+        ("reached", best.psnr_text),
+        *((other.name, f"{other.stops_text(slots)}: {other.psnr_text}") for other in others),
+    )
+    return PatternDesign(text, frame.compiled("pattern.nsl", text), lines, best, tuple(ranked))
+
+
+def _judge(scenes: Scenes, frame: Frame, progress: Progress) -> Callable[[Pattern], Pattern]:
     """Expose the scenes under all effects. Return a function that gives a pattern its mean PSNR
     over them after merging.
 
-    `scenes` are stills (rows, cols) in electrons over the frame. `slot_us` is the length of a slot.
-    `compiled` returns the program whose pixels are all open for the number of slots that it gets.
-    `progress` receives the numbers of the scenes. Raises Rejected (NS0824) for a scene without
-    light."""
-    exposed = []
+    `scenes` are stills (rows, cols) in electrons over the frame. `progress` receives their numbers.
+    Raises Rejected (NS0824) for a scene without light."""
+    chip, exposed = frame.chip(), []
     for number in progress(range(len(scenes))):
         light_e = np.asarray(scenes[number], np.float64)
         peak = peak_of(light_e.reshape(-1), number)
-        frames = _frames(chip, light_e, slots, slot_us, compiled, number)
+        frames = _frames(chip, light_e, frame, number)
         exposed.append((np.clip(light_e / peak, 0, 1), peak, frames))
 
     def measured(pattern: Pattern) -> Pattern:
         """Return `pattern` with its mean PSNR."""
         scores = []
         for truth, peak, frames in exposed:
-            light = np.clip(_merged(chip, frames, pattern, slots) / peak, 0, 1)
+            light = np.clip(_merged(chip, frames, pattern, frame.slots) / peak, 0, 1)
             scores.append((psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)))
         linear_db, mu_db = np.mean(scores, axis=0)
         return replace(pattern, linear_db=float(linear_db), mu_db=float(mu_db))
@@ -136,17 +197,23 @@ def changed(pattern: Pattern, slots: int, generator: np.random.Generator) -> Pat
 
 
 def tuned(
-    best: Candidate,
+    ranked: Sequence[Candidate],
     trials: Iterable[int],
     change: Callable[[Candidate, np.random.Generator], Candidate],
     worth_db: Callable[[Candidate], float],
 ) -> tuple[Candidate, float]:
-    """Return `best` after those of random changes that improve it, and its gain in dB.
+    """Return the best of `ranked` after those of random changes that improve it, and their gain in
+    dB.
 
-    `change` returns a changed and measured candidate for each of `trials`. `worth_db` is the PSNR
-    minus a cost for words (`less_words`)."""
+    `ranked` has at least one candidate, with falling PSNR. The best is the first of `_FINALISTS`
+    with the highest `worth_db`, the PSNR minus a cost for words (`less_words`). `change` returns a
+    changed and measured candidate for each of `trials`."""
     generator = np.random.default_rng(0)
-    first = worth = worth_db(best)
+    worth, best = max(
+        ((worth_db(candidate), candidate) for candidate in ranked[:_FINALISTS]),
+        key=lambda pair: pair[0],
+    )
+    first = worth
     for _ in trials:
         candidate = change(best, generator)
         if (found := worth_db(candidate)) > worth:
@@ -154,47 +221,34 @@ def tuned(
     return best, worth - first
 
 
-def less_words(mean_db: float, words: int) -> float:
-    """Return a PSNR in dB minus the cost of a frame's words."""
-    return mean_db - _DB_PER_WORD * words
-
-
-def cheapest(ranked_db: Sequence[float], words: Callable[[int], int]) -> int:
-    """Return the index of the highest PSNR minus the cost of its words, among the first
-    `_FINALISTS` of `ranked_db`, which falls. `words` returns the number of words for an index."""
-    candidates = range(min(len(ranked_db), _FINALISTS))
-    return max(candidates, key=lambda k: less_words(ranked_db[k], words(k)))
+def less_words(mean_db: float, container: Container) -> float:
+    """Return a PSNR in dB minus the cost of the words of a frame."""
+    return mean_db - _DB_PER_WORD * container.words_per_frame
 
 
 def _frames(
-    chip: DesignChip,
-    light_e: Floats,
-    slots: int,
-    slot_us: float,
-    compiled: Callable[[int], Container],
-    number: int,
+    chip: DesignChip, light_e: Floats, frame: Frame, number: int
 ) -> dict[int, tuple[Floats32, Bools]]:
     """Return the frames of a still whose pixels all have the same exposure time, by this time in
     slots: electrons (rows, cols) and which pixels are saturated.
 
-    `light_e` (rows, cols) is in electrons over the frame, at most as large as the array. `compiled`
-    returns the program for an exposure time in slots, each of `slot_us` microseconds. `number` is
-    that of the scene, and seeds the noise."""
-    seconds = np.full(slots, slot_us * 1e-6)
+    `light_e` (rows, cols) is in electrons over the frame, at most as large as the array. `number`
+    is that of the scene, and seeds the noise."""
+    seconds = np.full(frame.slots, frame.slot_us * 1e-6)
     target, sensor = chip.target, chip.sensor
     rows, cols = light_e.shape
     margins = ((0, target.rows - rows), (0, target.cols - cols))
     padded = np.pad(light_e / seconds.sum(), margins, mode="edge").astype(np.float32)
     light = Light.of_still(padded, seconds)
     frame_by_stop = {}
-    for stop in stops_tried(slots):
-        container = compiled(stop)
+    for stop in stops_tried(frame.slots):
+        container = Pattern("uniform", np.array([[stop]])).container(frame)
         request = Request.of(effects="all", seed=1000 * number + stop)
-        frame = simulate(container, light, sensor, request).frame
-        electrons = response_of(container, sensor, everything()).electrons(frame.frame)[0]
+        taken = simulate(container, light, sensor, request).frame
+        electrons = response_of(container, sensor, everything()).electrons(taken.frame)[0]
         # All scenes stay in memory, in half the bytes of a float64.
         electrons = electrons[:rows, :cols].astype(np.float32)
-        frame_by_stop[stop] = (electrons, frame.saturated[0, :rows, :cols])
+        frame_by_stop[stop] = (electrons, taken.saturated[0, :rows, :cols])
     return frame_by_stop
 
 

@@ -26,7 +26,7 @@ from nscc_training.code_choices import RANKS, ShutterSpec
 from nscc_training.curves import srgb
 from nscc_training.design.make import Design, Frame
 from nscc_training.design.scene import peak_of
-from nscc_training.design.stop_patterns import TRIALS, Progress, cheapest, less_words, tuned
+from nscc_training.design.stop_patterns import TRIALS, Progress, less_words, tuned
 from nscc_training.emulated import light_on_array
 from nscc_training.encoders.base import Codes
 from nscc_training.metrics import psnr
@@ -150,22 +150,16 @@ def design_clip(
     the compiler's errors if no code fits the chip."""
     frame = frame or Frame(slots=16)
     ranked = _judged(clip_codes(frame.slots), scenes, frame, progress)
-    quick = replace(frame, level=min(frame.level, 1))
 
     def change(code: ClipCode, generator: Generator) -> ClipCode:
         """Return a changed and measured code, or `code` if the changed one does not fit."""
         return next(iter(_judged([code.changed(generator)], scenes, frame, iter)), code)
 
     best, gain_db = tuned(
-        ranked[
-            cheapest(
-                [code.mean_db for code in ranked],
-                lambda k: ranked[k].container(frame).words_per_frame,
-            )
-        ],
+        ranked,
         progress(range(trials)),
         change,
-        lambda code: less_words(code.mean_db, code.container(quick).words_per_frame),
+        lambda code: less_words(code.mean_db, code.container(frame)),
     )
     remark = f"The code that the decoder for any code is best with, of {len(ranked)}: {best.name}."
     text = best.text(frame, remark)

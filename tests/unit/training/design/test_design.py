@@ -30,7 +30,7 @@ from nscc_training.design.chip import Curve, DesignChip
 from nscc_training.design.looking import LookModel, LookSchedule
 from nscc_training.design.make import best_tile
 from nscc_training.design.scene import best_stop, histogram, stops_tried
-from nscc_training.design.stop_patterns import changed, cheapest, patterns, tuned
+from nscc_training.design.stop_patterns import changed, patterns, tuned
 from nscc_training.design.text import level_text
 from nscc_training.metrics import mu_psnr, psnr
 
@@ -258,12 +258,12 @@ def test_a_change_of_a_pattern_moves_one_exposure_time_by_at_most_two_half_stops
 
 
 def test_changes_are_kept_while_the_worth_rises() -> None:
-    """Numbers that change by one each climb to 5 and stay; without trials the first stays."""
+    """Numbers that change by one each climb to 5 and stay; without trials the best stays."""
     best, gain_db = tuned(
-        0, range(40), lambda x, draw: x + int(draw.choice((-1, 1))), lambda x: -abs(x - 5)
+        [-1, 0], range(40), lambda x, draw: x + int(draw.choice((-1, 1))), lambda x: -abs(x - 5)
     )
     assert (best, gain_db) == (5, 5)
-    assert tuned(0, range(0), lambda x, _: x + 1, float) == (0, 0)
+    assert tuned([0, 1], range(0), lambda x, _: x + 1, float) == (1, 0)
 
 
 @pytest.mark.parametrize("slots", [2, 5])
@@ -276,10 +276,16 @@ def test_words_decide_between_patterns_that_are_nearly_as_good() -> None:
     one, two = (
         replace(p, linear_db=30.0, mu_db=db) for p, db in zip(patterns(4), (30, 30.1), strict=False)
     )
-    ranked = [two, one]
-    assert ranked[cheapest([p.mean_db for p in ranked], lambda _: 20)] is two
-    words = {0: 200, 1: 20}
-    assert ranked[cheapest([p.mean_db for p in ranked], words.__getitem__)] is one
+    for words_of_two, best in ((20, two), (200, one)):
+        chosen, _ = tuned(
+            [two, one],
+            (),
+            lambda pattern, _: pattern,
+            lambda pattern, words=words_of_two: (
+                pattern.mean_db - 0.005 * (words if pattern is two else 20)
+            ),
+        )
+        assert chosen is best
 
 
 def test_the_best_single_exposure_shortens_with_more_light() -> None:
