@@ -89,7 +89,7 @@ class DesignSettings:
     )
     trials: int = key(
         Integer(0, 10_000),
-        "With --search: changes of the best candidate that are tried; each takes about 3 s a clip",
+        "With --search: changes of the best candidate that are tried; each takes about 2 s a clip",
         24,
     )
     motion: MotionKind | None = key(

@@ -311,6 +311,7 @@ def test_impossible_designs_are_refused(tmp_path: Path) -> None:
         ["--search", "--criterion", "mu"],
         ["--looks", "9", "--slots", "8"],
         ["--looks", "1"],
+        ["--looks", "3", "--trials", "2"],
     ):
         done = invoke(["design", "--scene", "builtin:hdr", *options], tmp_path)
         assert done.status == 2, options
