@@ -210,7 +210,7 @@ class DigitalRegisters:
         `_in_place` finds one. Raises PictureRefused otherwise."""
         last = self.lowering.words[-1][0]
         # The inverse of an OR takes one word instead of both.
-        is_of_or = last.name == "OR" and last.destinations == (sources[0],)
+        is_of_or = last.name == "OR" and last.destinations == (*sources,)
         if name == "NOT" and self.lowering.saves_words and is_of_or and (sources[0], None) in used:
             self.lowering.words[-1] = op("NOR", last.destinations, last.sources), None
             self.forget(last.destinations)

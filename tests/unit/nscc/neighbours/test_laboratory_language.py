@@ -497,3 +497,11 @@ def test_every_step_of_a_loop_takes_time() -> None:
     step_us = target.launch_us + words_a_step * target.digital_word_us
     assert words_a_step == 2
     assert many_us - few_us == pytest.approx(99 * step_us)
+
+
+def test_a_plane_xor_itself_is_0_also_after_an_or() -> None:
+    """An OR word before it is not taken for the word of an inverse."""
+    text = BRIGHT + "input plane i plane q = p or i plane z = q xor q read q, z"
+    pictures = container_of(HEAD + text).pictures
+    words = [matching(word, ()) for kernel in pictures.kernels for word in kernel]
+    assert op("CLR", [pictures.registers["z"]]) in words
