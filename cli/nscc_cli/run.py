@@ -96,7 +96,12 @@ def _refuse_tolerance_max(
     shared.declared(Request, *_SIMULATION),
     shared.declared(Request, "repeat"),
     click.option(
-        "--tolerance-max", hidden=True, expose_value=False, callback=_refuse_tolerance_max
+        "--tolerance-max",
+        is_flag=False,
+        flag_value="",
+        hidden=True,
+        expose_value=False,
+        callback=_refuse_tolerance_max,
     ),
 )
 @host_value_options

@@ -85,6 +85,7 @@ def laid_of(
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
     if isinstance(light, Light):
+        light = light.current()
         _check_values(light)
         return (PlacedLight(light, Placement("crop", array, array, array)),)
     if isinstance(light, str | os.PathLike):
@@ -105,12 +106,12 @@ def laid_of(
 
 @remembered
 def _check_values(light: Light) -> None:
-    """Raise Rejected (NS0736) for negative light; remembered for each light. Light that is NaN or
-    infinite is allowed: frames mark such pixels as invalid."""
+    """Raise Rejected (NS0736) for negative light, also -inf; remembered for each light. Light that
+    is NaN or +inf is allowed: frames mark such pixels as invalid."""
     for _, _, strip in light.strips():
         frames = np.asarray(strip.frames)
         if (frames < 0).any():
-            refuse_no_light(np.where(np.isfinite(frames), frames, 0), "the light")
+            refuse_no_light(np.nan_to_num(frames, posinf=0.0, neginf=-np.inf), "the light")
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:

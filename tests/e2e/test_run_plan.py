@@ -391,8 +391,10 @@ def test_words_that_compare_light_have_no_plan(folder: Path) -> None:
     assert (outcome.status, outcome.codes) == (1, ["NS0442"])
 
 
-def test_a_tolerance_of_the_worst_pixel_is_refused(folder: Path) -> None:
-    outcome = run(folder, "--tolerance", "5e", "--tolerance-max", "9e")
+@pytest.mark.parametrize("value", [["9e"], []])
+def test_a_tolerance_of_the_worst_pixel_is_refused(folder: Path, value: list[str]) -> None:
+    """With and without a value, the message says what to use instead."""
+    outcome = run(folder, "--tolerance", "5e", "--tolerance-max", *value)
     assert outcome.status == 2
     assert "no longer has --tolerance-max: use --tolerance" in outcome.err
     assert not (folder / "f.npz").exists()

@@ -69,19 +69,26 @@ class Outcome:
         ]
 
 
-def loop_frames(
+def loop_pixels(
     container: Container,
     light: Light,
     sensor: Sensor,
     effects: Selection,
     count: int,
-    seed: int = 3,
     device_seed: int = 5,
-) -> np.ndarray:
-    """Exposures (count, buckets, pixels) of whole frames by the loop over words."""
+) -> tuple[np.ndarray, np.ndarray]:
+    """Exposures and saturation marks (count, buckets, pixels) of whole frames by the loop over
+    words."""
     places = np.arange(light.shape[0] * light.shape[1])
     prepared = prepare_pixels(container, sensor, light, effects, places, device_seed)
-    return np.stack([expose_pixels(prepared, seed, frame).exposure_e for frame in range(count)])
+    # The random numbers of the seed 3 are not those of planning.
+    frames = [expose_pixels(prepared, 3, frame) for frame in range(count)]
+    return np.stack([e.exposure_e for e in frames]), np.stack([e.saturated_by for e in frames])
+
+
+def rms_of(errors: np.ndarray) -> float:
+    """The RMS of errors (frames, buckets, pixels) in the worst bucket."""
+    return float(np.sqrt((errors**2).mean(axis=(0, 2))).max())
 
 
 def pool(light: Light) -> int:
@@ -98,15 +105,27 @@ def error_of(
     device_seed: int = 5,
 ) -> float:
     """The RMS error of a plan's effects beside the frames `full` with every effect."""
-    planned = loop_frames(container, light, sensor, made.kept, len(full), device_seed=device_seed)
-    return float(np.sqrt(((planned - full) ** 2).mean(axis=(0, 2))).max())
+    planned, _ = loop_pixels(container, light, sensor, made.kept, len(full), device_seed)
+    return rms_of(planned - full)
 
 
 def full_frames(
     container: Container, light: Light, sensor: Sensor, count: int, device_seed: int = 5
 ) -> np.ndarray:
     """Exposures (count, buckets, pixels) of whole frames with every effect."""
-    return loop_frames(container, light, sensor, everything(), count, device_seed=device_seed)
+    return loop_pixels(container, light, sensor, everything(), count, device_seed)[0]
+
+
+def difference_in_distribution(own: np.ndarray, true: np.ndarray, sigmas: float = 0.0) -> float:
+    """The error of frames (frames, ..) beside frames of other noise, in electrons: its square is
+    the mean squared difference of expected values and the difference of the mean variances, less
+    `sigmas` standard errors of both."""
+    own_e2, true_e2 = own.var(axis=0, ddof=1), true.var(axis=0, ddof=1)
+    # The means of a few frames differ by their noise, too.
+    mean_e2 = (own.mean(axis=0) - true.mean(axis=0)) ** 2 - own_e2 / len(own) - true_e2 / len(true)
+    error_e2 = max(0.0, mean_e2.mean()) + abs((own_e2 - true_e2).mean())
+    chance_e2 = math.hypot(mean_e2.std(), (own_e2 - true_e2).std()) / math.sqrt(mean_e2.size)
+    return math.sqrt(max(0.0, error_e2 - sigmas * chance_e2))
 
 
 def outcome(

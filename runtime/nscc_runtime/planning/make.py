@@ -89,18 +89,19 @@ def measured_again(
     figures: bool = False,
     tolerance: ToleranceInput | None = None,
 ) -> Plan:
-    """Return `plan`, which was made for another scene, with its error and its relative tolerance
-    measured on this scene; its choice of effects stays, even if the error is too large here.
+    """Return `plan`, which was made for another scene, with its error measured on this scene, and
+    its tolerance converted to electrons of this scene and sensor unless it is in electrons. Its
+    choice of effects stays, even if the error is too large here.
 
     `figures`: also measure each effect alone, on more pixels. `tolerance`: replaces the plan's, for
     instance the electrons that a percentage has over several scenes; None keeps it. If the plan
     drops nothing and no figures are wanted, nothing is measured."""
     work, absent = Work.of(scene), absent_effects(scene)
-    allowed = plan.tolerance_input if tolerance is None else tolerance
+    allowed = plan.tolerance if tolerance is None else tolerance
     request = PlanRequest(plan.requested_effects, allowed, figures=figures)
     dropped = frozenset(plan.names("dropped"))
     if not (dropped or figures):
-        return _unmeasured(work, request, absent)
+        return replace(_unmeasured(work, request, absent), reused=True)
     measuring = _Measuring(scene, request)
     dropped -= request.forced_off
     together, _ = measuring.drop_together(dropped)

@@ -11,7 +11,7 @@ from nscc.columns import columns
 from nscc.mappings import JsonObject
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.effect import MOST_E
-from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, ToleranceInput
+from nscc_runtime.planning.tolerance import LEAST_E, Tolerance
 
 Choice = Literal["kept", "dropped", "absent"]
 
@@ -79,7 +79,8 @@ class Plan:
         For a program that looks, the fraction of pixels that end in other states than with every
         effect. Errors are those of the other pixels.
     reused : bool
-        Whether the plan was made for an earlier scene; its error was measured on this scene.
+        Whether the plan was made for an earlier scene. Its error was measured on this scene, unless
+        it drops nothing.
     """
 
     tolerance: str
@@ -140,13 +141,6 @@ class Plan:
         if self.tolerance_e is None:
             return None
         return Tolerance(self.tolerance, self.tolerance_e, self.signal_e, self.noise_e)
-
-    @property
-    def tolerance_input(self) -> ToleranceInput:
-        """The tolerance as the user entered it: text if it is relative or unknown in electrons, so
-        that it is converted anew on another scene; else the `Tolerance`."""
-        allowed = self.allowed
-        return self.tolerance if allowed is None or allowed.follows else allowed
 
     @property
     def breach(self) -> str | None:
@@ -233,7 +227,8 @@ def _table(plan: Plan) -> str:
     reasons = "; ".join(plan.slot_loop_reasons) if plan.slot_loop else "of no pixel"
     lines += [f"words run one by one: {reasons}", plan.time_summary]
     if plan.reused:
-        lines.append("made for an earlier scene, and measured again on this one")
+        again = ", and measured again on this one" if plan.measured else ""
+        lines.append(f"made for an earlier scene{again}")
     return "\n".join(lines)
 
 

@@ -4,6 +4,7 @@ frame."""
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from math import ceil
 
@@ -58,24 +59,40 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> Floats32 | D
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
-    wall, half = _wall(x, y), (cols / 2 / unit, rows / 2 / unit)
+    clip = _Clip(count, share, x, y, _wall(x, y), (cols / 2 / unit, rows / 2 / unit), 1.0 / unit)
+    drawn = DrawnFrames((count, rows, cols), clip.draw)
+    return drawn if clip.wall.nbytes * count > _MOST_BYTES else drawn[:]
 
-    def draw(numbers: range, only: slice) -> Floats32:
-        """Draw some rows of the pictures with these numbers."""
-        own = y[only]
-        clip = np.empty((len(numbers), len(own), cols), np.float32)
-        clip[:] = wall[only]
-        wheel = _Wheel(x, own, 1.0 / unit)
+
+@dataclass(frozen=True, eq=False)
+class _Clip:
+    """The clip of `count` pictures that shows the middle `share` of the motion before `wall` (rows,
+    cols). It can be pickled, and so can light that is drawn by it.
+
+    `x`, `y`: coordinates of columns and rows from the centre. `half`: half the width and half the
+    height of a picture; `pixel`: the size of a pixel; in the same unit."""
+
+    count: int
+    share: float
+    x: Floats
+    y: Floats
+    wall: Picture
+    half: Point
+    pixel: float
+
+    def draw(self, numbers: range, rows: slice) -> Floats32:
+        """Draw some rows of the pictures with these numbers, (len(numbers), rows, cols)."""
+        x, y, half, pixel = self.x, self.y[rows], self.half, self.pixel
+        clip = np.empty((len(numbers), len(y), len(x)), np.float32)
+        clip[:] = self.wall[rows]
+        wheel = _Wheel(x, y, pixel)
         for k, picture in zip(numbers, clip, strict=True):
-            phase = (1.0 - share) / 2 + share * ((k + 0.5) / count)
-            _train(picture, x, own, phase, half, 1.0 / unit)
+            phase = (1.0 - self.share) / 2 + self.share * ((k + 0.5) / self.count)
+            _train(picture, x, y, phase, half, pixel)
             wheel.draw(picture, phase)
-            _ball(picture, x, own, phase, half, 1.0 / unit)
-            _spark(picture, x, own, phase, half)
+            _ball(picture, x, y, phase, half, pixel)
+            _spark(picture, x, y, phase, half)
         return clip
-
-    drawn = DrawnFrames((count, rows, cols), draw)
-    return drawn if wall.nbytes * count > _MOST_BYTES else drawn[:]
 
 
 def _wall(x: Floats, y: Floats) -> Picture:

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import pickle
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, ProcessPoolExecutor
+from dataclasses import replace
+from multiprocessing import get_context
 
 import numpy as np
 import pytest
@@ -13,11 +16,14 @@ from reference_programs import sensor_of
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import audit, capture, captures, plan
+from nscc_runtime.captured import Capture
 from nscc_runtime.effects import selected
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import read_out
-from nscc_runtime.light import Light
+from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.planning.plan import Plan
+from nscc_runtime.scenes import builtin_motion
+from nscc_runtime.scenes.timing import with_motion
 from nscc_runtime.sensor import default_sensor
 
 ROWS, COLS = 12, 16
@@ -30,6 +36,16 @@ state closed : 0..2 = 0
 next closed = looks when bright and closed == 0
 open when closed == 0
 read closed
+"""
+
+IMAGES = """nsl 3
+frame 8 slots of 1ms
+open when true
+kernel k = [[0, 1, 0], [1, 1, 1], [0, 1, 0]] / 8
+image i = k(exposure)
+plane p = i > 300e
+read i
+read p
 """
 
 
@@ -178,7 +194,7 @@ def test_batches_are_single_captures(threads: int) -> None:
     for light, found in zip(lights, same, strict=True):
         alone = capture(PROGRAM, light, seed=4, tolerance="2e")
         assert found.exposure_e.tobytes() == alone.exposure_e.tobytes()
-        assert found.plan == alone.plan
+        assert replace(found.plan, reused=False) == alone.plan
     many = captures([PROGRAM, other], [CLIP], effects="auto", threads=threads)
     for program, found in zip((PROGRAM, other), many, strict=True):
         assert found.frame.tobytes() == capture(program, CLIP, effects="auto").frame.tobytes()
@@ -211,20 +227,69 @@ def test_the_audit_of_a_frame_is_what_its_plan_predicts() -> None:
     assert taken.plan.predicted_e == pytest.approx(taken.audit.measured_rms_e, rel=0.2)
 
 
+def contents(taken: Capture) -> list[object]:
+    """Texts, plan, meta data, and the bytes of all arrays of a capture, and its estimated light."""
+    arrays = [taken.exposure_e, taken.frame, taken.saturated_by, *taken.told.values()]
+    if not taken.told:
+        arrays.append(taken.light_e_per_s())
+    texts = repr(taken), taken._repr_html_(), str(taken.plan), taken.meta
+    return [*texts, taken.light.sha256(), *taken.told, *(array.tobytes() for array in arrays)]
+
+
+@pytest.fixture(scope="module")
+def other_process() -> Iterator[Executor]:
+    """A process that shares nothing with this one."""
+    with ProcessPoolExecutor(1, get_context("spawn")) as pool:
+        yield pool
+
+
 @pytest.mark.parametrize("effects", ["none", "auto", "all"])
-@pytest.mark.parametrize("looks", [False, True])
-def test_captures_cross_processes(looks: bool, effects: str) -> None:
-    """A capture that was pickled has the same text, electrons, plan, meta data and estimated light,
-    with and without looking pixels."""
-    chosen = compiled(LOOKS, "auto", ROWS, COLS) if looks else PROGRAM
-    taken = capture(chosen, CLIP, effects=effects, repeat=2)
-    text = repr(taken), taken._repr_html_()
-    again = pickle.loads(pickle.dumps(taken))
-    np.testing.assert_array_equal(again.exposure_e, taken.exposure_e)
-    assert (repr(again), again._repr_html_()) == text
-    assert again.plan == taken.plan
-    assert again.meta == taken.meta
-    np.testing.assert_array_equal(again.light_e_per_s(), taken.light_e_per_s())
+@pytest.mark.parametrize("kind", ["fixed", "looks", "images", "drawn clip"])
+def test_captures_cross_processes(
+    other_process: Executor, monkeypatch: pytest.MonkeyPatch, kind: str, effects: str
+) -> None:
+    """A capture that goes to another process and comes back has the same contents there and here.
+    So has one of a clip that is drawn whenever it is read."""
+    monkeypatch.setattr(builtin_motion, "_MOST_BYTES", 0)
+    text = {"looks": LOOKS, "images": IMAGES}.get(kind)
+    chosen = PROGRAM if text is None else compiled(text, "auto", ROWS, COLS)
+    taken = capture(
+        chosen, "builtin:motion" if kind == "drawn clip" else CLIP, effects=effects, repeat=2
+    )
+    assert isinstance(taken.light.frames, DrawnFrames) is (kind == "drawn clip")
+    assert other_process.submit(contents, taken).result(100) == contents(taken)
+    assert contents(pickle.loads(pickle.dumps(taken))) == contents(taken)
+
+
+@pytest.mark.parametrize("sampled", [False, True])
+def test_light_that_is_changed_in_place_is_exposed_as_it_is(sampled: bool) -> None:
+    """Dim light becomes bright, is turned round in time, and then negative: each capture is that of
+    fresh light, and negative light is refused."""
+    clip = np.array(CLIP)
+
+    def light() -> Light:
+        return with_motion(Light.of_clip(clip)) if sampled else Light.of_clip(clip)
+
+    kept = light()
+    for change in (1.0, 300.0, -1):
+        clip[:] = clip[::-1] if change == -1 else clip * np.float32(change)
+        taken, fresh = (capture(PROGRAM, each, effects="all") for each in (kept, light()))
+        assert taken.exposure_e.tobytes() == fresh.exposure_e.tobytes()
+        assert plan(PROGRAM, kept, tolerance="5e") == plan(PROGRAM, light(), tolerance="5e")
+    clip[0, 0, 0] = -1.0
+    with pytest.raises(Rejected):
+        capture(PROGRAM, kept)
+
+
+def test_infinite_light_is_accepted_unless_it_is_negative() -> None:
+    """A pixel with infinite light is invalid in the frame. Negative infinity is no light."""
+    clip = np.array(CLIP)
+    clip[0, 1, 2] = np.inf
+    assert not capture(PROGRAM, Light.of_clip(clip)).valid[0, 1, 2]
+    clip[0, 1, 2] = -np.inf
+    with pytest.raises(Rejected) as refused:
+        capture(PROGRAM, Light.of_clip(clip))
+    assert refused.value.diagnostics[0].code == "NS0736"
 
 
 @pytest.mark.parametrize("name", ["tolerance_max", "torch_device"])

@@ -176,7 +176,7 @@ def test_a_plan_serves_a_scene_only_where_few_pixels_end_in_other_states(
         still = np.full((SIDE, SIDE), full_wells * 30000.0 / weight.sum(), np.float32)
         scene = planning_of(program, default_sensor(program.target), Light.of_still(still, weight))
         measured = measured_again(scene, plan)
-        return served_plan(scene, plan, plan.tolerance_input) is not None, measured.other_states
+        return served_plan(scene, plan, plan.tolerance) is not None, measured.other_states
 
     for full_wells in (0.05, *np.geomspace(0.5, 4.0, 12)):
         serves, other_states = served(float(full_wells))
