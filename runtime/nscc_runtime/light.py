@@ -239,7 +239,7 @@ class Light:
         with np.errstate(all="ignore"):
             # The roots of 1, 2, .. tell frames apart that change places.
             pixels = np.sqrt(np.arange(1, len(frames) + 1, dtype=np.float32)) @ frames
-        digest = zlib.crc32(pixels)
+        digest = zlib.crc32(pixels.tobytes())
         if vars(self).setdefault("digest", digest) == digest:
             return self
         return replace(self, motion=self.motion and replace(self.motion))

@@ -46,7 +46,8 @@ class Outcome:
     @property
     def counts(self) -> bool:
         """Whether the error is large enough for its prediction to be judged."""
-        return self.plan.measured and self.err >= max(0.05, 0.1 * self.plan.tolerance_e)
+        measured = self.plan.predicted_e is not None
+        return measured and self.err >= max(0.05, 0.1 * self.plan.tolerance_e)
 
     @property
     def foreseen(self) -> bool:

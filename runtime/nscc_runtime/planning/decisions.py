@@ -56,7 +56,6 @@ def decided_plan(choice: EffectChoice) -> Plan:
     elif not reasons:
         chip = scene.container, scene.sensor, [scene.light]
         reasons = word_reasons(*chip, effects, scene.device_seed)
-    measured = together is not None
     return Plan(
         tolerance=str(request.tolerance) if allowed is None else allowed.text,
         tolerance_e=None if allowed is None else allowed.electrons,
@@ -68,7 +67,7 @@ def decided_plan(choice: EffectChoice) -> Plan:
         sampled_fraction=len(together.weight) / scene.pixels if together else 0.0,
         total_ms=work.milliseconds(effects),
         all_ms=work.milliseconds(request.requested),
-        planning_ms=work.trials_ms(3 + len(choice.alone), SAMPLED) if measured else 0.0,
+        planning_ms=work.trials_ms(3 + len(choice.alone), SAMPLED) if together else 0.0,
         decisions=tuple(_decision(effect, choice) for effect in registered()),
         signal_e=None if allowed is None else allowed.signal_e,
         noise_e=None if allowed is None else allowed.noise_e,

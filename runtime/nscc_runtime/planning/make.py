@@ -122,7 +122,8 @@ def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> P
     plan (the effects that are simulated) that drops nothing always fits."""
     plan = measured_again(scene, plan, tolerance=tolerance)
     tolerance_e = plan.tolerance_e or 0.0
-    fits = not plan.measured or (
+    # What was not measured counts as 0.
+    fits = (
         (plan.predicted_e or 0.0) <= _SURE * tolerance_e
         and (plan.bound_e or 0.0) <= _BOUND * tolerance_e
         and (plan.other_states or 0.0) <= _SERVED_OTHER_STATES

@@ -130,11 +130,6 @@ class Plan:
         return Selection(everything().on - forced.intersection(self.names("dropped")), forced, True)
 
     @property
-    def measured(self) -> bool:
-        """Whether the error was measured on a sample of the scene."""
-        return self.predicted_e is not None
-
-    @property
     def allowed(self) -> Tolerance | None:
         """The tolerance on the scene that the plan (the effects that are simulated) was made for;
         None if it is a fraction of a noise that was not measured."""
@@ -227,8 +222,7 @@ def _table(plan: Plan) -> str:
     reasons = "; ".join(plan.slot_loop_reasons) if plan.slot_loop else "of no pixel"
     lines += [f"words run one by one: {reasons}", plan.time_summary]
     if plan.reused:
-        again = ", and measured again on this one" if plan.measured else ""
-        lines.append(f"made for an earlier scene{again}")
+        lines.append("made for an earlier scene")
     return "\n".join(lines)
 
 

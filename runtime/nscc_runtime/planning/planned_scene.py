@@ -184,16 +184,14 @@ class Trial:
 
     `begins`: the kept states with which the pixels begin, one entry for each frame of a series.
     None stands for the states that the program starts with (see `SampledExposures.endings`).
-    `repeats`: how often each entry of `begins` is exposed, each time with other noise. `full`: the
-    set of all effects. `expose_full`: the function that exposes the sample with `full`. `truth`:
-    what it returned for all `begins` and `repeats`; the errors of other sets are measured from it.
-    """
+    `repeats`: how often each entry of `begins` is exposed, each time with other noise.
+    `expose_full`: the function that exposes the sample with all effects. `truth`: what it returned
+    for all `begins` and `repeats`; the errors of other sets are measured from it."""
 
     scene: PlannedScene
     sample: Sample
     repeats: int
     begins: tuple[States | None, ...]
-    full: Selection
     expose_full: Expose
     truth: SampledExposures
 
@@ -255,7 +253,7 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     begins: tuple[States | None, ...] = (None,)
     truth = _exposures(expose, begins, repeats)
     if not scene.container.keeps_states or scene.needs_reference(full):
-        return Trial(scene, sample, repeats, begins, full, expose, truth)
+        return Trial(scene, sample, repeats, begins, expose, truth)
     kept = _kept_bits(scene.container)
     initial = _packed(scene.container, scene.container.planes(), scene.pixels)[sample.places] & kept
     while len(begins) < _MOST_FRAMES:
@@ -266,7 +264,7 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
             break
         begins = *begins, following
         truth = _exposures(expose, begins, repeats)
-    return Trial(scene, sample, repeats, begins, full, expose, truth)
+    return Trial(scene, sample, repeats, begins, expose, truth)
 
 
 def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
@@ -388,10 +386,10 @@ def unseen_square_e2(trial: Trial, effects: Selection) -> float:
     these pixels is assumed to change as much as the sampled pixels would if nothing saturated and
     their light just filled PIX. PIX is the photodiode."""
     sample = trial.sample
-    if not sample.unseen_share or effects.on | everything().names(Saturates) >= trial.full.on:
+    if not sample.unseen_share or effects.on | everything().names(Saturates) >= everything().on:
         return 0.0
     near = sample.near_only
-    kept, complete = map(trial.unsaturated_e, (effects, trial.full))
+    kept, complete = map(trial.unsaturated_e, (effects, everything()))
     full_e = trial.scene.sensor.full_well_e
     just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete)), full_e)
     square_e2 = (np.nan_to_num(kept - complete) * just_full) ** 2

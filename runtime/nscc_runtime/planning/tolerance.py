@@ -41,14 +41,9 @@ class Tolerance:
     noise_e: float | None = None
 
     @property
-    def follows(self) -> bool:
-        """Whether the tolerance is relative to the scene, to its signal or its noise."""
-        return self.signal_e is not None or self.noise_e is not None
-
-    @property
     def in_electrons(self) -> bool:
         """Whether the tolerance was entered in electrons."""
-        return not self.follows and not self.text.endswith("lsb")
+        return unit_of(self.text) == "e"
 
     @property
     def name(self) -> str:
