@@ -104,6 +104,6 @@ KINDS = KindTable(
     RunKind,
     images="nscc_runtime.runs.images_run:ImagesRun",
     looks="nscc_runtime.runs.looks_run:LooksRun",
-    stream="nscc_runtime.runs.planes_run:BitPlanesRun",
+    stream="nscc_runtime.runs.stream_run:BitPlanesRun",
 )
 """The kinds of programs that the runtime knows."""

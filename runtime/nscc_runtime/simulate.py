@@ -114,7 +114,8 @@ def _simulated(
         _say_once(listener, kind.note_without_plan)
     absent = {} if without_effects else kind.absent_effects(container, request.effects)
     effects = request.effects.without(*absent) if absent else request.effects
-    # Fixed shutters: runs/without_plan.py; images: runs/images_run.py; looks: runs/looks_run.py.
+    # Fixed shutters and chips without logic: runs/without_plan.py; images: runs/images_run.py;
+    # looks: runs/looks_run.py.
     exposing = kind.exposing(container, light, sensor, effects, request)
     if exposing.loop is not None:
         _say_compiling(listener, exposing.loop, exposing.subject)

@@ -1,8 +1,8 @@
 """The charge with which the registers of a program leave their linear range.
 
 The words run forwards over some lanes. Register values are linear functions of the charge of each
-stretch of slots, of the fixed error of a word, and of noise. Here a stretch ends at each boundary
-at which an analog word runs, whatever the word does and in whichever lane."""
+interval of slots, of the fixed error of a word, and of noise. An interval ends at each boundary at
+which an analog word runs, whatever the word does and in whichever lane."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
 
 _MOST_LANES = 64
-_MOST_STRETCHES = 128
-"""Largest numbers of lanes and of stretches that are followed; of more, a sample is."""
+_MOST_INTERVALS = 128
+"""Largest numbers of lanes and of intervals that are followed; of more, a sample is."""
 _SIGMAS = 4.0
 """Number of standard deviations by which noise may move a register. Of a normal error of standard
 deviation s, the part beyond has a mean of 7e-6 s and a root mean square of 1.8e-3 s."""
@@ -52,20 +52,20 @@ def reach_of(program: AnalysedProgram) -> RegisterReach:
 def _reach_of(program: AnalysedProgram) -> RegisterReach:
     """Return the charge with which registers of `program` leave their linear range.
 
-    With more than `_MOST_LANES` lanes or `_MOST_STRETCHES` stretches, only a sample evenly spread
+    With more than `_MOST_LANES` lanes or `_MOST_INTERVALS` intervals, only a sample evenly spread
     over them is followed, and the worst of it counts for all. A lane is the pixels of one distinct
     shutter."""
     lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
     ends = np.unique([word.boundary for word in program.decayed])
-    shown = np.unique(np.linspace(0, len(ends) - 1, min(len(ends), _MOST_STRETCHES)).astype(int))
+    shown = np.unique(np.linspace(0, len(ends) - 1, min(len(ends), _MOST_INTERVALS)).astype(int))
     register_reach = _farthest(program, sampled_lanes, ends[shown])
     if len(sampled_lanes) < lanes or len(shown) < len(ends):
-        # Only some lanes or stretches are known.
+        # Only some lanes or intervals are known.
         return RegisterReach(
             None, np.full((1, lanes), register_reach.least.min() / register_reach.most)
         )
-    # The stretch of each slot; slots after the last word get the column of zeros that is appended.
+    # The interval of each slot; slots after the last word get the appended column of zeros.
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(
         register_reach.charge_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
@@ -75,7 +75,7 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
 
 def _farthest(program: AnalysedProgram, sampled_lanes: Indices, ends: Ints) -> _RegisterReach:
     """Run the words over the lanes with the numbers `sampled_lanes`, and return how far the written
-    registers are from the ends of their linear range. Stretches of slots end at the boundaries
+    registers are from the ends of their linear range. Intervals of slots end at the boundaries
     `ends`, ascending. A lane is the pixels of one distinct shutter."""
     effects, sensor = everything(), program.sensor
     gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)
@@ -100,17 +100,17 @@ def _farthest(program: AnalysedProgram, sampled_lanes: Indices, ends: Ints) -> _
 class _RegisterState:
     """The contents of registers, PIX and its reset level, as linear functions.
 
-    `charge_weights` (lanes, rows, columns): weights of the charge of each stretch and, in the last
+    `charge_weights` (lanes, rows, columns): weights of the charge of each interval and, in the last
     column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise. A lane
     is the pixels of one distinct shutter."""
 
-    def __init__(self, program: AnalysedProgram, lanes: int, stretches: int) -> None:
+    def __init__(self, program: AnalysedProgram, lanes: int, intervals: int) -> None:
         """Begin with all registers at 0, without noise, for this number of `lanes` and of
-        `stretches`. Errors of words have the variances that all effects give them together."""
+        `intervals`. Errors of words have the variances that all effects give them together."""
         self._container, sensor, effects = program.container, program.sensor, everything()
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
-        self.charge_weights = np.zeros((lanes, len(self.names), stretches + 1))
+        self.charge_weights = np.zeros((lanes, len(self.names), intervals + 1))
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
         gain = effects.find_part(WordGain)
         # Plans may drop the effect, so a gain below 1 counts as 1.
@@ -168,9 +168,9 @@ class _RegisterReach:
     in `RegisterReach`.
 
     `linear_e`: end of that range, in electrons. `error_e`: mean and spread of the fixed error.
-    `charge_weights` (kinds, lanes, stretches): largest weights of a stretch's charge; 0 before the
-    first register. `least` (kinds, lanes): the charge in electrons; infinite before. A lane is the
-    pixels of one distinct shutter."""
+    `charge_weights` (kinds, lanes, intervals): largest weights of an interval's charge; 0 before
+    the first register. `least` (kinds, lanes): the charge in electrons; infinite before. A lane is
+    the pixels of one distinct shutter."""
 
     linear_e: float
     error_e: tuple[float, float]
@@ -186,7 +186,7 @@ class _RegisterReach:
         """Take a written register into account.
 
         `lanes`: mask (lanes,) of the lanes (the pixels of one distinct shutter each) that write it.
-        `lit` (lanes, stretches), `fixed` (lanes,): weights of charge and of the fixed error in it.
+        `lit` (lanes, intervals), `fixed` (lanes,): weights of charge and of the fixed error in it.
         `sigma` (lanes,): standard deviation of its noise, in electrons."""
         mean_e, spread_e = self.error_e
         low_e, high_e = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))

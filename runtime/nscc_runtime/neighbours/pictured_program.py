@@ -217,7 +217,7 @@ class PicturedProgram:
             reaches, seeds = next(all_reaches), (seed, device_seed)
             # A film of one light prepares it once.
             if light is not previous:
-                expose, previous = self.exposing(light, device_seed), light
+                expose, previous = self.exposer_of(light, device_seed), light
             exposure = expose(seed, number)
             setting = settings[min(number, len(settings) - 1)]
             kept = kept.with_inputs(self.container, setting.inputs)
@@ -258,7 +258,7 @@ class PicturedProgram:
         marks = {name: pixels.cut_by[name].reshape(-1) for name in images}
         return frame, KeptRegisters(bits, values, marks)
 
-    def exposing(self, light: Light, device_seed: int) -> Callable[[int, int], Exposure]:
+    def exposer_of(self, light: Light, device_seed: int) -> Callable[[int, int], Exposure]:
         """Return a function of (noise seed, frame number) that exposes a frame of `light`, without
         the words of images and planes. Without noise both arguments are ignored."""
         container, effects = self.container, self.effects

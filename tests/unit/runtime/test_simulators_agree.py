@@ -195,7 +195,7 @@ def by_images(
 ) -> Exposing:
     """Frame number -> buckets, images and planes (arrays, rows, cols) of a first frame."""
     program = PicturedProgram(container, sensor, effects, 1, by_words)
-    expose, start = program.exposing(light, DEVICE), KeptRegisters.at_start(container)
+    expose, start = program.exposer_of(light, DEVICE), KeptRegisters.at_start(container)
 
     def outputs(number: int) -> np.ndarray:
         # The words of images draw by seed, too.
