@@ -1,9 +1,9 @@
 """The kinds of programs, and the objects that do in each package what a kind needs.
 
 The shutters of a program depend on the code of a pixel only, unless it is of a kind that changes
-this. Kinds combine: a program can have images and pixels that look. Each package has a table with a
-class for each kind, and a base class for fixed shutters. No other file asks of which kind a program
-is."""
+this. Each package has a table with a class for each kind, and a base class for fixed shutters. The
+tables allow combinations of kinds, but the compiler refuses all of them so far (NS0510, NS0538,
+NS0539). Few other files ask of which kind a program is."""
 
 from __future__ import annotations
 

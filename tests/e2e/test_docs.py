@@ -184,7 +184,7 @@ def test_functions_that_the_architecture_names_are_defined_where_it_says() -> No
         (file,) = (root / path for root in (ROOT, ROOT / "runtime") if (root / path).exists())
         assert name in defined(file), f"{name} in {path}"
     rows = re.findall(r"^\| ([NEI]\d[a-d]?)\. [^|]+ \| `[\w.]+` \(`", text, re.M)
-    steps = "N1 N2 N2a N2b N2c N3 N4 N5 N5a N5b N5c N5d N6 N7 E4 E5 E6 E6a E7 E7a E7b E7c E7d"
+    steps = "N1 N2 N2a N2b N2c N3 N4 N5 N5a N5b N5c N5d N6 N7 N8 E4 E5 E6 E6a E7 E7a E7b E7c E7d"
     assert rows == f"{steps} E8 E8a E8b E8c E9 I4 I5 I6 I7 I8 I8a I8b I8c I8d".split()
 
 

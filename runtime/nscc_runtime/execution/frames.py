@@ -184,8 +184,9 @@ def frame_source(
     if by_words or reference_reasons(effects):
         return FrameSource(*chip, Reference.of(container, sensor, effects), NO_PIXELS.places)
     program = analysed(container, sensor)
-    # Sums of light expose pixels that cannot saturate and leak like most; the others run words. The
-    # light stores the search: planning made it for all effects (`Work.of`).
+    # Sums of light expose all pixels. Pixels that may saturate or leak unlike most also run their
+    # words, whose results replace the sums. `program.recent` stores the search by light: planning
+    # made it for all effects (`Work.of`).
     near = near_saturation(program, light, device_seed, effects).places
     near = np.union1d(near, uneven_leakage(program, effects, device_seed))
     moments = scene_moments(program, light, effects, device_seed, count)

@@ -49,7 +49,8 @@ class ImagesRun(RunKind):
             return Exposing(run)
         from nscc_runtime.execution.frames import word_reasons
 
-        # Sums expose all pixels but those near saturation.
+        # Sums expose all pixels. Words then replace the results of pixels that may saturate or
+        # leak unlike most.
         reasons = partial(word_reasons, container, sensor, lights, effects, request.device_seed)
         return Exposing(run, word_reasons=reasons)
 
