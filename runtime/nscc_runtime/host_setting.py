@@ -193,6 +193,9 @@ def _stored(name: str, path: Path) -> Array:
     above half of the range.
 
     Raises Rejected: NS0546 if the array cannot be read, and as `read_picture` for pictures."""
+    if not path.is_file():
+        reason = "it is not a file" if path.exists() else "the file does not exist"
+        raise _refused(f"cannot read '{path}': {reason}", "name an .npy file, .npz file or picture")
     ending = path.suffix.lower()
     if ending in (".npy", ".npz"):
         from nscc.npy import npy_array, npz_arrays

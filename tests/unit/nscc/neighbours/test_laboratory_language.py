@@ -142,6 +142,15 @@ def test_values_of_the_host_are_checked(params: Any, inputs: Any) -> None:
     assert {each.code for each in caught.value.diagnostics} <= {"NS0546", "NS0313", "NS0789"}
 
 
+@pytest.mark.parametrize("ending", ["npy", "npz", "png"])
+def test_a_file_of_bits_that_does_not_exist_is_named_with_what_to_give(ending: str) -> None:
+    """The message is the same for arrays and pictures: the file, that it does not exist, what to
+    name instead."""
+    program = nscc.compile(HEAD + BRIGHT + "input plane q plane r = q and p read r")
+    with pytest.raises(Rejected, match=f"cannot read 'no_such.{ending}': the file does not exist"):
+        nscc_runtime.capture(program, np.ones((256, 256)), inputs={"q": f"no_such.{ending}"})
+
+
 def test_meta_has_the_parameters() -> None:
     """Parameters that a frame does not name keep the value of the frame before. Levels are rounded
     to whole steps."""
