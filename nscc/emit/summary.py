@@ -47,7 +47,7 @@ def word_rows(compiled: Compiled) -> list[tuple[str, str]]:
     stored, executed = _words(compiled)
     return [
         ("lowering", f"{lowered.plan.lowering}; encoding: {lowered.solution.encoding}"),
-        ("digital", digital or "no register needed"),
+        ("digital", digital or "no register needed for the exposure"),
         ("analog", ledger(lowered.plan.registers)),
         (
             "words",
