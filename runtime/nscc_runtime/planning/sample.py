@@ -250,18 +250,21 @@ def drawing_chances(light: Light, full_well_e: float) -> Floats:
 
     Of eight draws, four are even, two are proportional to the contrast of light up to the full
     well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
-    mean square error. The last is proportional to the change of the light from frame to frame."""
-    total_e = np.minimum(np.nan_to_num((light.motion or light).sum_e), _MOST_E).astype(np.float32)
+    mean square error. The last is proportional to the contrast of the change from frame to frame: a
+    flash gives its neighbours charge in the slots in which they are open."""
+    source = light.motion or light
+    total_e = np.minimum(np.nan_to_num(source.sum_e), _MOST_E).astype(np.float32)
     contrast = within_well = _contrast(total_e)
     if total_e.max(initial=0.0) > full_well_e:
         within_well = _contrast(np.minimum(total_e, np.float32(full_well_e)))
     scores = [(4.0, np.ones(total_e.shape, np.float32)), (2.0, within_well), (1.0, contrast**2)]
-    if light.motion is not None and len(light.motion.frames) > 1:
+    if len(source.frames) > 1:
         change = np.zeros_like(total_e)
-        frames = np.nan_to_num(np.asarray(light.motion.frames), posinf=_MOST_E)
-        for before, after in pairwise(frames):
-            change += np.abs(after - before)
-        scores.append((1.0, change))
+        for rows, _, strip in source.strips():
+            frames = (np.nan_to_num(frame, posinf=_MOST_E) for frame in strip.frames)
+            for before, after in pairwise(frames):
+                change[rows.start : rows.stop] += np.abs(after - before)
+        scores.append((1.0, _contrast(change)))
     chance = np.zeros(total_e.shape)
     for share, score in scores:
         chance += score * (share / max(float(score.sum(dtype=np.float64)), 1e-30))

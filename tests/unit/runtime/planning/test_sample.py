@@ -67,12 +67,16 @@ def test_a_lamp_and_its_neighbours_are_always_drawn(row: int, col: int) -> None:
     assert found.weight[found.places == row * 160 + col].tolist() == [1.0]
 
 
-def test_pixels_whose_light_moves_are_always_drawn() -> None:
-    """A pixel that flickers, as bright as the others on average, has a weight of 1."""
+@pytest.mark.parametrize("is_sampled", [False, True])
+def test_a_flashing_pixel_and_its_neighbours_are_always_drawn(is_sampled: bool) -> None:
+    """A pixel whose light comes in one slot, as much as that of the others, has a weight of 1. So
+    have its neighbours, which get charge from it if they are open then."""
     clip = np.full((8, 128, 160), 50.0, np.float32)
-    clip[:, 5, 5] = [100, 0] * 4  # as bright as the others
-    found = sample(with_motion(Light.of_clip(clip)))
-    assert found.weight[found.places == 5 * 160 + 5].tolist() == [1.0]
+    clip[:, 5, 5] = [400] + [0] * 7
+    scene = Light.of_clip(clip)
+    found = sample(with_motion(scene) if is_sampled else scene)
+    for row, col in ((5, 5), (4, 5), (6, 5), (5, 4), (5, 6)):
+        assert found.weight[found.places == row * 160 + col].tolist() == [1.0]
 
 
 def test_all_pixels_of_small_scenes_are_measured() -> None:
