@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import zlib
 from collections.abc import Callable, Hashable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Annotated, Any, Literal, NamedTuple
@@ -240,9 +240,19 @@ class Light:
             # The roots of 1, 2, .. tell frames apart that change places.
             pixels = np.sqrt(np.arange(1, len(frames) + 1, dtype=np.float32)) @ frames
         digest = zlib.crc32(pixels.tobytes())
+        if "digest" not in vars(self):
+            self._forget_sums()
         if vars(self).setdefault("digest", digest) == digest:
             return self
         return replace(self, motion=self.motion and replace(self.motion))
+
+    def _forget_sums(self) -> None:
+        """Remove what was computed from the frames, of which no digest tells whether they changed
+        since."""
+        for name in vars(self).keys() - {field.name for field in fields(self)}:
+            del vars(self)[name]
+        if self.motion is not None:
+            self.motion._forget_sums()
 
     def part(self, rows: slice, cols: slice) -> Light:
         """Return the light on a rectangle of pixels.
@@ -390,11 +400,12 @@ class Light:
     @cached_property
     def _summed(self) -> tuple[Floats, bool]:
         """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and
-        whether a pixel exceeded that or is NaN."""
-        weight = self.frame_weight
+        whether a pixel exceeded that or is NaN. Frames that fall into no slot do not count."""
+        used = slice(None) if self.frame_weight.all() else np.flatnonzero(self.frame_weight)
+        weight = self.frame_weight[used]
         with np.errstate(over="ignore", invalid="ignore"):
-            strips = (np.asarray(light.frames) for _, _, light in self.strips())
-            if (weight == weight[0]).all():
+            strips = (np.asarray(light.frames)[used] for _, _, light in self.strips())
+            if len(weight) and (weight == weight[0]).all():
                 sums = [
                     (frames[0] if len(frames) == 1 else frames.sum(axis=0)) * weight[0]
                     for frames in strips

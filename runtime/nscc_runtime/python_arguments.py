@@ -107,7 +107,8 @@ def laid_of(
 @remembered
 def _check_values(light: Light) -> None:
     """Raise Rejected (NS0736) for negative light, also -inf; remembered for each light. Light that
-    is NaN or +inf is allowed: frames mark such pixels as invalid."""
+    is NaN or +inf is allowed: frames mark such pixels as invalid, but +inf saturates if effects are
+    simulated."""
     for _, _, strip in light.strips():
         frames = np.asarray(strip.frames)
         if (frames < 0).any():

@@ -8,11 +8,12 @@ from dataclasses import dataclass, field
 
 from nscc_runtime.effects import Effect, everything, registered
 from nscc_runtime.effects.parts import CodeErrors, Codes
+from nscc_runtime.effects.selection import Selection
 from nscc_runtime.execution.frames import word_reasons
 from nscc_runtime.planning import plan as plans
 from nscc_runtime.planning.plan import Decision, Plan
 from nscc_runtime.planning.plan_request import Names, PlanRequest
-from nscc_runtime.planning.planned_scene import SAMPLED
+from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import Tolerance
@@ -43,19 +44,25 @@ class EffectChoice:
     alone: Mapping[Names, SampledErrors] = field(default_factory=dict)
 
 
+def reasons_for_words(scene: PlannedScene, effects: Selection) -> tuple[str, ...]:
+    """Return why the words of some pixels run one by one under `effects`; empty if sums suffice for
+    all."""
+    reasons = scene.needs_reference(effects)
+    if reasons:
+        return reasons
+    if scene.looks:
+        return ("pixels look at the light: each runs through the words that act in it",)
+    chip = scene.container, scene.sensor, [scene.light]
+    return word_reasons(*chip, effects, scene.device_seed)
+
+
 def decided_plan(choice: EffectChoice) -> Plan:
     """Return the plan (the effects that are simulated) that `choice` makes: its errors, a decision
     on every effect with its reason, and its predicted time. Errors are None if nothing was
     measured."""
     work, request, allowed, together = choice.work, choice.request, choice.allowed, choice.together
     effects, scene = request.requested.without(*choice.dropped), choice.work.scene
-    # Why the words of some pixels run one by one; empty if sums suffice for all.
-    reasons = scene.needs_reference(effects)
-    if not reasons and scene.looks:
-        reasons = ("pixels look at the light: each runs through the words that act in it",)
-    elif not reasons:
-        chip = scene.container, scene.sensor, [scene.light]
-        reasons = word_reasons(*chip, effects, scene.device_seed)
+    reasons = reasons_for_words(scene, effects)
     return Plan(
         tolerance=str(request.tolerance) if allowed is None else allowed.text,
         tolerance_e=None if allowed is None else allowed.electrons,

@@ -19,7 +19,13 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Counted, CountedLight, Moving, Saturates
 from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.execution.program import analysed
-from nscc_runtime.planning.decisions import FROM_EARLIER_PLAN, MARGIN, EffectChoice, decided_plan
+from nscc_runtime.planning.decisions import (
+    FROM_EARLIER_PLAN,
+    MARGIN,
+    EffectChoice,
+    decided_plan,
+    reasons_for_words,
+)
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planning.plan_request import Names, PlanRequest, effects_of_exposure
 from nscc_runtime.planning.planned_scene import (
@@ -142,8 +148,9 @@ def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
     choice = EffectChoice(work, request, absent, allowed)
     if scene.looks:
         return decided_plan(choice)
-    # Nothing else of the scene is in the plan.
-    key = Plan, request, absent, allowed, work.near, len(scene.light.frames)
+    # Nothing else of the scene and the chip is in the plan.
+    reasons = reasons_for_words(scene, request.requested)
+    key = Plan, request, absent, allowed, work.near, len(scene.light.frames), reasons
     recent = analysed(scene.container, scene.sensor).recent
     return recent.of(key, lambda: decided_plan(choice))
 

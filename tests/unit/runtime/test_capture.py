@@ -281,6 +281,18 @@ def test_light_that_is_changed_in_place_is_exposed_as_it_is(sampled: bool) -> No
         capture(PROGRAM, kept)
 
 
+def test_sums_read_before_the_first_capture_do_not_outlast_a_change_in_place() -> None:
+    """The truth of a frame and its exposure are those of fresh light."""
+    clip = np.array(CLIP)
+    kept = Light.of_clip(clip)
+    assert kept.sum_e.shape == kept.total_e().shape
+    clip *= np.float32(300.0)
+    for taken in (capture(PROGRAM, kept, effects="all"), capture(PROGRAM, kept, effects="all")):
+        fresh = capture(PROGRAM, Light.of_clip(clip), effects="all")
+        assert taken.exposure_e.tobytes() == fresh.exposure_e.tobytes()
+        assert (taken.light.total_e() == fresh.light.total_e()).all()
+
+
 def test_infinite_light_is_accepted_unless_it_is_negative() -> None:
     """A pixel with infinite light is invalid in the frame. Negative infinity is no light."""
     clip = np.array(CLIP)

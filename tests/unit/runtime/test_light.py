@@ -50,6 +50,16 @@ def test_many_equal_slots_of_a_still_are_summed_accurately() -> None:
     assert light.total_e()[0, 0] == pytest.approx(4096 * float(np.float32(0.1)), rel=1e-15)
 
 
+@pytest.mark.parametrize("entries", [[0, 1], [0, 1, 2]])
+def test_frames_that_no_slot_uses_do_not_count(entries: list[int]) -> None:
+    """The third frame is infinite and NaN; it falls into no slot, or has the weight 0."""
+    frames = np.ones((3, 2, 2), np.float32)
+    frames[2, 0] = np.inf, np.nan
+    starts, weight = np.arange(len(entries) + 1), np.array([1.0, 2.0, 0.0])[: len(entries)]
+    light = Light(frames, starts, np.array(entries, np.int32), weight, "clip")
+    assert light.sum_e.tolist() == [[3.0, 3.0], [3.0, 3.0]]
+
+
 def test_a_clip_of_weight_one_is_its_own_frames_to_the_bit() -> None:
     """Each slot is a view of the clip's own memory, and no copy."""
     frames = np.random.default_rng(2).random((4, 3, 3)).astype(np.float32)

@@ -142,6 +142,20 @@ def test_a_relative_tolerance_is_that_of_the_frames_noise() -> None:
     assert plan.tolerance_e == pytest.approx(0.3 * plan.noise_e)
 
 
+def test_plans_without_measurement_give_the_reasons_of_their_own_chip() -> None:
+    """In a frame of 4 s, the leakage of other numbers of pixels is far from the mean on two chips;
+    a plan that is made again for the first chip has the reasons of the first."""
+    container = case("b edges", SLOTS, slot="500ms", rows=SIDE, cols=SIDE)
+    light = Light.of_clip(np.full((SLOTS, SIDE, SIDE), 100.0, np.float32))
+    reasons = [
+        nscc_runtime.capture(container, light, effects="all", device_seed=seed).plan
+        for seed in (0, 1, 0)
+    ]
+    first, second, again = (plan.slot_loop_reasons for plan in reasons if plan is not None)
+    assert "the leakage of" in first[0]
+    assert first == again != second
+
+
 def test_light_without_end_and_no_light_have_plans() -> None:
     """One pixel that is infinite, dark or NaN does not spoil the plan: the predicted error stays
     within 5 electrons."""
