@@ -21,6 +21,7 @@ _MOST_CASES = 1 << 14
 """Most combinations of values of states and of bits of planes in one expression."""
 _STEPS = 10**7
 """Most steps of the searches for the conditions of one expression."""
+_OF_PLACES = "compare the position in a plane of its own: `plane p = x > 3`"
 _IN_A_PLANE = "compare the image in a plane of its own: `plane p = IMAGE > 6%`"
 
 
@@ -44,7 +45,8 @@ class RangeReader(LoopReader):
         that `expr` is without a state; [] after reporting an error.
 
         `expr` reads names of states and planes. It is computed for all of their values."""
-        scope = {**self.constants, **dict.fromkeys(self.failed, FAILED)}
+        of_places = dict.fromkeys(("x", "y", "rows", "cols"), Meaning("misplaced", note=_OF_PLACES))
+        scope = {**self.constants, **of_places, **dict.fromkeys(self.failed, FAILED)}
         for name, kind in {"exposure": "image", **self.kinds}.items():
             is_image = Meaning("misplaced", note=_IN_A_PLANE)
             scope[name] = Meaning("variable", type="boolean") if kind == "plane" else is_image

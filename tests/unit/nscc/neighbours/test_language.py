@@ -367,3 +367,12 @@ def test_a_state_may_follow_the_neighbours_alone() -> None:
     kernel = "outside 0 kernel k = [[1, 1, 1]]"
     checked = program(f"{ONE} {kernel} state h : bit = 1 kept next h = not any(h, k) read h")
     assert [state.name for state in checked.pictures.states] == ["h"]
+
+
+@pytest.mark.parametrize("name", ["x", "y", "rows", "cols"])
+def test_a_position_beside_a_number_of_a_pixel_needs_a_plane_of_its_own(name: str) -> None:
+    text = f"state h : 0..3 = 0 kept next h = 1 if {name} > 3 and h < 2 else 0 read h"
+    with pytest.raises(Rejected) as caught:
+        nscc.compile(KEPT.replace("nsl 3", "nsl 4") + text)
+    found = {each.code: str(each) for each in caught.value.diagnostics}
+    assert "plane of its own: `plane p = x > 3`" in found["NS0208"]
