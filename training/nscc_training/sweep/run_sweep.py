@@ -314,8 +314,9 @@ def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
         links[link] = os.path.relpath(output_path, link.parent.resolve())
     for name in filter(None, {kind.folder for kind in KINDS.values()}):
         for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
-            if links.get(old) != os.readlink(old):
-                old.unlink(missing_ok=True)
+            with suppress(FileNotFoundError):  # another process removed it
+                if links.get(old) != os.readlink(old):
+                    old.unlink()
     for link, target in links.items():
         with suppress(FileExistsError):
             os.symlink(target, link)
