@@ -66,6 +66,12 @@ def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
     return data
 
 
+def why_no_file(path: Path) -> str:
+    """Return why `path` is not a file: it does not exist, or is a folder or a device. Raises
+    OSError or ValueError for a path that cannot be looked up."""
+    return "it is not a file" if path.exists() else "the file does not exist"
+
+
 def file_sha256(path: Path) -> str:
     """Return the SHA-256 of the file `path` in hexadecimal, read block by block. Raises OSError if
     it cannot be read."""

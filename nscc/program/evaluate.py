@@ -48,6 +48,14 @@ class Fault(NamedTuple):
         problems.error(self.code, self.message, self.span, self.text, helps=self.helps, **members)
 
 
+def outside_range(name: str, values: range, value: int, span: Span, what_to_do: str) -> Fault:
+    """Return the fault that the state `name`, which has the `values`, gets another `value` from the
+    expression at `span`."""
+    message = f"`{name}` gets the value {value}, outside its range"
+    text = f"`{name}` has the values {values[0]}..{values[-1]}"
+    return Fault("NS0311", message, span, text, (what_to_do,))
+
+
 Faults = Fault | Bools | None
 """The faults of an expression: none, one for all places, or the places with a fault."""
 

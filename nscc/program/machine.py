@@ -12,7 +12,7 @@ import numpy as np
 
 from nscc.arrays import Bools, Ints, Ints32
 from nscc.chips.target import Target
-from nscc.program.evaluate import Fault, Value, bit_count, values_of
+from nscc.program.evaluate import Fault, Value, bit_count, outside_range, values_of
 from nscc.program.expressions import Checked
 from nscc.program.looking import CheckedSense, Looking, can_tell, level_steps
 from nscc.program.names import LOOKS
@@ -289,10 +289,13 @@ class MachineBuilder:
             beyond = changes & ((value < state.low) | (value > state.high))
             if beyond.any():
                 row = int(beyond[:, 0].argmax())
-                message = f"`{state.name}` gets the value {int(value[row, 0])}, outside its range"
-                text = f"`{state.name}` has the values {state.low}..{state.high}"
-                help_text = f"declare more values, or let the rule keep `{state.name}` within them"
-                fault = Fault("NS0311", message, step.span, text, (help_text,))
+                fault = outside_range(
+                    state.name,
+                    range(state.low, state.high + 1),
+                    int(value[row, 0]),
+                    step.span,
+                    f"declare more values, or let the rule keep `{state.name}` within them",
+                )
                 raise NoValue(
                     [MissingValue(fault, self._node_text(rows[row], boundary), int(beyond.sum()))]
                 )

@@ -9,7 +9,7 @@ import numpy as np
 
 from nscc.arrays import Bools
 from nscc.logic.cubes import Budget, cover
-from nscc.program.evaluate import Value, values_of
+from nscc.program.evaluate import Value, outside_range, values_of
 from nscc.program.expressions import FAILED, VARIABLE, Meaning, check, names_in
 from nscc.program.host_values import HostValues
 from nscc.program.picture_loops import LoopReader
@@ -81,12 +81,9 @@ class RangeReader(LoopReader):
             return [self._condition_of(values, planes)]
         beyond = values[(values < state.low) | (values > state.high)]
         if beyond.size:
-            self.problems.error(
-                "NS0311",
-                f"`{state.name}` gets the value {beyond[0]}, outside its range",
-                expr.span,
-                f"`{state.name}` has the values {state.low}..{state.high}",
-                helps=(f"keep it in its range: `min({state.name} + 1, {state.high})`",),
+            help_text = f"keep it in its range: `min({state.name} + 1, {state.high})`"
+            outside_range(state.name, state.values, beyond[0], expr.span, help_text).report(
+                self.problems
             )
             return []
         offsets = values - state.low

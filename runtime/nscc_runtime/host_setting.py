@@ -13,6 +13,7 @@ from nscc.arrays import Array, Bools
 from nscc.chips.target import Target
 from nscc.diagnostics.arguments import shown
 from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc.files import why_no_file
 from nscc.record import Record
 from nscc.truth import unpacked_bits
 from nscc.words.container import Container
@@ -194,8 +195,8 @@ def _stored(name: str, path: Path) -> Array:
 
     Raises Rejected: NS0546 if the array cannot be read, and as `read_picture` for pictures."""
     if not path.is_file():
-        reason = "it is not a file" if path.exists() else "the file does not exist"
-        raise _refused(f"cannot read '{path}': {reason}", "name an .npy file, .npz file or picture")
+        text = f"cannot read '{path}': {why_no_file(path)}"
+        raise _refused(text, "name an .npy file, .npz file or picture")
     ending = path.suffix.lower()
     if ending in (".npy", ".npz"):
         from nscc.npy import npy_array, npz_arrays

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 
-from nscc.arrays import Floats, Floats32, Ints, Ints32
+from nscc.arrays import Bools, Floats, Floats32, Ints, Ints32
 from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_runtime.caches import remembered
 
@@ -385,6 +385,11 @@ class Light:
         """The sum of all slots (rows, cols), to float32 and at most 1e36, read-only. It adds up
         frames instead of slots; `total_e` is more exact and slower."""
         return self._summed[0]
+
+    @cached_property
+    def is_nan(self) -> Bools:
+        """Which pixels (rows, cols) have light that is NaN in some slot."""
+        return np.isnan(self.sum_e)
 
     @cached_property
     def matrix(self) -> LightMatrix:

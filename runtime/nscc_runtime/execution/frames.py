@@ -27,7 +27,7 @@ from nscc_runtime.execution.block_scene import (
     prepare_pixels,
     without_draws,
 )
-from nscc_runtime.execution.moments import Moments, scene_moments, uneven_leakage
+from nscc_runtime.execution.moments import Moments, on_chip, scene_moments
 from nscc_runtime.execution.near_saturation import NO_PIXELS, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.execution.summed import draw_exposures
@@ -52,7 +52,7 @@ class FrameSource:
         The sums of the light, or the reference, which exposes all pixels word by word.
     near : int64, shape (pixels,)
         Places of the pixels that run through their words because they may saturate or leak unlike
-        most (`uneven_leakage`).
+        most.
     block : BlockScene or None
         These pixels, prepared; None without any.
     """
@@ -83,7 +83,7 @@ class FrameSource:
             exposure_e[:, self.near] = pixels.exposure_e
             saturated_by[:, self.near] = pixels.saturated_by
         whole = exposure_e.reshape(-1, *self.light.shape)
-        whole[:, np.isnan(self.light.sum_e)] = np.nan
+        whole[:, self.light.is_nan] = np.nan
         return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
 
     def without_draws(self) -> FrameSource:
@@ -128,14 +128,14 @@ def word_reasons(
     device_seed: int,
 ) -> tuple[str, ...]:
     """Return why `frame_source` runs pixels through their words in frames of `lights`: effects that
-    only the reference has, or the largest number of pixels near saturation in a frame. Empty if
-    sums suffice for all pixels."""
+    only the reference has, else the largest number of pixels near saturation in a frame, and the
+    number of pixels that leak unlike most. Empty if sums suffice for all pixels."""
     reasons = reference_reasons(effects)
     if reasons:
         return reasons
     program = analysed(container, sensor)
     near = max(len(near_saturation(program, x, device_seed, effects).places) for x in lights)
-    uneven = len(uneven_leakage(program, effects, device_seed))
+    uneven = len(on_chip(program, effects, device_seed).uneven)
     reasons = (f"{near} pixels may saturate",) if near else ()
     return (*reasons, f"the leakage of {uneven} pixels is far from the mean") if uneven else reasons
 
@@ -188,7 +188,7 @@ def frame_source(
     # words, whose results replace the sums. `program.recent` stores the search by light: planning
     # made it for all effects (`Work.of`).
     near = near_saturation(program, light, device_seed, effects).places
-    near = np.union1d(near, uneven_leakage(program, effects, device_seed))
+    near = np.union1d(near, on_chip(program, effects, device_seed).uneven)
     moments = scene_moments(program, light, effects, device_seed, count)
     block = None
     if len(near):

@@ -124,7 +124,8 @@ class _ChipMoments:
     as an electron in bucket b, averaged over its open time, so exposures of dim light are multiples
     of it. `own_weights`: see `Moments`; None if it depends on the light. `unknown` (4, buckets,
     pixels): parts of neighbours' charge in a frame whose counts do not follow from their draws.
-    `neighbour_weights`, `error_e`, `lane`: see `Moments`."""
+    `neighbour_weights`, `error_e`, `lane`: see `Moments`. `uneven` (count,): places of the pixels
+    that leak too unlike most for sums, ascending."""
 
     leak_rates: tuple[float, ...]
     rate_weights: Floats
@@ -139,6 +140,7 @@ class _ChipMoments:
     neighbour_weights: Floats32
     error_e: Floats
     lane: Ints32
+    uneven: Ints
 
 
 def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
@@ -180,6 +182,7 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
             beside,
             _word_errors(program, effects),
             program.lane,
+            _uneven_leakage(program, effects, device),
         )
 
     chip: _ChipMoments = program.recent.of((_ChipMoments, effects.on, device_seed), make)
@@ -288,14 +291,14 @@ def leak_rates(program: AnalysedProgram, effects: Selection) -> tuple[float, ...
     return nodes if nodes[0] < nodes[1] else (mean,)
 
 
-def uneven_leakage(program: AnalysedProgram, effects: Selection, device_seed: int) -> Ints:
+def _uneven_leakage(program: AnalysedProgram, effects: Selection, device: Device) -> Ints:
     """Return the places (count,) of the pixels whose leakage differs too much for sums, ascending.
 
     Sums take the noise at the mean rate, so it is wrong by up to `_MOST_LEAK` in other pixels."""
     leak = effects.find_part(Leak)
     if leak is None:
         return np.empty(0, np.int64)
-    away = program.device(device_seed).fixed(leak.per_s) - 1.0 / leak.tau_s(program.sensor)
+    away = device.fixed(leak.per_s) - 1.0 / leak.tau_s(program.sensor)
     return np.flatnonzero(np.abs(away) * program.oldest_s > _MOST_LEAK)
 
 

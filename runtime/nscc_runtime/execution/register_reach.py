@@ -21,8 +21,8 @@ _MOST_LANES = 64
 _MOST_INTERVALS = 128
 """Largest numbers of lanes and of intervals that are followed; of more, a sample is."""
 _SIGMAS = 4.0
-"""Number of standard deviations by which noise may move a register. Of a normal error of standard
-deviation s, the part beyond has a mean of 7e-6 s and a root mean square of 1.8e-3 s."""
+"""Number of standard deviations by which noise may move a register. Errors may be larger: what lies
+beyond has a mean of 7e-6 standard deviations, and a root mean square of 1.8e-3 of them."""
 _KINDS = 2
 """Number of kinds of register content, usually light of open slots and light subtracted later."""
 _ROUNDING = 1e-9

@@ -79,7 +79,7 @@ def charge_of_rows(
         for change in effects.at(stage):
             charge = change(slots, charge)
     inner = slice(rows.start - begin, rows.stop - begin)
-    valid = ~np.isnan(scene.light.sum_e[rows.start : rows.stop])
+    valid = ~scene.light.is_nan[rows.start : rows.stop]
     return Fallen(charge[:, inner], light[:, inner], valid)
 
 

@@ -15,7 +15,7 @@ from nscc.arrays import Array, Floats, Floats32
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
-from nscc.files import reads
+from nscc.files import reads, why_no_file
 from nscc.toml.schema import declared
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -255,7 +255,7 @@ def _existing(spec: str) -> Path:
     try:
         if path.is_dir() or path.is_file():
             return path
-        reason = "it is not a file" if path.exists() else "the file does not exist"
+        reason = why_no_file(path)
     except (OSError, ValueError) as error:
         reason = str(error)
     suggestion = spec if spec in _BUILTINS else closest(spec, _BUILTINS)

@@ -11,7 +11,7 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.leakage import leak_per_s
 from nscc_runtime.execution import sum_loop as sums
 from nscc_runtime.execution.moment_loop import Completing, complete_moments
-from nscc_runtime.execution.moments import _rate_weights, leak_rates, uneven_leakage
+from nscc_runtime.execution.moments import _rate_weights, leak_rates, on_chip
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
 
@@ -132,7 +132,7 @@ def test_interpolated_leakage_is_that_of_every_pixel_that_does_not_run_its_words
     rates = np.array(leak_rates(program, every))
     assert len(rates) == count
     device = program.device(3)
-    evenly = np.delete(np.arange(2000), uneven_leakage(program, every, 3))
+    evenly = np.delete(np.arange(2000), on_chip(program, every, 3).uneven)
     assert len(evenly) > (0 if count == 3 else 1999)
     of_pixels = leak_per_s(sensor, 3, device.places)[evenly]
     rate_weights = _rate_weights(every, device, tuple(rates.tolist()))[:, evenly]
