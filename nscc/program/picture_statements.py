@@ -124,16 +124,7 @@ class PictureMaker:
                 reader.items.append(Picture(name, node))
         states = self._states(reader, known_states)
         kept_images = self._kept_images(reader)
-        names = []
-        for read in self.declared.reads.values():
-            kinds = {**dict.fromkeys(self.named, "bucket"), **reader.kinds}
-            if read.text in reader.ranges:
-                names += reader.ranges[read.text].bits
-            elif read.text in kinds:
-                names.append(read.text)
-            elif read.text not in (*self.declared.refused, *reader.failed):
-                self.problems.unknown("an image, a plane or a bucket", read.text, read.span, kinds)
-        reads = tuple(names)
+        reads = self._reads(reader)
         read_reports = [self._report(statement, reader) for statement in self.declared.reports]
         reports = tuple(report for report in read_reports if report is not None)
         reports += tuple(reader.floods)
@@ -165,6 +156,19 @@ class PictureMaker:
             ranges=tuple(reader.ranges.values()),
         )
         return self._with_unit(pictures)
+
+    def _reads(self, reader: Reader) -> tuple[str, ...]:
+        """Return the names that are read out, each bit of a state with a range for itself."""
+        names = []
+        kinds = {**dict.fromkeys(self.named, "bucket"), **reader.kinds}
+        for read in self.declared.reads.values():
+            if read.text in reader.ranges:
+                names += reader.ranges[read.text].bits
+            elif read.text in kinds:
+                names.append(read.text)
+            elif read.text not in (*self.declared.refused, *reader.failed):
+                self.problems.unknown("an image, a plane or a bucket", read.text, read.span, kinds)
+        return tuple(names)
 
     def _with_unit(self, pictures: Pictures) -> Pictures:
         """Choose how many steps of IN (the level sent to all pixels) represent one count, and
