@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import numpy as np
@@ -53,7 +54,6 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
     The neighbourhood of a pixel doubles until it holds a pixel with a precision above 0. If no
     pixel of the picture has one, the larger of `light` and `least` is returned. All are (rows,
     cols); `least` may be -inf."""
-    weighted = precision * light
     result = light.copy()
     near = precision > 0
     missing = np.full(light.shape, bool(near.any()))
@@ -66,23 +66,60 @@ def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Pict
             pixels[: -(reach // 2)] |= before[reach // 2 :]
         # Sums are needed around the pixels that this reach fills only.
         fillable = missing & near
-        if fillable.any():
-            part = tuple(_from_first_to_last(np.any(fillable, axis=axis), reach) for axis in (1, 0))
-            own, own_weighted, inside = precision[part], weighted[part], fillable[part]
-            # `tent_sums` counts a pixel itself once; the second term makes that `_OWN` times.
-            total = tent_sums(own, reach) + (_OWN - 1) * own
-            value = tent_sums(own_weighted, reach) + (_OWN - 1) * own_weighted
-            np.divide(value, total, out=result[part], where=inside)
-            missing &= ~fillable
+        missing &= ~fillable
+        for box in _boxes_of(fillable, reach):
+            around = tuple(slice(max(0, axis.start - reach), axis.stop + reach) for axis in box)
+            inside = tuple(
+                slice(own.start - wide.start, own.stop - wide.start)
+                for own, wide in zip(box, around, strict=True)
+            )
+            own = precision[around]
+            total, value = (
+                # `tent_sums` counts a pixel itself once; the second term makes that `_OWN` times.
+                tent_sums(values, reach)[inside] + (_OWN - 1) * values[inside]
+                for values in (own, own * light[around])
+            )
+            np.divide(value, total, out=result[box], where=fillable[box])
         reach *= 2
     return np.maximum(result, least)
 
 
-def _from_first_to_last(marked: Bools, margin: int) -> slice:
-    """Return the slice from the first to the last true element of `marked`, with `margin` more
-    elements at both ends where the array has them. At least one element is true."""
-    indices = np.flatnonzero(marked)
-    return slice(max(0, int(indices[0]) - margin), int(indices[-1]) + margin + 1)
+_BLOCK = 128
+"""Least side in pixels of the blocks that are filled one by one."""
+
+
+def _boxes_of(marked: Bools, margin: int) -> list[tuple[slice, slice]]:
+    """Return boxes of rows and columns that together hold the true elements of `marked` (rows,
+    cols), each of them once: one box, or a box for each block of elements.
+
+    It returns those boxes that have fewer elements with `margin` more at all sides."""
+    rows, cols = marked.shape
+    boxes_by_side = []
+    for side in (max(rows, cols), max(_BLOCK, 4 * margin)):
+        blocks = (
+            (row, col, marked[row : row + side, col : col + side])
+            for row in range(0, rows, side)
+            for col in range(0, cols, side)
+        )
+        boxes = [
+            (_from_first_to_last(block, 0, row), _from_first_to_last(block, 1, col))
+            for row, col, block in blocks
+            if block.any()
+        ]
+        boxes_by_side.append(boxes)
+    return min(
+        boxes_by_side,
+        key=lambda boxes: sum(
+            math.prod(axis.stop - axis.start + 2 * margin for axis in box) for box in boxes
+        ),
+    )
+
+
+def _from_first_to_last(marked: Bools, axis: int, begin: int) -> slice:
+    """Return the slice along `axis` from the first to the last true element of `marked` (rows,
+    cols), whose first row or column has the index `begin`. At least one element is true."""
+    indices = np.flatnonzero(np.any(marked, axis=1 - axis)) + begin
+    return slice(int(indices[0]), int(indices[-1]) + 1)
 
 
 _LANES = 8

@@ -62,14 +62,18 @@ def test_sums_with_falling_weights_are_exact(shape: tuple[int, int], reach: int)
     np.testing.assert_allclose(found, expected, rtol=1e-12)
 
 
-@pytest.mark.parametrize("measured", [0.0, 0.002, 0.3])
-def test_merging_grows_windows_until_they_hold_a_measurement(measured: float) -> None:
+@pytest.mark.parametrize("shape", [(40, 50), (150, 300)])
+@pytest.mark.parametrize("measured", [0.0, 0.0002, 0.002, 0.3])
+def test_merging_grows_windows_until_they_hold_a_measurement(
+    measured: float, shape: tuple[int, int]
+) -> None:
+    """The light equals that of plain matrices, in pictures that are filled in blocks, too."""
     generator = np.random.default_rng(3)
-    light = generator.random((40, 50)) * 100
-    precision = generator.random((40, 50)) * (generator.random((40, 50)) < measured)
+    light = generator.random(shape) * 100
+    precision = generator.random(shape) * (generator.random(shape) < measured)
     expected = light.copy()
     missing = np.ones(light.shape, bool)
-    for reach in (2, 4, 8, 16, 32, 64):
+    for reach in (2, 4, 8, 16, 32, 64, 128, 256):
         weights = [
             np.maximum(1 - np.abs(np.subtract.outer(np.arange(n), np.arange(n))) / reach, 0)
             for n in light.shape
