@@ -138,7 +138,7 @@ def plan_of(effects: str, tolerance_e: float = 5.0, **values: Any) -> Plan:
         for effect in registered()
     )
     plan = Plan(
-        f"{tolerance_e:g}e", tolerance_e, 0.0, 0.0, 0.0, False, (), 0.5, 1.0, 2.0, 3.0, decisions
+        f"{tolerance_e:g}e", tolerance_e, 0.0, 0.0, 0.0, False, (), 0.5, 1.0, 2.0, decisions
     )
     return replace(plan, **values)
 

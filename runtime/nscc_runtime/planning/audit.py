@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from nscc.arrays import Floats
+from nscc_runtime.effects import everything
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planning.planned_scene import PlannedScene, trial_of
 
@@ -107,7 +108,7 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
     limit is exceeded: `holds` is then False."""
     repeats = min(-(-_POOLED // scene.pixels), _MOST_POOLED)
     trial = trial_of(scene, scene.pixels, repeats)
-    errors = trial.between(trial.exposures(plan.kept), trial.truth)
+    errors = trial.errors(plan.kept, everything())
     rms_e, square_e2 = errors.rms_e, errors.size_e**2
     spread_e2 = float(square_e2.std(axis=(1, 2)).max()) / math.sqrt(square_e2[0].size)
     report = Audit(

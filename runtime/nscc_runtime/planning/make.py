@@ -1,39 +1,40 @@
 """Make a plan for a scene.
 
-1. List the sets of effects that may be dropped, those that save most time first (`_moves`).
-2. Draw a sample of the pixels (`sample`), and expose it with every effect.
-3. Drop one set after the other. Measure the error of all dropped effects on the sample, with the
-   same random numbers; keep the set if the error, or the error plus two standard errors, is too
-   near to the tolerance (`fits`).
+1. List the sets of effects that may be left out, those that save most time first (`_moves`).
+2. Expose a sample of the pixels with every effect (`trial_of`).
+3. Leave out all sets at once whose estimated errors fit into the tolerance, else one after the
+   other. Measure the error of everything that is left out on the sample, with the same random
+   numbers; a set stays on if the error is too near to the tolerance (`_fits`).
+4. Say of each effect what was decided, and why (`_decision`).
 
 Effects are only measured if that is predicted to save more time than it takes, or if the user
 requests the table. Otherwise every effect is simulated."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from nscc_runtime.effects import everything
-from nscc_runtime.effects.parts import Counted, CountedLight, Moving, Saturates
+from nscc.arrays import Floats32
+from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects.parts import (
+    CodeErrors,
+    Codes,
+    Counted,
+    CountedLight,
+    Exchange,
+    Moving,
+    Saturates,
+)
 from nscc_runtime.effects.parts import Errors as SmallErrors
+from nscc_runtime.execution.frames import word_reasons
 from nscc_runtime.execution.program import analysed
-from nscc_runtime.planning.decisions import (
-    FROM_EARLIER_PLAN,
-    MARGIN,
-    EffectChoice,
-    decided_plan,
-    reasons_for_words,
-)
-from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.planning.plan import MOST_OTHER_STATES, Choice, Decision, Plan
 from nscc_runtime.planning.plan_request import Names, PlanRequest, effects_of_exposure
-from nscc_runtime.planning.planned_scene import (
-    SAMPLED,
-    PlannedScene,
-    trial_of,
-    unseen_square_e2,
-)
+from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, Trial, trial_of
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import (
@@ -44,18 +45,49 @@ from nscc_runtime.planning.tolerance import (
     unit_of,
 )
 
-_WORTH = 2.0
-"""Effects are measured if that is predicted to save this multiple of the time that it takes."""
-_SURE = 0.97
-"""Effects are dropped while the measured error plus two standard errors is at most this fraction of
-the tolerance."""
+_WORTH, _EACH_WORTH = 6.0, 2.0
+"""Effects are measured if leaving them out is predicted to save `_WORTH` times the time of a trial;
+of these, a set of effects by itself if it saves `_EACH_WORTH` times that."""
+_MARGIN, _SURE = 0.9, 0.97
+"""Effects are left out while the measured error is at most the fraction `_MARGIN` of the tolerance,
+and the error plus two standard errors at most the fraction `_SURE`."""
 _OTHER_STATES = 0.5 * MOST_OTHER_STATES
 """Largest measured fraction of pixels in other states when a plan is made."""
 _BOUND, _SERVED_OTHER_STATES = 1.05, 0.7 * MOST_OTHER_STATES
 """A plan is reused while its bound on the new scene is at most `_BOUND` times the tolerance, and
 the measured fraction of pixels in other states at most `_SERVED_OTHER_STATES`."""
-_QUICK = SAMPLED // 4
+_BOUND_ERRORS = 3.0
+"""Number of standard errors that are added to the predicted error to get its bound."""
+_QUICK = 3 * SAMPLED // 10
 """Number of pixels that are measured if no figures are requested."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Case:
+    """A scene to be planned: the work of its frames, and the request. `absent`: effects that
+    certainly change nothing here. `reused`: whether the plan was made for an earlier scene."""
+
+    work: Work
+    request: PlanRequest
+    absent: Names
+    reused: bool = False
+
+    @property
+    def scene(self) -> PlannedScene:
+        """The scene."""
+        return self.work.scene
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """The errors of a choice: of leaving out the effects `dropped` and those that the user turned
+    off (`together`), their bound, and of leaving out each effect `alone`, if figures are wanted."""
+
+    allowed: Tolerance
+    dropped: Names
+    together: SampledErrors
+    bound_e: float
+    alone: Mapping[str, SampledErrors]
 
 
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
@@ -66,26 +98,17 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     errors of effects that the user turned off do not restrict the choice of others; `Plan.breach`
     tells if they exceed the tolerance. Raises Rejected (NS0746) for an invalid tolerance."""
     check_tolerance(request.tolerance, scene.sensor)
-    work, absent = Work.of(scene), absent_effects(scene)
-    moves = _moves(work, request, absent)
-    trial_ms = 0.0 if request.figures else _WORTH * work.trials_ms(1, _QUICK)
-    is_checked = request.effects.auto and bool(request.forced_off - absent)
-    if not (request.figures or is_checked or sum(moves.values()) > 3.0 * trial_ms):
-        return _unmeasured(work, request, absent)
-    measuring = _Measuring(scene, request)
-    alone = measuring.drop_each(absent) if request.figures else {}
-    hopeless = Names() if request.figures else _too_large(scene, measuring.allowed)
-    dropped = Names()
-    together, _ = measuring.drop_together(dropped)
-    for names, saved_ms in moves.items():
-        if names & hopeless or names <= dropped or saved_ms <= trial_ms:
-            continue
-        if names not in alone or measuring.fits(alone[names]):
-            candidate, by_choice = measuring.drop_together(dropped | names)
-            if measuring.fits(by_choice):
-                dropped, together = dropped | names, candidate
-    choice = EffectChoice(work, request, absent, measuring.allowed, dropped, together, alone)
-    return decided_plan(choice)
+    case = _Case(Work.of(scene), request, absent_effects(scene))
+    allowed, moves = _known_tolerance(case), _moves(case)
+    sizes_e = {} if request.figures or not moves else _estimated_e(scene)
+    sets = _promising(moves, sizes_e, allowed)
+    is_checked = request.effects.auto and bool(request.forced_off - case.absent)
+    if not (request.figures or is_checked or _is_worth_measuring(case, sets)):
+        return _unmeasured(case, allowed)
+    trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
+    allowed = allowed or tolerance_of(request.tolerance, scene.sensor, trial)
+    sets = _promising(moves, sizes_e, allowed)
+    return _plan(case, _measured(case, trial, allowed, _dropped(case, trial, allowed, sets)))
 
 
 def measured_again(
@@ -102,24 +125,15 @@ def measured_again(
     `figures`: also measure each effect alone, on more pixels. `tolerance`: replaces the plan's, for
     instance the electrons that a percentage has over several scenes; None keeps it. If the plan
     drops nothing and no figures are wanted, nothing is measured."""
-    work, absent = Work.of(scene), absent_effects(scene)
-    allowed = plan.tolerance if tolerance is None else tolerance
-    request = PlanRequest(plan.requested_effects, allowed, figures=figures)
-    dropped = frozenset(plan.names("dropped"))
+    asked = plan.tolerance if tolerance is None else tolerance
+    request = PlanRequest(plan.requested_effects, asked, figures=figures)
+    case = _Case(Work.of(scene), request, absent_effects(scene), reused=True)
+    dropped, allowed = frozenset(plan.names("dropped")), _known_tolerance(case)
     if not (dropped or figures):
-        return replace(_unmeasured(work, request, absent), reused=True)
-    measuring = _Measuring(scene, request)
-    dropped -= request.forced_off
-    together, _ = measuring.drop_together(dropped)
-    alone = measuring.drop_each(absent) if figures else {}
-    made = decided_plan(
-        EffectChoice(work, request, absent, measuring.allowed, dropped, together, alone)
-    )
-    decisions = (
-        decision if decision.kind == "after" else replace(decision, reason=FROM_EARLIER_PLAN)
-        for decision in made.decisions
-    )
-    return replace(made, decisions=tuple(decisions), reused=True)
+        return _unmeasured(case, allowed)
+    trial = trial_of(scene, SAMPLED if figures else _QUICK)
+    allowed = allowed or tolerance_of(asked, scene.sensor, trial)
+    return _plan(case, _measured(case, trial, allowed, dropped - request.forced_off))
 
 
 def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> Plan | None:
@@ -137,24 +151,6 @@ def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> P
     return plan if fits else None
 
 
-def _unmeasured(work: Work, request: PlanRequest, absent: Names) -> Plan:
-    """Return the plan that simulates every requested effect, without measured errors. `absent`:
-    effects that change nothing here. A tolerance that is a fraction of the noise is not converted
-    to electrons, because that takes as long as measuring."""
-    scene = work.scene
-    allowed = None
-    if unit_of(request.tolerance) != "noise":
-        allowed = tolerance_of(request.tolerance, scene.sensor, scene)
-    choice = EffectChoice(work, request, absent, allowed)
-    if scene.looks:
-        return decided_plan(choice)
-    # Nothing else of the scene and the chip is in the plan.
-    reasons = reasons_for_words(scene, request.requested)
-    key = Plan, request, absent, allowed, work.near, len(scene.light.frames), reasons
-    recent = analysed(scene.container, scene.sensor).recent
-    return recent.of(key, lambda: decided_plan(choice))
-
-
 def absent_effects(scene: PlannedScene) -> Names:
     """Return the names of the effects of the exposure that certainly change nothing on `scene`:
     motion of still light, comparators if no pixel compares, saturation if no pixel comes near
@@ -169,104 +165,258 @@ def absent_effects(scene: PlannedScene) -> Names:
     return names
 
 
-def _moves(work: Work, request: PlanRequest, absent: Names) -> dict[Names, float]:
-    """Return the sets of effects that may be dropped together, and the milliseconds that each saves
-    of all requested frames; those that save most first, and none that saves nothing.
+def _known_tolerance(case: _Case) -> Tolerance | None:
+    """Return the tolerance; None for a fraction of the noise, which only a trial measures."""
+    asked, scene = case.request.tolerance, case.scene
+    return None if unit_of(asked) == "noise" else tolerance_of(asked, scene.sensor, scene)
+
+
+def _moves(case: _Case) -> dict[Names, float]:
+    """Return the sets of effects that may be left out together, and the milliseconds that each
+    saves of all requested frames; those that save most first. Without figures, they are those that
+    save enough to be measured, else all that save anything.
 
     These are single effects and the groups whose effects share work. Effects that the user decided
-    on and `absent` ones are not in them. Without figures, effects that are certainly too large are
-    left out."""
-    all_effects = everything()
+    on and absent ones are not in them."""
+    work, request, all_effects = case.work, case.request, everything()
     # Noise may drive any pixel near saturation beyond a limit, in few frames: too rare to measure.
     free = frozenset(e.name for e in effects_of_exposure()) - all_effects.names(Saturates)
-    free -= request.forced | absent
-    if free and not request.figures and unit_of(request.tolerance) != "noise":
-        free -= _too_large(
-            work.scene, tolerance_of(request.tolerance, work.scene.sensor, work.scene)
-        )
-    groups = [all_effects.names(kind) - absent for kind in (Counted, SmallErrors)]
+    free -= request.forced | case.absent
+    if not free:
+        return {}
+    groups = [all_effects.names(kind) - case.absent for kind in (Counted, SmallErrors)]
     sets = {names for names in groups if names and names <= free}
     sets |= {frozenset({name}) for name in free}
-    if not sets:
-        return {}
-    requested = request.requested
-    all_ms = work.milliseconds(requested, request.frames)
-    saved_ms = {
-        names: all_ms - work.milliseconds(requested.without(*names), request.frames)
-        for names in sets
-    }
+    saved_ms = {names: work.saved_ms(request.requested, names, request.frames) for names in sets}
+    least_ms = 0.0 if request.figures else _EACH_WORTH * work.trials_ms(1, _QUICK)
     ordered = sorted(sets, key=lambda names: (-saved_ms[names], sorted(names)))
-    return {names: saved_ms[names] for names in ordered if saved_ms[names] > 0}
+    return {names: saved_ms[names] for names in ordered if saved_ms[names] > least_ms}
 
 
-def _too_large(scene: PlannedScene, allowed: Tolerance) -> Names:
-    """Return the names of the effects whose noise alone certainly exceeds the tolerance `allowed`,
-    so that dropping them need not be measured."""
-    all_effects, full_e = everything(), scene.sensor.full_well_e
-    least_e = {
-        effect.name: part.sigma_e(scene.sensor)
+def _estimated_e(scene: PlannedScene) -> dict[str, float]:
+    """Return rough errors of leaving out effects whose size follows from the light and the sensor,
+    in electrons, by name: noise of counts and of words, and crosstalk."""
+    all_effects, sensor = everything(), scene.sensor
+    sizes_e = {
+        effect.name: part.sigma_e(sensor)
         for effect, part in all_effects.errors()
         if part.at != "resets"  # double sampling subtracts these
     }
-    if not scene.looks:
-        program = analysed(scene.container, scene.sensor)
-        open_share = program.opened.mean(axis=0).max(axis=1)[program.lanes]
-        light_e = np.minimum(scene.light.sum_e.reshape(-1) * open_share, full_e)
-        least_e |= dict.fromkeys(all_effects.names(CountedLight), 0.5 * light_e.mean() ** 0.5)
-    return frozenset(name for name, error_e in least_e.items() if error_e > allowed.electrons)
+    if scene.looks:
+        return sizes_e
+    program, light_e = analysed(scene.container, sensor), scene.light.sum_e
+    open_share = program.opened.mean(axis=0, dtype=np.float32).max(axis=1)[program.lane]
+
+    def exposed_e(light_e: Floats32) -> Floats32:
+        """Return the exposures in `light_e`, about; light that is NaN or infinite fills a pixel."""
+        return np.fmin(light_e * open_share, np.float32(sensor.full_well_e))
+
+    sizes_e |= dict.fromkeys(
+        all_effects.names(CountedLight), float(exposed_e(light_e).mean()) ** 0.5
+    )
+    for effect, part in all_effects.having(Exchange):
+        moved_e = exposed_e(part.smeared(light_e, part.fraction(sensor))) - exposed_e(light_e)
+        sizes_e[effect.name] = float((moved_e**2).mean()) ** 0.5
+    return sizes_e
 
 
-class _Measuring:
-    """Measurements on a sample of a scene, for one request.
+def _promising(
+    moves: Mapping[Names, float], sizes_e: Mapping[str, float], allowed: Tolerance | None
+) -> list[Names]:
+    """Return the sets of `moves` whose estimated error is within the tolerance `allowed` (None if
+    it is not known), and before them, with estimates, the union of as many as fit together."""
+    limit_e2 = math.inf if allowed is None else allowed.electrons**2
 
-    `allowed`: the tolerance in electrons. `base`: the exposures with every effect that the user did
-    not force off: the planner's own choice has to keep the tolerance relative to these."""
+    def fits(names: Names) -> bool:
+        """Return whether the estimated error of leaving out `names` is within the tolerance."""
+        return sum(sizes_e.get(name, 0.0) ** 2 for name in names) <= limit_e2
 
-    def __init__(self, scene: PlannedScene, request: PlanRequest) -> None:
-        """Expose a sample of `scene` with every effect and, if the user turned some off, also
-        without these, and convert the tolerance to electrons. With figures the sample is larger."""
-        self.requested = request.requested
-        self.trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
-        self.base = self.trial.truth
-        if request.forced_off:
-            self.base = self.trial.exposures(self.requested)
-        self.allowed = tolerance_of(request.tolerance, scene.sensor, self.trial)
+    sets, union = [names for names in moves if fits(names)], Names()
+    for names in sets if sizes_e else ():
+        if fits(union | names):
+            union |= names
+    return [*dict.fromkeys([union] if union else []), *sets]
 
-    def drop_each(self, absent: Names) -> dict[Names, SampledErrors]:
-        """Return the error of dropping each effect of the exposure that is not in `absent`, by a
-        set with its name alone, while every other requested effect is simulated. For an effect that
-        the user turned off, it is the error of not having it."""
-        errors = {}
-        for name in (e.name for e in effects_of_exposure() if e.name not in absent):
-            if name in self.requested.on:
-                true, effects = self.base, self.requested.without(name)
-                errors[frozenset({name})] = self.trial.between(self.trial.exposures(effects), true)
-            else:
-                true = self.trial.exposures(self.requested.including(name))
-                errors[frozenset({name})] = self.trial.between(self.base, true)
-        return errors
 
-    def fits(self, errors: SampledErrors) -> bool:
-        """Return whether `errors`, also with two standard errors added, and the fraction of pixels
-        in other states are within their limits, with a margin (`MARGIN`, `_SURE`)."""
-        tolerance_e = self.allowed.electrons
+def _is_worth_measuring(case: _Case, sets: Sequence[Names]) -> bool:
+    """Return whether leaving out the first of these `sets` is predicted to save more time than it
+    takes to measure it."""
+    work, request = case.work, case.request
+    if not sets:
+        return False
+    saved_ms = work.saved_ms(request.requested, sets[0], request.frames)
+    return saved_ms > _WORTH * work.trials_ms(1, _QUICK)
+
+
+def _dropped(case: _Case, trial: Trial, allowed: Tolerance, sets: Iterable[Names]) -> Names:
+    """Return the effects that are left out: those of each of the `sets` in turn, if the error of
+    all together is within the tolerance. The error is that of what the planner leaves out, from
+    the exposures without the effects that the user turned off."""
+    requested, tolerance_e = case.request.requested, allowed.electrons
+
+    def fits(names: Names) -> bool:
+        """Return whether the error of leaving out `names`, also with two standard errors added,
+        and the fraction of pixels in other states are within their limits."""
+        effects = requested.without(*names)
+        errors = trial.errors(effects, requested)
         return (
-            errors.square_e2() <= (MARGIN * tolerance_e) ** 2
+            errors.other_states <= _OTHER_STATES
+            and errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
             and errors.square_e2(2.0) <= (_SURE * tolerance_e) ** 2
-            and errors.other_states <= _OTHER_STATES
+            and errors.square_e2(2.0) + trial.unseen_e2(effects) <= (_SURE * tolerance_e) ** 2
         )
 
-    def drop_together(self, dropped: Names) -> tuple[SampledErrors, SampledErrors]:
-        """Return the errors of dropping the effects `dropped` at once, besides those that the user
-        turned off: relative to all effects, and relative to those that the user did not turn
-        off."""
-        effects = self.requested.without(*dropped)
-        exposed = self.trial.exposures(effects) if dropped else self.base
-        together = self.trial.between(exposed, self.trial.truth)
-        by_choice = self.trial.between(exposed, self.base)
-        # If the error is too large already, what the sample may not contain does not matter.
-        if by_choice.square_e2(2.0) <= (_BOUND * self.allowed.electrons) ** 2:
-            unseen_e2 = unseen_square_e2(self.trial, effects)
-            together = replace(together, unseen_e2=unseen_e2)
-            by_choice = replace(by_choice, unseen_e2=unseen_e2)
-        return together, by_choice
+    dropped = Names()
+    for names in sets:
+        # With figures every effect is measured alone anyway.
+        if names <= dropped or (case.request.figures and not fits(names)):
+            continue
+        if fits(dropped | names):
+            dropped |= names
+    return dropped
+
+
+def _measured(case: _Case, trial: Trial, allowed: Tolerance, dropped: Names) -> _Measured:
+    """Measure the errors of leaving out `dropped`, and with figures those of each effect alone."""
+    effects, full = case.request.requested.without(*dropped), everything()
+    together = trial.errors(effects, full)
+    names = [e.name for e in effects_of_exposure() if e.name not in case.absent]
+    alone = {name: trial.errors(full.without(name), full) for name in names if case.request.figures}
+    bound_e = math.sqrt(together.square_e2(_BOUND_ERRORS) + trial.unseen_e2(effects))
+    return _Measured(allowed, dropped, together, bound_e, alone)
+
+
+def _unmeasured(case: _Case, allowed: Tolerance | None) -> Plan:
+    """Return the plan that simulates every requested effect, without measured errors."""
+    scene, request = case.scene, case.request
+    if scene.looks:
+        return _plan(case, allowed=allowed)
+    # Nothing else of the scene and the chip is in the plan.
+    reasons = _reasons_for_words(scene, request.requested)
+    key = Plan, request, case.absent, case.reused, allowed, case.work.near, reasons
+    recent = analysed(scene.container, scene.sensor).recent
+    return recent.of((*key, len(scene.light.frames)), lambda: _plan(case, allowed=allowed))
+
+
+def _plan(case: _Case, measured: _Measured | None = None, allowed: Tolerance | None = None) -> Plan:
+    """Return the plan (the effects that are simulated) that drops what was `measured`: its errors,
+    a decision on every effect with its reason, and its predicted time. Without a measurement it
+    drops nothing and has no errors, and `allowed` is its tolerance, if known."""
+    work, request, scene = case.work, case.request, case.scene
+    allowed = measured.allowed if measured else allowed
+    together = measured.together if measured else None
+    effects = request.requested.without(*measured.dropped) if measured else request.requested
+    reasons = _reasons_for_words(scene, effects)
+    return Plan(
+        tolerance=str(request.tolerance) if allowed is None else allowed.text,
+        tolerance_e=None if allowed is None else allowed.electrons,
+        predicted_e=together.rms_e if together else None,
+        bound_e=measured.bound_e if measured else None,
+        worst_e=together.worst_e if together else None,
+        slot_loop=bool(reasons),
+        slot_loop_reasons=reasons,
+        sampled_fraction=len(together.weight) / scene.pixels if together else 0.0,
+        total_ms=work.milliseconds(effects),
+        all_ms=work.milliseconds(request.requested),
+        decisions=tuple(_decision(effect, case, measured) for effect in registered()),
+        signal_e=None if allowed is None else allowed.signal_e,
+        noise_e=None if allowed is None else allowed.noise_e,
+        other_states=together.other_states if together and scene.looks else None,
+        reused=case.reused,
+    )
+
+
+def _reasons_for_words(scene: PlannedScene, effects: Selection) -> tuple[str, ...]:
+    """Return why the words of some pixels run one by one under `effects`; empty if sums suffice for
+    all."""
+    reasons = scene.needs_reference(effects)
+    if reasons:
+        return reasons
+    if scene.looks:
+        return ("pixels look at the light: each runs through the words that act in it",)
+    chip = scene.container, scene.sensor, [scene.light]
+    return word_reasons(*chip, effects, scene.device_seed)
+
+
+def _decision(effect: Effect, case: _Case, measured: _Measured | None) -> Decision:
+    """Return whether one effect is kept, dropped or absent, with its errors, the time that it
+    costs, and the reason.
+
+    In the code, `alone` is the error of dropping only this effect, None if it was not measured.
+    `then` is the error of the plan (the effects that are simulated) without this effect: that of
+    the plan if it is dropped already, else the sum of both."""
+    if effect.kind == "after":
+        return _after_exposure(effect, case)
+    name, request = effect.name, case.request
+    is_off = name in request.forced_off or (measured is not None and name in measured.dropped)
+    alone = measured.alone.get(name) if measured else None
+    then = measured.together if measured and is_off else None
+    if measured and alone and not is_off:
+        then = measured.together.plus(alone)
+    is_absent = not is_off and (name in case.absent or (alone is not None and alone.is_zero))
+    saved_ms = 0.0
+    if measured and not is_absent:
+        saved_ms = max(0.0, case.work.saved_ms(everything(), frozenset({name})))
+    if case.reused:
+        reason = "taken from an earlier plan"
+    elif is_absent:
+        reason = effect.absent
+    elif name in request.forced:
+        reason = "named in --effects"
+    else:
+        reason = _reason(measured, is_off, saved_ms, alone, then)
+    # `alone` is the exposure without the effect minus that with it, so the effect's own bias has
+    # the opposite sign; 0.0 - x is never -0.
+    return Decision(
+        name,
+        effect.kind,
+        "absent" if is_absent else "dropped" if is_off else "kept",
+        name in request.forced,
+        reason,
+        alone.rms_e if alone else None,
+        0.0 - alone.bias_e if alone else None,
+        then.rms_e if then else None,
+        saved_ms,
+        alone.other_states if alone and case.scene.looks else None,
+    )
+
+
+def _reason(
+    measured: _Measured | None,
+    is_off: bool,
+    saved_ms: float,
+    alone: SampledErrors | None,
+    then: SampledErrors | None,
+) -> str:
+    """Return, as text, the reason why the planner simulates an effect or drops it (`is_off`).
+
+    `saved_ms`: milliseconds saved by dropping it. `alone`: the error of dropping it alone. `then`:
+    the error of the plan (the effects that are simulated) without the effect. Both are None if they
+    were not measured."""
+    if is_off:
+        return ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
+    if measured is None:
+        return "choosing effects would take longer than it saves"
+    if saved_ms <= 0 or alone is None or then is None:
+        return "costs nothing" if saved_ms <= 0 else "saves too little time to be measured"
+    if then.rms_e > _MARGIN * measured.allowed.electrons:
+        return f"left out, the error would be {then.rms_e:.3g} e"
+    if alone.other_states > 0:
+        return f"left out, {alone.other_states:.2%} would end in other states"
+    return "left out, the error could be too large: few pixels tell"
+
+
+def _after_exposure(effect: Effect, case: _Case) -> Decision:
+    """Return the decision on an effect of the readout. It is simulated if the user selects it, or
+    with automatic effects unless the user turns it off. The tolerance does not include its error,
+    which is None for effects that have no size of their own."""
+    request, sensor = case.request, case.scene.sensor
+    forced = not effect.always and effect.name in request.forced
+    code_e = everything().require_part(Codes).electrons(sensor)
+    rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
+    for errors in effect.parts_of_kind(CodeErrors):
+        rms_e = errors.sigma_lsb(sensor) * code_e
+    is_on = effect in request.effects or (request.effects.auto and not forced)
+    reason = "named in --effects" if forced else "always applied, after the exposure"
+    decision: Choice = "kept" if is_on else "dropped"
+    return Decision(effect.name, effect.kind, decision, forced, reason, rms_e, 0.0)

@@ -13,7 +13,7 @@ from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.plan_request import PlanRequest, effects_of_exposure
 from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, trial_of
 from nscc_runtime.planning.prices import SHIPPED, Work
 from nscc_runtime.reference.capture import Reference, reference_scene
@@ -62,15 +62,15 @@ def measure_prices() -> list[Price]:
         reference_scene(container, still),
     )
     request = PlanRequest(selected("auto"), 5.0, figures=True)
-    planned_ms = make_plan(scene, request).planning_ms
     reference_ns = 1e9 * _least_s(lambda: reference.expose(light, 0, 0, 0, 1), 1)
-    trial = trial_of(scene)
+    # Without an effect that costs little, so that the exposures are not those of the trial itself.
+    trial, dim = trial_of(scene), all_effects.without("lag")
     return [
         Price(
             "planning",
             f"a plan for {rows} x {cols} pixels",
             "ms",
-            planned_ms,
+            work.trials_ms(3 + len(effects_of_exposure()), SAMPLED),
             1e3 * _least_s(lambda: make_plan(scene, request)),
         ),
         Price(
@@ -78,7 +78,7 @@ def measure_prices() -> list[Price]:
             f"{SAMPLED} pixels with one set of effects",
             "ms",
             work.trials_ms(1, SAMPLED),
-            1e3 * _least_s(lambda: trial.exposures(all_effects)),
+            1e3 * _least_s(lambda: replace(trial).exposures(dim)),
         ),
         Price(
             "words",

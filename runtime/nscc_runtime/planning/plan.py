@@ -68,9 +68,9 @@ class Plan:
         Why pixels run through their words, or why the reference simulates them.
     sampled_fraction : float
         The fraction of the pixels that was measured.
-    total_ms, all_ms, planning_ms : float
-        Predicted times of a frame under the plan and with every effect, and of the planning, in
-        milliseconds of one core, from the shipped prices.
+    total_ms, all_ms : float
+        Predicted times of a frame under the plan and with every effect, in milliseconds of one
+        core, from the shipped prices.
     decisions : tuple of Decision
         The decision on each effect.
     signal_e, noise_e : float or None
@@ -93,7 +93,6 @@ class Plan:
     sampled_fraction: float
     total_ms: float
     all_ms: float
-    planning_ms: float
     decisions: Annotated[tuple[Decision, ...], KeyName("effects")]
     signal_e: float | None = None
     noise_e: float | None = None
@@ -192,8 +191,7 @@ class Plan:
         saved = 1.0 - self.total_ms / self.all_ms if self.all_ms > 0 else 0.0
         return (
             f"a frame takes {self.total_ms:.2f} ms of a core instead of {self.all_ms:.2f} with all "
-            f"effects: saves {saved:.0%}, and planning takes {self.planning_ms:.1f} ms, by shipped "
-            "prices"
+            f"effects: saves {saved:.0%}, by shipped prices"
         )
 
     def as_json(self) -> JsonObject:

@@ -16,7 +16,7 @@ from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import unit_of
 from nscc_runtime.sensor import Sensor, sensor_sha256
 
-PLAN_SCHEMA = "nscc-plan-2"
+PLAN_SCHEMA = "nscc-plan-3"
 
 
 @dataclass(frozen=True)

@@ -195,11 +195,18 @@ class Trial:
     expose_full: Expose
     truth: SampledExposures
 
+    @remembered
     def exposures(self, effects: Selection) -> SampledExposures:
         """Return the exposures of the sampled pixels with `effects`, for all `begins` and
-        `repeats`, with the random numbers of `truth`."""
+        `repeats`, with the random numbers of `truth`; remembered for each selection."""
+        if effects.on == everything().on:
+            return self.truth
         expose = _sampled(self.scene, self.sample, effects)
         return _exposures(expose, self.begins, self.repeats)
+
+    def errors(self, effects: Selection, true: Selection) -> SampledErrors:
+        """Return the differences of exposures with `effects` from those with the effects `true`."""
+        return self.between(self.exposures(effects), self.exposures(true))
 
     def frames(self, count: int, first_number: int = 0) -> SampledExposures:
         """Return `count` frames of the sample with every effect, numbered from `first_number`,
@@ -214,11 +221,26 @@ class Trial:
         )
 
     @remembered
-    def unsaturated_e(self, effects: Selection) -> Floats:
-        """Return a frame of the sampled pixels near saturation under `effects` without those that
-        saturate, in electrons (buckets, pixels); remembered for each selection."""
-        linear = effects.without(*everything().names(Saturates))
-        return _sampled(self.scene, self.sample.near_only, linear)(0, None).exposure_e
+    def unseen_e2(self, effects: Selection) -> float:
+        """Return an allowance for the mean square error of exposures with `effects`, in square
+        electrons, for pixels near saturation of a kind that is too rare to be sampled.
+
+        For example, nearly all pixels may be full, so that noise changes nothing, except a few.
+        Each of these pixels is assumed to change as much as the sampled pixels would if nothing
+        saturated and their light just filled PIX. PIX is the photodiode."""
+        sample, full = self.sample, everything()
+        saturating = full.names(Saturates)
+        if not sample.unseen_share or effects.on | saturating >= full.on:
+            return 0.0
+        near, full_e = sample.near_only, self.scene.sensor.full_well_e
+        kept_e, complete_e = (
+            _sampled(self.scene, near, each.without(*saturating))(0, None).exposure_e
+            for each in (effects, full)
+        )
+        just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete_e)), full_e)
+        square_e2 = (np.nan_to_num(kept_e - complete_e) * just_full) ** 2
+        mean_e2 = (square_e2 * near.weight).sum(axis=1) / near.weight.sum()
+        return float(mean_e2.max()) * sample.unseen_share
 
     def signal_e(self) -> float:
         """Return the mean signal of a frame of the whole scene without effects, in electrons."""
@@ -246,8 +268,9 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     one. For programs with kept states, further frames begin with the states that earlier ones left,
     until hardly any new states occur or there are `_MOST_FRAMES`."""
     full_well_e, full = scene.sensor.full_well_e, everything()
-    chance = drawing_chances(scene.light, full_well_e)
-    sample = draw_sample(scene.near_pixels(full), full_well_e, count, chance)
+    near = scene.near_pixels(full)
+    chance = drawing_chances(scene.light, near, full_well_e)
+    sample = draw_sample(near, full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
     expose = _sampled(scene, sample, full)
     begins: tuple[States | None, ...] = (None,)
@@ -376,22 +399,3 @@ def _exposures(
     endings = [np.stack([frame.endings for frame in frames]) for frames in exposed]
     buckets = exposure_e[0].shape[0]
     return SampledExposures(np.concatenate(exposure_e), np.repeat(endings, buckets, axis=0))
-
-
-def unseen_square_e2(trial: Trial, effects: Selection) -> float:
-    """Return an allowance for the mean square error of dropping effects, in square electrons, for
-    pixels near saturation of a kind that is too rare to be sampled.
-
-    For example, nearly all pixels may be full, so that noise changes nothing, except a few. Each of
-    these pixels is assumed to change as much as the sampled pixels would if nothing saturated and
-    their light just filled PIX. PIX is the photodiode."""
-    sample = trial.sample
-    if not sample.unseen_share or effects.on | everything().names(Saturates) >= everything().on:
-        return 0.0
-    near = sample.near_only
-    kept, complete = map(trial.unsaturated_e, (effects, everything()))
-    full_e = trial.scene.sensor.full_well_e
-    just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete)), full_e)
-    square_e2 = (np.nan_to_num(kept - complete) * just_full) ** 2
-    mean_e2 = (square_e2 * near.weight).sum(axis=1) / near.weight.sum()
-    return float(mean_e2.max()) * sample.unseen_share

@@ -102,6 +102,12 @@ class Work:
         near_ns = self.near * self.loop_ns(effects) if effects.names(Saturates) else 0.0
         return ((scene_ns + frames * frame_ns) * scene.pixels + frames * near_ns) * 1e-6
 
+    def saved_ms(self, effects: Selection, names: frozenset[str], frames: int = 1) -> float:
+        """Return the predicted milliseconds that leaving out the effects `names` of `effects`
+        saves of the first `frames` frames; below 0 if that takes longer."""
+        without = effects.without(*names)
+        return self.milliseconds(effects, frames) - self.milliseconds(without, frames)
+
     def trials_ms(self, sets: int, pixels: int) -> float:
         """Return the predicted milliseconds of one core for exposing a sample of `pixels` pixels,
         at most those of the scene, once with each of `sets` sets of effects. The reference exposes

@@ -19,7 +19,7 @@ from nscc_runtime.light import Light
 
 Places = Ints
 
-_NEAR_FRACTION = 0.4
+_NEAR_FRACTION = 0.5
 """Largest fraction of a sample that is drawn from the pixels near saturation."""
 _EXTREMES = 8
 """Of the pixels near saturation, this number of the brightest, of the darkest, and of those nearest
@@ -89,13 +89,11 @@ class SampledErrors:
     `size_e` (outputs, frames, pixels): the differences in electrons, 0 where not compared. An
     output is a bucket of one frame; further `frames` are repeats with other noise. `compared`, of
     the same shape: False where a pixel ended in another state. `weight` (pixels,): pixels of the
-    scene that each sampled pixel represents. `unseen_e2`: allowance in the mean square error, in
-    square electrons, for rare pixels that the sample does not contain."""
+    scene that each sampled pixel represents."""
 
     size_e: Floats
     compared: Bools
     weight: Floats
-    unseen_e2: float = 0.0
 
     @classmethod
     def between(
@@ -116,17 +114,20 @@ class SampledErrors:
         does not compare is not compared."""
         compared = self.compared & other.compared
         size_e = np.where(compared, self.size_e + other.size_e, 0.0)
-        return SampledErrors(size_e, compared, self.weight, self.unseen_e2 + other.unseen_e2)
+        return SampledErrors(size_e, compared, self.weight)
 
     def square_e2(self, standard_errors: float = 0.0) -> float:
         """Return the mean square error, in square electrons, of the output in which it is largest.
-        With `standard_errors` above 0, this number of its standard errors and the allowance
-        `unseen_e2` are added first."""
+        This number of its `standard_errors` is added first."""
         mean_e2 = self.mean_square_e2
         if standard_errors:
-            standard_error_e2 = self._standard_error(self.size_e**2)
-            mean_e2 = mean_e2 + standard_errors * standard_error_e2 + self.unseen_e2
+            mean_e2 = mean_e2 + standard_errors * self._standard_error(self.size_e**2)
         return float(mean_e2.max(initial=0.0))
+
+    @property
+    def is_zero(self) -> bool:
+        """Whether all pixels are compared, and none differs."""
+        return bool(self.compared.all() and not self.size_e.any())
 
     @property
     def mean_square_e2(self) -> Floats:
@@ -244,9 +245,10 @@ def _drawn(chance: Floats, count: int, represented: int) -> tuple[Places, Floats
     return drawn, np.where(sure, 1.0, weight * scale)
 
 
-def drawing_chances(light: Light, full_well_e: float) -> Floats:
+def drawing_chances(light: Light, near: NearSaturation, full_well_e: float) -> Floats:
     """Return the relative probability of drawing each pixel of a scene, (rows * cols,), above 0 for
-    all. `full_well_e`: full well in electrons.
+    all; pixels near saturation and the others are drawn apart. `full_well_e`: full well in
+    electrons.
 
     Of eight draws, four are even, two are proportional to the contrast of light up to the full
     well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
@@ -265,10 +267,14 @@ def drawing_chances(light: Light, full_well_e: float) -> Floats:
             for before, after in pairwise(frames):
                 change[rows.start : rows.stop] += np.abs(after - before)
         scores.append((1.0, _contrast(change)))
-    chance = np.zeros(total_e.shape)
+    chance = np.zeros(total_e.size)
     for share, score in scores:
-        chance += score * (share / max(float(score.sum(dtype=np.float64)), 1e-30))
-    return chance.reshape(-1)
+        # Each stratum has its own sum: lamps that saturate must not hide the pixels beside them.
+        far, near_score = score.reshape(-1), score.reshape(-1)[near.places].astype(np.float64)
+        far[near.places] = 0.0
+        chance += far * (share / max(float(far.sum(dtype=np.float64)), 1e-30))
+        chance[near.places] += near_score * (share / max(float(near_score.sum()), 1e-30))
+    return chance
 
 
 def _contrast(light_e: Floats32) -> Floats32:

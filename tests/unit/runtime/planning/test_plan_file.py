@@ -283,12 +283,12 @@ def test_damaged_plans_are_refused_by_field(name: str, value: Any, words: str | 
 
 
 def test_a_plan_of_an_earlier_version_says_to_make_it_again(tmp_path: Path) -> None:
-    """A file of `nscc-plan-1` gives NS0747 with the help to make it again."""
+    """A file of `nscc-plan-2` gives NS0747 with the help to make it again."""
     text = plan_text(plan_of("shot"), "digest", SENSOR)
-    (tmp_path / "p.json").write_text(text.replace("nscc-plan-2", "nscc-plan-1"))
+    (tmp_path / "p.json").write_text(text.replace("nscc-plan-3", "nscc-plan-2"))
     with pytest.raises(Rejected) as caught:
         read_plan(tmp_path / "p.json", "digest", SENSOR)
     [said] = caught.value.diagnostics
     assert said.code == "NS0747"
-    assert "nscc-plan-1" in said.notes[0]
+    assert "nscc-plan-2" in said.notes[0]
     assert "make it again" in said.helps[0]

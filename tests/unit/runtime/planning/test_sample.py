@@ -36,7 +36,7 @@ def light(kind: str, rows: int = 128, cols: int = 160) -> Light:
 
 
 def sample(scene: Light, near: NearSaturation = NO_PIXELS, count: int = COUNT) -> Sample:
-    return draw_sample(near, WELL_E, count, drawing_chances(scene, WELL_E))
+    return draw_sample(near, WELL_E, count, drawing_chances(scene, near, WELL_E))
 
 
 @pytest.mark.parametrize("kind", ["noise", "edges", "dark", "lamp"])
