@@ -16,7 +16,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check
 from nscc_runtime.execution.block_program import lacks
-from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
+from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, prepare_pixels
 from nscc_runtime.exposed_frame import Executed, Exposure
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.light import Light
@@ -74,14 +74,27 @@ def frame_exposer(
     shape = light.shape
     places = np.arange(shape[0] * shape[1], dtype=np.int64)
     block = prepare_pixels(container, sensor, light, effects, places, seeds[1], threads)
-    paths = paths_of(container, retention_us(effects, sensor))
+    return block_exposer(container, sensor, block, shape, seeds[0], threads)
+
+
+def block_exposer(
+    container: Container,
+    sensor: Sensor,
+    block: BlockScene,
+    shape: tuple[int, ...],
+    seed: int,
+    threads: int,
+) -> ExposeFrame:
+    """Return a function that exposes frames of the pixels of `block`, arranged as `shape`, by the
+    block loop, with the noise of `seed`. Results do not depend on `threads`."""
+    paths = paths_of(container, retention_us(block.effects, sensor))
     assert not isinstance(paths, str)  # `lacks` says so
 
     def expose(loaded: Planes, number: int) -> Executed:
-        """Expose frame `number`, in which registers begin with the bits `loaded` (rows, cols), by
+        """Expose frame `number`, in which registers begin with the bits `loaded` of `shape`, by
         name. Raises ValueError for bits that no code and no kept state has."""
         begins = paths.begins(loaded, shape).reshape(-1)
-        pixels = expose_pixels(block, seeds[0], number, threads, begins)
+        pixels = expose_pixels(block, seed, number, threads, begins)
         whole = len(pixels.exposure_e), *shape
         exposure_e = pixels.exposure_e.reshape(whole)
         endings = pixels.endings.reshape(shape)

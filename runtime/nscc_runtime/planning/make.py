@@ -13,12 +13,12 @@ requests the table. Otherwise every effect is simulated."""
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from nscc.arrays import Floats32
+from nscc.arrays import Array
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import (
     CodeErrors,
@@ -72,22 +72,15 @@ class _Case:
     absent: Names
     reused: bool = False
 
-    @property
-    def scene(self) -> PlannedScene:
-        """The scene."""
-        return self.work.scene
-
 
 @dataclass(frozen=True, eq=False)
 class _Measured:
-    """The errors of a choice: of leaving out the effects `dropped` and those that the user turned
-    off (`together`), their bound, and of leaving out each effect `alone`, if figures are wanted."""
+    """What was measured: the `trial`, the effects that the planner leaves out (`dropped`), and the
+    errors with which others were tried and kept (`tried`), by the name of the effect."""
 
-    allowed: Tolerance
+    trial: Trial
     dropped: Names
-    together: SampledErrors
-    bound_e: float
-    alone: Mapping[str, SampledErrors]
+    tried: Mapping[str, SampledErrors]
 
 
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
@@ -99,16 +92,17 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     tells if they exceed the tolerance. Raises Rejected (NS0746) for an invalid tolerance."""
     check_tolerance(request.tolerance, scene.sensor)
     case = _Case(Work.of(scene), request, absent_effects(scene))
-    allowed, moves = _known_tolerance(case), _moves(case)
+    allowed, moves = _known_tolerance(scene, request), _moves(case)
     sizes_e = {} if request.figures or not moves else _estimated_e(scene)
     sets = _promising(moves, sizes_e, allowed)
     is_checked = request.effects.auto and bool(request.forced_off - case.absent)
-    if not (request.figures or is_checked or _is_worth_measuring(case, sets)):
-        return _unmeasured(case, allowed)
-    trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
+    saved_ms = case.work.saved_ms(request.requested, sets[0], request.frames) if sets else 0.0
+    is_worth = saved_ms > _WORTH * case.work.trials_ms(1, _QUICK)
+    if not (request.figures or is_checked or is_worth):
+        return _plan(case, allowed)
+    trial = _trial(case)
     allowed = allowed or tolerance_of(request.tolerance, scene.sensor, trial)
-    sets = _promising(moves, sizes_e, allowed)
-    return _plan(case, _measured(case, trial, allowed, _dropped(case, trial, allowed, sets)))
+    return _plan(case, allowed, _dropped(case, trial, allowed, _promising(moves, sizes_e, allowed)))
 
 
 def measured_again(
@@ -128,12 +122,12 @@ def measured_again(
     asked = plan.tolerance if tolerance is None else tolerance
     request = PlanRequest(plan.requested_effects, asked, figures=figures)
     case = _Case(Work.of(scene), request, absent_effects(scene), reused=True)
-    dropped, allowed = frozenset(plan.names("dropped")), _known_tolerance(case)
+    dropped, allowed = frozenset(plan.names("dropped")), _known_tolerance(scene, request)
     if not (dropped or figures):
-        return _unmeasured(case, allowed)
-    trial = trial_of(scene, SAMPLED if figures else _QUICK)
+        return _plan(case, allowed)
+    trial = _trial(case)
     allowed = allowed or tolerance_of(asked, scene.sensor, trial)
-    return _plan(case, _measured(case, trial, allowed, dropped - request.forced_off))
+    return _plan(case, allowed, _Measured(trial, dropped - request.forced_off, {}))
 
 
 def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> Plan | None:
@@ -165,10 +159,15 @@ def absent_effects(scene: PlannedScene) -> Names:
     return names
 
 
-def _known_tolerance(case: _Case) -> Tolerance | None:
+def _known_tolerance(scene: PlannedScene, request: PlanRequest) -> Tolerance | None:
     """Return the tolerance; None for a fraction of the noise, which only a trial measures."""
-    asked, scene = case.request.tolerance, case.scene
-    return None if unit_of(asked) == "noise" else tolerance_of(asked, scene.sensor, scene)
+    is_known = unit_of(request.tolerance) != "noise"
+    return tolerance_of(request.tolerance, scene.sensor, scene) if is_known else None
+
+
+def _trial(case: _Case) -> Trial:
+    """Expose a sample of the scene with every effect; with figures a larger one."""
+    return trial_of(case.work.scene, SAMPLED if case.request.figures else _QUICK)
 
 
 def _moves(case: _Case) -> dict[Names, float]:
@@ -207,9 +206,9 @@ def _estimated_e(scene: PlannedScene) -> dict[str, float]:
     program, light_e = analysed(scene.container, sensor), scene.light.sum_e
     open_share = program.opened.mean(axis=0, dtype=np.float32).max(axis=1)[program.lane]
 
-    def exposed_e(light_e: Floats32) -> Floats32:
+    def exposed_e(light_e: Array) -> Array:
         """Return the exposures in `light_e`, about; light that is NaN or infinite fills a pixel."""
-        return np.fmin(light_e * open_share, np.float32(sensor.full_well_e))
+        return np.asarray(np.fmin(light_e * open_share, np.float32(sensor.full_well_e)))
 
     sizes_e |= dict.fromkeys(
         all_effects.names(CountedLight), float(exposed_e(light_e).mean()) ** 0.5
@@ -238,27 +237,19 @@ def _promising(
     return [*dict.fromkeys([union] if union else []), *sets]
 
 
-def _is_worth_measuring(case: _Case, sets: Sequence[Names]) -> bool:
-    """Return whether leaving out the first of these `sets` is predicted to save more time than it
-    takes to measure it."""
-    work, request = case.work, case.request
-    if not sets:
-        return False
-    saved_ms = work.saved_ms(request.requested, sets[0], request.frames)
-    return saved_ms > _WORTH * work.trials_ms(1, _QUICK)
-
-
-def _dropped(case: _Case, trial: Trial, allowed: Tolerance, sets: Iterable[Names]) -> Names:
+def _dropped(case: _Case, trial: Trial, allowed: Tolerance, sets: Iterable[Names]) -> _Measured:
     """Return the effects that are left out: those of each of the `sets` in turn, if the error of
     all together is within the tolerance. The error is that of what the planner leaves out, from
     the exposures without the effects that the user turned off."""
     requested, tolerance_e = case.request.requested, allowed.electrons
+    dropped, tried = Names(), dict[str, SampledErrors]()
 
     def fits(names: Names) -> bool:
         """Return whether the error of leaving out `names`, also with two standard errors added,
         and the fraction of pixels in other states are within their limits."""
         effects = requested.without(*names)
         errors = trial.errors(effects, requested)
+        tried.update(dict.fromkeys(names, errors))
         return (
             errors.other_states <= _OTHER_STATES
             and errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
@@ -266,64 +257,55 @@ def _dropped(case: _Case, trial: Trial, allowed: Tolerance, sets: Iterable[Names
             and errors.square_e2(2.0) + trial.unseen_e2(effects) <= (_SURE * tolerance_e) ** 2
         )
 
-    dropped = Names()
     for names in sets:
         # With figures every effect is measured alone anyway.
         if names <= dropped or (case.request.figures and not fits(names)):
             continue
         if fits(dropped | names):
             dropped |= names
-    return dropped
+    return _Measured(trial, dropped, tried)
 
 
-def _measured(case: _Case, trial: Trial, allowed: Tolerance, dropped: Names) -> _Measured:
-    """Measure the errors of leaving out `dropped`, and with figures those of each effect alone."""
-    effects, full = case.request.requested.without(*dropped), everything()
-    together = trial.errors(effects, full)
-    names = [e.name for e in effects_of_exposure() if e.name not in case.absent]
-    alone = {name: trial.errors(full.without(name), full) for name in names if case.request.figures}
-    bound_e = math.sqrt(together.square_e2(_BOUND_ERRORS) + trial.unseen_e2(effects))
-    return _Measured(allowed, dropped, together, bound_e, alone)
+def _plan(case: _Case, allowed: Tolerance | None, measured: _Measured | None = None) -> Plan:
+    """Return the plan (the effects that are simulated) of a choice: its errors, a decision on every
+    effect with its reason, and its predicted time. `allowed`: the tolerance, None if it is unknown.
 
-
-def _unmeasured(case: _Case, allowed: Tolerance | None) -> Plan:
-    """Return the plan that simulates every requested effect, without measured errors."""
-    scene, request = case.scene, case.request
-    if scene.looks:
-        return _plan(case, allowed=allowed)
-    # Nothing else of the scene and the chip is in the plan.
-    reasons = _reasons_for_words(scene, request.requested)
-    key = Plan, request, case.absent, case.reused, allowed, case.work.near, reasons
-    recent = analysed(scene.container, scene.sensor).recent
-    return recent.of((*key, len(scene.light.frames)), lambda: _plan(case, allowed=allowed))
-
-
-def _plan(case: _Case, measured: _Measured | None = None, allowed: Tolerance | None = None) -> Plan:
-    """Return the plan (the effects that are simulated) that drops what was `measured`: its errors,
-    a decision on every effect with its reason, and its predicted time. Without a measurement it
-    drops nothing and has no errors, and `allowed` is its tolerance, if known."""
-    work, request, scene = case.work, case.request, case.scene
-    allowed = measured.allowed if measured else allowed
-    together = measured.together if measured else None
+    `measured`: None if nothing was measured. Then every requested effect is simulated."""
+    work, request, scene = case.work, case.request, case.work.scene
     effects = request.requested.without(*measured.dropped) if measured else request.requested
     reasons = _reasons_for_words(scene, effects)
-    return Plan(
-        tolerance=str(request.tolerance) if allowed is None else allowed.text,
-        tolerance_e=None if allowed is None else allowed.electrons,
-        predicted_e=together.rms_e if together else None,
-        bound_e=measured.bound_e if measured else None,
-        worst_e=together.worst_e if together else None,
-        slot_loop=bool(reasons),
-        slot_loop_reasons=reasons,
-        sampled_fraction=len(together.weight) / scene.pixels if together else 0.0,
-        total_ms=work.milliseconds(effects),
-        all_ms=work.milliseconds(request.requested),
-        decisions=tuple(_decision(effect, case, measured) for effect in registered()),
-        signal_e=None if allowed is None else allowed.signal_e,
-        noise_e=None if allowed is None else allowed.noise_e,
-        other_states=together.other_states if together and scene.looks else None,
-        reused=case.reused,
-    )
+
+    def make() -> Plan:
+        """Return the plan."""
+        errors, bound_e = None, None
+        if measured:
+            errors = measured.trial.errors(effects, everything())
+            bound_e2 = errors.square_e2(_BOUND_ERRORS) + measured.trial.unseen_e2(effects)
+            bound_e = math.sqrt(bound_e2)
+        return Plan(
+            tolerance=str(request.tolerance) if allowed is None else allowed.text,
+            tolerance_e=None if allowed is None else allowed.electrons,
+            predicted_e=errors.rms_e if errors else None,
+            bound_e=bound_e,
+            worst_e=errors.worst_e if errors else None,
+            slot_loop=bool(reasons),
+            slot_loop_reasons=reasons,
+            sampled_fraction=len(errors.weight) / scene.pixels if errors else 0.0,
+            total_ms=work.milliseconds(effects),
+            all_ms=work.milliseconds(request.requested),
+            decisions=tuple(_decision(each, case, allowed, measured) for each in registered()),
+            signal_e=None if allowed is None else allowed.signal_e,
+            noise_e=None if allowed is None else allowed.noise_e,
+            other_states=errors.other_states if errors and scene.looks else None,
+            reused=case.reused,
+        )
+
+    if measured or scene.looks:
+        return make()
+    # Nothing else of the scene and the chip is in a plan without a measurement.
+    key = Plan, request, case.absent, case.reused, allowed, work.near, reasons
+    recent = analysed(scene.container, scene.sensor).recent
+    return recent.of((*key, len(scene.light.frames)), make)
 
 
 def _reasons_for_words(scene: PlannedScene, effects: Selection) -> tuple[str, ...]:
@@ -338,33 +320,34 @@ def _reasons_for_words(scene: PlannedScene, effects: Selection) -> tuple[str, ..
     return word_reasons(*chip, effects, scene.device_seed)
 
 
-def _decision(effect: Effect, case: _Case, measured: _Measured | None) -> Decision:
+def _decision(
+    effect: Effect, case: _Case, allowed: Tolerance | None, measured: _Measured | None
+) -> Decision:
     """Return whether one effect is kept, dropped or absent, with its errors, the time that it
-    costs, and the reason.
-
-    In the code, `alone` is the error of dropping only this effect, None if it was not measured.
-    `then` is the error of the plan (the effects that are simulated) without this effect: that of
-    the plan if it is dropped already, else the sum of both."""
+    costs, and the reason. In the code, `alone` is the error of dropping only this effect."""
     if effect.kind == "after":
         return _after_exposure(effect, case)
-    name, request = effect.name, case.request
+    name, request, full, alone = effect.name, case.request, everything(), None
+    tried = measured.tried.get(name) if measured else None
+    if measured and request.figures and name not in case.absent:
+        alone = measured.trial.errors(full.without(name), full)
     is_off = name in request.forced_off or (measured is not None and name in measured.dropped)
-    alone = measured.alone.get(name) if measured else None
-    then = measured.together if measured and is_off else None
-    if measured and alone and not is_off:
-        then = measured.together.plus(alone)
     is_absent = not is_off and (name in case.absent or (alone is not None and alone.is_zero))
     saved_ms = 0.0
     if measured and not is_absent:
-        saved_ms = max(0.0, case.work.saved_ms(everything(), frozenset({name})))
+        saved_ms = max(0.0, case.work.saved_ms(full, frozenset({name})))
     if case.reused:
         reason = "taken from an earlier plan"
     elif is_absent:
         reason = effect.absent
     elif name in request.forced:
         reason = "named in --effects"
+    elif measured is None:
+        reason = "choosing effects would take longer than it saves"
+    elif is_off:
+        reason = ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
     else:
-        reason = _reason(measured, is_off, saved_ms, alone, then)
+        reason = _why_kept(tried, saved_ms, allowed)
     # `alone` is the exposure without the effect minus that with it, so the effect's own bias has
     # the opposite sign; 0.0 - x is never -0.
     return Decision(
@@ -375,34 +358,23 @@ def _decision(effect: Effect, case: _Case, measured: _Measured | None) -> Decisi
         reason,
         alone.rms_e if alone else None,
         0.0 - alone.bias_e if alone else None,
-        then.rms_e if then else None,
+        tried.rms_e if tried else None,
         saved_ms,
-        alone.other_states if alone and case.scene.looks else None,
+        alone.other_states if alone and case.work.scene.looks else None,
     )
 
 
-def _reason(
-    measured: _Measured | None,
-    is_off: bool,
-    saved_ms: float,
-    alone: SampledErrors | None,
-    then: SampledErrors | None,
-) -> str:
-    """Return, as text, the reason why the planner simulates an effect or drops it (`is_off`).
-
-    `saved_ms`: milliseconds saved by dropping it. `alone`: the error of dropping it alone. `then`:
-    the error of the plan (the effects that are simulated) without the effect. Both are None if they
-    were not measured."""
-    if is_off:
-        return ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
-    if measured is None:
-        return "choosing effects would take longer than it saves"
-    if saved_ms <= 0 or alone is None or then is None:
-        return "costs nothing" if saved_ms <= 0 else "saves too little time to be measured"
-    if then.rms_e > _MARGIN * measured.allowed.electrons:
-        return f"left out, the error would be {then.rms_e:.3g} e"
-    if alone.other_states > 0:
-        return f"left out, {alone.other_states:.2%} would end in other states"
+def _why_kept(errors: SampledErrors | None, saved_ms: float, allowed: Tolerance | None) -> str:
+    """Return, as text, the reason why the planner simulates an effect. `errors`: those with which
+    dropping it was tried. `saved_ms`: the milliseconds that this would save."""
+    if saved_ms <= 0:
+        return "costs nothing"
+    if errors is None or allowed is None:
+        return "saves too little, or is too large, to be tried"
+    if errors.rms_e > _MARGIN * allowed.electrons:
+        return f"left out, the error would be {errors.rms_e:.3g} e"
+    if errors.other_states > _OTHER_STATES:
+        return f"left out, {errors.other_states:.2%} would end in other states"
     return "left out, the error could be too large: few pixels tell"
 
 
@@ -410,7 +382,7 @@ def _after_exposure(effect: Effect, case: _Case) -> Decision:
     """Return the decision on an effect of the readout. It is simulated if the user selects it, or
     with automatic effects unless the user turns it off. The tolerance does not include its error,
     which is None for effects that have no size of their own."""
-    request, sensor = case.request, case.scene.sensor
+    request, sensor = case.request, case.work.scene.sensor
     forced = not effect.always and effect.name in request.forced
     code_e = everything().require_part(Codes).electrons(sensor)
     rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None

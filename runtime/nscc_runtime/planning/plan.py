@@ -27,9 +27,10 @@ class Decision:
     nothing on this scene; absent effects stay on. `forced`: whether the user decided.
     `predicted_rms_e`, `predicted_bias_e`: root mean square and mean, over pixels, of the change of
     exposures by the effect in the worst bucket, in electrons. `predicted_if_dropped_e`: RMS error
-    of the plan without this effect. `cost_ms_model`: milliseconds per frame saved by dropping it,
-    from the shipped prices. `other_states`: fraction of pixels that end in other states because of
-    the effect, for programs that look. Figures that were not measured are None."""
+    with which dropping it was tried, together with others. `cost_ms_model`: milliseconds per frame
+    saved by dropping it, from the shipped prices. `other_states`: fraction of pixels that end in
+    other states because of the effect, for programs that look. Figures that were not measured are
+    None."""
 
     name: str
     kind: str

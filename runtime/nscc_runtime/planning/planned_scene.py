@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from nscc.arrays import Array, Floats, Ints32
+from nscc.arrays import Floats, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection, everything, selected
@@ -18,8 +18,6 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
 from nscc_runtime.execution.block_scene import (
-    BlockScene,
-    PixelExposures,
     expose_pixels,
     prepare_pixels,
     without_draws,
@@ -29,9 +27,8 @@ from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, ne
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
+from nscc_runtime.looked_frames import Planes, block_exposer, next_planes
 from nscc_runtime.looked_frames import frames as looked_frames
-from nscc_runtime.looked_frames import next_planes
-from nscc_runtime.looking.paths import paths_of
 from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
@@ -39,8 +36,6 @@ from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.run_kinds import KINDS
-
-States = Ints32
 
 SAMPLED = 4000
 """Number of pixels on which a plan is measured."""
@@ -172,9 +167,10 @@ class SampledExposures:
     endings: Ints32
 
 
-Expose = Callable[[int, States | None], PixelExposures]
-"""A function of (frame number, kept states) that exposes the sampled pixels. None: the states that
-the program starts with."""
+Expose = Callable[[Planes, int], tuple[Floats, Planes]]
+"""A function of (loaded registers, frame number) that exposes the sampled pixels, and returns
+exposures (buckets, pixels) in electrons and the registers at the end. Registers are bits (pixels,)
+by name; there are none for fixed shutters."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -182,8 +178,7 @@ class Trial:
     """Exposes a sample of a scene's pixels with any set of effects. All sets use the same random
     numbers, so that two exposures differ only by what the effects cause.
 
-    `begins`: the kept states with which the pixels begin, one entry for each frame of a series.
-    None stands for the states that the program starts with (see `SampledExposures.endings`).
+    `begins`: the registers with which the pixels begin, one entry for each frame of a series.
     `repeats`: how often each entry of `begins` is exposed, each time with other noise.
     `expose_full`: the function that exposes the sample with all effects. `truth`: what it returned
     for all `begins` and `repeats`; the errors of other sets are measured from it."""
@@ -191,7 +186,7 @@ class Trial:
     scene: PlannedScene
     sample: Sample
     repeats: int
-    begins: tuple[States | None, ...]
+    begins: Sequence[Planes]
     expose_full: Expose
     truth: SampledExposures
 
@@ -202,7 +197,7 @@ class Trial:
         if effects.on == everything().on:
             return self.truth
         expose = _sampled(self.scene, self.sample, effects)
-        return _exposures(expose, self.begins, self.repeats)
+        return _exposures(self.scene, expose, self.begins, self.repeats)[0]
 
     def errors(self, effects: Selection, true: Selection) -> SampledErrors:
         """Return the differences of exposures with `effects` from those with the effects `true`."""
@@ -211,7 +206,7 @@ class Trial:
     def frames(self, count: int, first_number: int = 0) -> SampledExposures:
         """Return `count` frames of the sample with every effect, numbered from `first_number`,
         which selects their noise. All begin with the states that the program starts with."""
-        return _exposures(self.expose_full, (None,), count, first_number)
+        return _exposures(self.scene, self.expose_full, self.begins[:1], count, first_number)[0]
 
     def between(self, exposed: SampledExposures, true: SampledExposures) -> SampledErrors:
         """Return the differences of the exposures `exposed` from the exposures `true`, both of this
@@ -234,7 +229,7 @@ class Trial:
             return 0.0
         near, full_e = sample.near_only, self.scene.sensor.full_well_e
         kept_e, complete_e = (
-            _sampled(self.scene, near, each.without(*saturating))(0, None).exposure_e
+            _sampled(self.scene, near, each.without(*saturating))({}, 0)[0]
             for each in (effects, full)
         )
         just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete_e)), full_e)
@@ -272,21 +267,22 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     chance = drawing_chances(scene.light, near, full_well_e)
     sample = draw_sample(near, full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
-    expose = _sampled(scene, sample, full)
-    begins: tuple[States | None, ...] = (None,)
-    truth = _exposures(expose, begins, repeats)
-    if not scene.container.keeps_states or scene.needs_reference(full):
-        return Trial(scene, sample, repeats, begins, expose, truth)
-    kept = _kept_bits(scene.container)
-    initial = _packed(scene.container, scene.container.planes(), scene.pixels)[sample.places] & kept
-    while len(begins) < _MOST_FRAMES:
-        following = truth.endings[-1, 0] & kept
-        known = [following == (initial if before is None else before) for before in begins]
-        new_weight = sample.weight[~np.any(known, axis=0)]
+    container, expose = scene.container, _sampled(scene, sample, full)
+    loaded = container.planes() if scene.looks else {}
+    begins = [{name: bits.reshape(-1)[sample.places] for name, bits in loaded.items()}]
+    truth, planes = _exposures(scene, expose, begins, repeats)
+    keeps_states = container.keeps_states and not scene.needs_reference(full)
+    while keeps_states and len(begins) < _MOST_FRAMES:
+        following = next_planes(container, begins[0], planes)
+        is_known = [
+            np.all([bits == before[name] for name, bits in following.items()], axis=0)
+            for before in begins
+        ]
+        new_weight = sample.weight[~np.any(is_known, axis=0)]
         if new_weight.sum() <= _SETTLED * sample.weight.sum():
             break
-        begins = *begins, following
-        truth = _exposures(expose, begins, repeats)
+        begins.append(following)
+        truth, planes = _exposures(scene, expose, begins, repeats)
     return Trial(scene, sample, repeats, begins, expose, truth)
 
 
@@ -296,106 +292,68 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
 
     All sets of effects of a scene are exposed in the same way, because the two have different
     random numbers."""
-    container, sensor, threads = scene.container, scene.sensor, threads_of(scene.threads)
+    container, sensor, light = scene.container, scene.sensor, scene.light
+    places, threads, device_seed = sample.places, threads_of(scene.threads), scene.device_seed
     # The loop over words exposes the sample alone; the reference would need the whole scene.
-    if not scene.needs_reference(everything()):
-        prepared = prepare_pixels(
-            container,
-            sensor,
-            scene.light,
-            effects,
-            sample.places,
-            scene.device_seed,
-            threads,
-            sample.known_means,
-        )
-        if not scene.looks:
-            return lambda number, _: expose_pixels(prepared, SEED, number, threads)
-        return _looking(scene, sample, prepared)
-    reference, light = (
-        Reference.of(container, sensor, effects),
-        reference_scene(container, scene.light),
+    if scene.needs_reference(everything()):
+        reference = Reference.of(container, sensor, effects)
+        whole = reference_scene(container, light)
+
+        def expose(_loaded: Planes, number: int) -> tuple[Floats, Planes]:
+            """Expose the whole scene by the reference, and return the sampled pixels. Frames begin
+            with the states that the program starts with."""
+            seeds = SEED, device_seed
+            executed = reference.execute(whole, container.planes(), seeds, number, threads=threads)
+            exposure_e = executed.exposure.exposure_e
+            planes = {name: bits.reshape(-1)[places] for name, bits in executed.planes.items()}
+            return exposure_e.reshape(len(exposure_e), -1)[:, places], planes
+
+        return expose
+    block = prepare_pixels(
+        container, sensor, light, effects, places, device_seed, threads, sample.known_means
     )
+    if not scene.looks:
+        return lambda _, number: (expose_pixels(block, SEED, number, threads).exposure_e, {})
+    expose_block = block_exposer(container, sensor, block, places.shape, SEED, threads)
 
-    def expose(number: int, _begins: States | None) -> PixelExposures:
-        """Expose frame `number` of the whole scene by the reference, and return the sampled pixels,
-        without saturation marks. It begins with the states that the program starts with."""
-        seeds = SEED, scene.device_seed
-        executed = reference.execute(light, container.planes(), seeds, number, threads=threads)
-        endings = _packed(container, executed.planes, scene.pixels)
-        exposure_e = executed.exposure.exposure_e
-        exposure_e = exposure_e.reshape(len(exposure_e), -1)[:, sample.places]
-        no_marks = np.zeros(exposure_e.shape, np.uint8)
-        return PixelExposures(exposure_e, no_marks, endings[sample.places])
+    def expose_looking(loaded: Planes, number: int) -> tuple[Floats, Planes]:
+        """Expose the sampled pixels by the block loop."""
+        executed = expose_block(loaded, number)
+        return executed.exposure.exposure_e, executed.planes
 
-    return expose
-
-
-def _looking(scene: PlannedScene, sample: Sample, prepared: BlockScene) -> Expose:
-    """Return a function that exposes the pixels of `sample`, which look, with the effects of
-    `prepared`, their prepared scene.
-
-    Segments and endings are numbered differently for effects with other paths, so states are given
-    and returned as bits."""
-    container, threads = scene.container, threads_of(scene.threads)
-    paths = paths_of(container, retention_us(prepared.effects, scene.sensor))
-    assert not isinstance(paths, str)  # `lacks` says so
-    endings = len(next(iter(paths.endings.values()), [0]))
-    states = _packed(container, paths.endings, endings)
-    loaded = {n: bits.reshape(-1)[sample.places] for n, bits in container.planes().items()}
-
-    def expose(number: int, begins: States | None) -> PixelExposures:
-        """Expose frame `number` of the sampled pixels, which look, by the compiled loop.
-
-        `begins` are the kept states of each pixel as bits; None starts as the program says."""
-        first = None
-        if begins is not None:
-            registers = _state_registers(container)
-            planes = {n: (begins >> k & 1).astype(np.bool_) for k, n in enumerate(registers)}
-            first = paths.begins(next_planes(container, loaded, planes), begins.shape)
-        pixels = expose_pixels(prepared, SEED, number, threads, first)
-        return replace(pixels, endings=states[pixels.endings])
-
-    return expose
-
-
-def _state_registers(container: Container) -> list[str]:
-    """Return the names of the registers of all states in alphabetical order; empty without
-    states."""
-    return sorted({name for planes in container.state_planes.values() for name in planes.registers})
-
-
-def _kept_bits(container: Container) -> int:
-    """Return a mask of the bits of `SampledExposures.endings` that belong to states which
-    `container` keeps between frames; 0 without such states."""
-    names = {state.name for state in container.machine.states if state.is_kept}
-    kept = {register for name in names for register in container.state_planes[name].registers}
-    return sum(1 << k for k, name in enumerate(_state_registers(container)) if name in kept)
-
-
-def _packed(container: Container, bits: Mapping[str, Array], count: int) -> Ints32:
-    """Return the bits of state registers as numbers, (count,): bit k is that of the k-th state
-    register in alphabetical order. `bits`: arrays of `count` bits, of any shape, by register; a
-    register that is missing is 0."""
-    numbers = np.zeros(count, np.int32)
-    for k, name in enumerate(_state_registers(container)):
-        if name in bits:
-            numbers |= bits[name].reshape(-1).astype(np.int32) << k
-    return numbers
+    return expose_looking
 
 
 def _exposures(
-    expose: Expose, begins: Sequence[States | None], repeats: int, first_number: int = 0
-) -> SampledExposures:
-    """Return `repeats` frames for each element of `begins` (kept states, or None), at least one.
+    scene: PlannedScene,
+    expose: Expose,
+    begins: Sequence[Planes],
+    repeats: int,
+    first_number: int = 0,
+) -> tuple[SampledExposures, Planes]:
+    """Return `repeats` frames for each element of `begins`, at least one, and the registers at the
+    end of the first frame of the last element.
 
     Frames are numbered from `first_number`, all repeats of an element one after the other. Outputs
     are the buckets of the first element, then those of the next."""
     exposed = [
-        [expose(first_number + series * repeats + turn, begin) for turn in range(repeats)]
+        [expose(begin, first_number + series * repeats + turn) for turn in range(repeats)]
         for series, begin in enumerate(begins)
     ]
-    exposure_e = [np.stack([frame.exposure_e for frame in frames], axis=1) for frames in exposed]
-    endings = [np.stack([frame.endings for frame in frames]) for frames in exposed]
-    buckets = exposure_e[0].shape[0]
-    return SampledExposures(np.concatenate(exposure_e), np.repeat(endings, buckets, axis=0))
+    exposure_e = [np.stack([frame_e for frame_e, _ in frames], axis=1) for frames in exposed]
+    endings = [np.stack([_states(scene, *frame) for frame in frames]) for frames in exposed]
+    sampled = SampledExposures(
+        np.concatenate(exposure_e), np.repeat(endings, exposure_e[0].shape[0], axis=0)
+    )
+    return sampled, exposed[-1][0][1]
+
+
+def _states(scene: PlannedScene, exposure_e: Floats, planes: Planes) -> Ints32:
+    """Return the states in which pixels ended as numbers (pixels,): bit k is that of the k-th state
+    register in alphabetical order; a register that is missing is 0."""
+    of_states = scene.container.state_planes.values()
+    numbers = np.zeros(exposure_e.shape[1], np.int32)
+    for k, name in enumerate(sorted({name for each in of_states for name in each.registers})):
+        if name in planes:
+            numbers |= planes[name].astype(np.int32) << k
+    return numbers

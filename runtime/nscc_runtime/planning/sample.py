@@ -109,13 +109,6 @@ class SampledErrors:
             size_e = np.where(np.isfinite(exposed_e), exposed_e - true_e, _NOT_FINITE_E)
         return cls(np.where(compared, size_e, 0.0), compared, weight)
 
-    def plus(self, other: SampledErrors) -> SampledErrors:
-        """Return the errors if those of both, of the same sample, add up; a pixel that one of them
-        does not compare is not compared."""
-        compared = self.compared & other.compared
-        size_e = np.where(compared, self.size_e + other.size_e, 0.0)
-        return SampledErrors(size_e, compared, self.weight)
-
     def square_e2(self, standard_errors: float = 0.0) -> float:
         """Return the mean square error, in square electrons, of the output in which it is largest.
         This number of its `standard_errors` is added first."""
