@@ -109,11 +109,6 @@ class Selection:
         nothing. Equal calls return the same object, because selections cache their parts."""
         return _without(self, frozenset(names))
 
-    def including(self, name: str) -> Selection:
-        """Return the selection with the effect called `name` switched on; the caller has checked
-        the name."""
-        return Selection(self.on | {name}, self.forced, self.auto)
-
 
 @lru_cache(4096)
 def _without(selection: Selection, names: frozenset[str]) -> Selection:
