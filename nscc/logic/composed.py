@@ -1,9 +1,10 @@
 """Generator for rules composed by `and`, `or` and `xor` from parts that read different fields.
 
 The parts are found in the predicates: a rule `A and B` opens exactly the shutters that are open in
-the projections on the fields of A and of B. A part that only closes, or only opens, is a state that
-collects the shutters that have changed. Any other part is computed from cubes of its own planes.
-Each slot then joins the parts by one or more gates.
+the projections on the fields of A and of B. Each part takes one of several forms (`part_forms`):
+its values are covered by cubes of its planes, kept in a state that changes, or compared with the
+time. Each slot then joins the parts by one or more gates. Of the combinations of forms for which
+registers suffice, the one with the fewest words is taken.
 
 On a chip with a masked register, that register holds one of the states. A change then takes two
 words: a NOR selects the shutters that change, and a masked gate writes the state in these only. The
@@ -12,36 +13,40 @@ demand to the next, a masked NOT inverts it where the value of the cubes changes
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from itertools import chain, product
-from typing import Literal, get_args
+from itertools import chain, groupby, product
 
 import numpy as np
 
-from nscc.logic.cubes import Budget, Cube, Standing, cover
-from nscc.logic.digits import Planes, binary_planes, cycle, gray
-from nscc.logic.problem import MASK, Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.rule_parts import (
-    Operator,
-    Rule,
-    RulePart,
-    composition,
-    only_opens,
+from nscc.arrays import Bools
+from nscc.logic.cubes import Cube, Standing
+from nscc.logic.digits import Planes, gray
+from nscc.logic.part_forms import (
+    Change,
+    ComparedPart,
+    CoveredPart,
+    Form,
+    StatePart,
+    covered,
+    forms,
+    shifted,
 )
+from nscc.logic.problem import MASK, Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.rule_parts import Composition, Operator, Rule, RulePart, composition
 from nscc.logic.script import Script
 from nscc.truth import columns, union
 
-# Limits: cubes of a part at one demand, and low bits of a state whose cubes are submasks (more of
-# them need fewer inversions, but a larger store).
-_MOST_CUBES = 4
-_SUBMASK_BITS = (13, 4)
+# Combinations of forms that are written, for each number of registers that they leave.
+_MOST_WRITTEN = 3
+# Registers that are left to compute with, beyond which more do not matter.
+_MOST_SCRATCH = 3
 
 
 def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Yield the solutions of a composed rule, from the shortest script for each number of submask
-    bits.
+    """Yield the solutions of a composed rule: the shortest script, and the shortest in which the
+    same words are repeated, if it is another.
 
     A rule is composed if it joins conditions on different fields by `and`, `or` or `xor`. `steps`
     is the number of search steps (`Budget`) for the gates of each solution; a solution that needs
@@ -52,17 +57,52 @@ def composed(problem: Problem, machine: Machine, steps: int) -> Iterator[Solutio
         raise GaveUp("the rule is not composed from parts with different fields")
     from nscc.logic.script_walk import walk  # few rules are composed, so checks need no covers
 
+    parts = [*_leaf_parts(rule)]
+    choices = [forms(part, machine.registers - 1) for part in parts]
     solutions: list[Solution] = []
-    for submask_bits in _SUBMASK_BITS:
-        scripts: list[Script] = []
-        for code, kept in product(get_args(_Code), (False, True)):
-            with suppress(GaveUp):
-                scripts.append(_Writer(problem, machine, submask_bits, code, kept).script(rule))
+    written: set[tuple[int, ...]] = set()
+    for varied in (True, False):
+        scripts: list[tuple[int, tuple[int, ...], Script]] = []
+        for chosen in _combinations(choices, machine, varied):
+            by_part = {id(part): form for part, form in zip(parts, chosen, strict=True)}
+            key = tuple(map(id, chosen))
+            for kept in (False, True):
+                with suppress(GaveUp):
+                    script = _Writer(problem, machine, by_part, kept).script(rule)
+                    scripts.append((_words(script), key, script))
         if scripts:
-            solutions += walk(problem, machine, min(scripts, key=_words), steps)
+            _, key, script = min(scripts, key=lambda item: item[0])
+            if key not in written:
+                solutions += walk(problem, machine, script, steps)
+            written.add(key)
     if not solutions:
         raise GaveUp("no register is left to compute with")
     yield from solutions
+
+
+def _leaf_parts(rule: Rule) -> Iterator[RulePart]:
+    """Yield the parts of a rule, in order."""
+    if isinstance(rule, RulePart):
+        yield rule
+    else:
+        yield from _leaf_parts(rule.first)
+        yield from _leaf_parts(rule.second)
+
+
+def _combinations(
+    choices: Sequence[Sequence[Form]], machine: Machine, varied: bool
+) -> Iterator[tuple[Form, ...]]:
+    """Yield the cheapest combinations of one form for each part that leave a register to compute
+    with; without `varied`, only of forms whose words are repeated."""
+    fitting: dict[int, list[tuple[Form, ...]]] = {}
+    allowed = [[form for form in each if varied or not form.varied] for each in choices]
+    for chosen in product(*allowed):
+        scratch = machine.registers - sum(form.registers for form in chosen)
+        if scratch > 0:
+            fitting.setdefault(min(scratch, _MOST_SCRATCH), []).append(chosen)
+    for combinations in fitting.values():
+        combinations.sort(key=lambda chosen: sum(form.words for form in chosen))
+        yield from combinations[:_MOST_WRITTEN]
 
 
 def _words(script: Script) -> int:
@@ -71,46 +111,27 @@ def _words(script: Script) -> int:
     return sum(gate.words for segment in segments for gate in segment)
 
 
-_Code = Literal["values", "gray", "binary"]
-"""The planes of a part of cubes: its values at the demands, or its number."""
-
-
 @dataclass
-class _Covered:
-    """A part whose values are ORs of `cubes[i]` at demand i, or the inverse of that OR if
-    `inverted[i]`. An empty list is 0. A demand is a set of shutters that FLAG must select at a
-    boundary."""
+class _Held:
+    """A state in a register, such as s0.
 
-    cubes: list[list[Cube]]
-    inverted: list[bool]
-
-
-@dataclass
-class _State:
-    """A part that only closes or only opens, as a state that collects changed shutters.
-
-    `register` is a name such as s0, and `masked` tells whether it is the masked register. The
-    register holds the part's value if `positive`, else its inverse. `closes`: the part only closes,
-    else it only opens. `changes` maps the index of the demand (a set of shutters that FLAG must
-    select at a boundary) at which shutters change to their number. The NOR of the planes (numbers
-    `planes`, lowest bit first) at which a number has a 0 selects the number and its submasks, which
-    have changed before. So it is for the `low_bits` lowest planes; higher planes are in Gray code
-    and inverted over time. With `second` the register holds the exclusive or with that part.
-    `steps` are the disjoint parts in which `second` then differs from its value at the demand
-    before. FLAG is the bit that lets a pixel act."""
+    `masked` tells whether it is the masked register. The register now holds the inverse of the
+    state if `inverse`. `ahead` are the values that later changes write, in order. With `second` the
+    register holds the exclusive or with that part. `steps` are the disjoint parts in which `second`
+    then differs from its value at the demand before. A demand is a set of shutters that FLAG must
+    select at a boundary."""
 
     register: str
     masked: bool
-    positive: bool
-    closes: bool
-    changes: dict[int, int]
-    planes: range
-    low_bits: int
-    second: _Covered | None = None
-    steps: tuple[_Covered, ...] = ()
+    state: StatePart
+    inverse: bool
+    ahead: list[bool]
+    second: CoveredPart | None = None
+    steps: tuple[CoveredPart, ...] = ()
 
 
-_Planned = _State | _Covered | tuple[Operator, "_Planned", "_Planned"]
+_Joined = tuple[tuple[Operator, ...], "_Planned", "_Planned"]
+_Planned = _Held | CoveredPart | ComparedPart | _Joined
 
 
 @dataclass
@@ -118,184 +139,110 @@ class _Writer:
     """The planes (contents of code registers), states and gates of one frame, under construction;
     make a new one for each script.
 
-    `submask_bits` is the most low bits of a state's number whose cubes (NORs of registers) are
-    submasks. `code` chooses the planes of parts that cubes cover. With `kept`, an exclusive or is
+    `chosen` is the form of each part, by the identity of the part. With `kept`, an exclusive or is
     kept in the masked register."""
 
     problem: Problem
     machine: Machine
-    submask_bits: int
-    code: _Code
+    chosen: Mapping[int, Form]
     kept: bool
     planes: Planes = field(default_factory=list)
-    states: list[_State] = field(default_factory=list)
+    states: list[_Held] = field(default_factory=list)
 
     def script(self, rule: Rule) -> Script:
         """Return the script that computes a rule at each demand: planes, state updates and the
         gates of the rule. Call it once; it fills the writer's planes and states.
 
-        Raises GaveUp if no register is left for intermediate results, or if a part takes too many
-        cubes (NORs of registers). A demand is a set of shutters that FLAG must select at a
-        boundary."""
-        planned = self._planned(rule, inverse=False)
-        scratch = self.machine.registers - len(self.planes) - len(self.states)
-        if scratch < 1:
-            raise GaveUp("the parts leave no register to compute with")
+        Raises GaveUp if no register is left for intermediate results. A demand is a set of shutters
+        that FLAG must select at a boundary."""
+        count = len(self.problem.demands)
+        planned = self._planned(rule, np.zeros(count, dtype=np.bool_))
+        if self.kept and not any(state.second for state in self.states):
+            raise GaveUp("no exclusive or can be kept")
         self.gates = Gates(self.machine)
         self.standing = Standing(self.gates, len(self.planes))
-        # At first no shutter has changed, so each register holds the opposite of its content after
-        # a change.
         opening = tuple(
-            (Gate("CLR" if _after(state) else "SET", state.register, ()),) for state in self.states
+            (Gate("SET" if held.state.start != held.inverse else "CLR", held.register, ()),)
+            for held in self.states
         )
         before: dict[int, tuple[Segment, ...]] = {}
-        for index in range(len(self.problem.demands)):
+        for index in range(count):
             self.segments: list[Segment] = []
             self.flag_busy = False
-            for state in self.states:
-                self.free = [f"t{number}" for number in range(scratch)]
-                # Scratch values end with the update of a state, so each begins with all registers
-                # free.
-                self._advance(state, index)
-            self.free = [f"t{number}" for number in range(scratch)]
+            for held in self.states:
+                self._advance(held, index)
+            self.free = self._scratch()
             if not self.problem.answered(index):
+                self._turn_ahead(planned, index)
                 self._load_flag(self._sources(planned, index, inverse=False))
                 self._end_segment()
             before[index] = tuple(self.segments)
-        name = f"parts of the rule, {min(self.submask_bits, len(self.planes))} submask bits"
         closing = self.standing.restore()
+        repeated = "" if any(form.varied for form in self.chosen.values()) else ", repeated words"
+        name = f"parts of the rule{repeated}"
         return Script(name, self.planes, len(self.states), opening, before, closing)
 
-    def _planned(self, rule: Rule, inverse: bool) -> _Planned:
-        """Choose planes and states for all parts of a rule, add them to the writer, and return the
-        rule with its parts replaced.
+    def _planned(self, rule: Rule, inverse: Bools) -> _Planned:
+        """Add the planes and states of all parts of a rule to the writer, and return the rule with
+        its parts replaced by plans.
 
-        A part that only opens or only closes becomes a state that counts to its time of change; any
-        other part is covered by cubes (NORs of registers). With `inverse`, the gates will read the
-        rule's inverse, so a state in the masked register is stored inverted. Raises GaveUp if a
-        part takes too many cubes. A plane is the content of a code register."""
+        `inverse`, bool (demands,), tells at which demands the gates will read the rule's inverse; a
+        state in the masked register is stored inverted if that is at most of them. A plane is the
+        content of a code register. A demand is a set of shutters that FLAG must select at a
+        boundary."""
         if isinstance(rule, RulePart):
-            for closes in (True, False):
-                if only_opens(~rule.open if closes else rule.open):
-                    return self._state(rule, closes, inverse)
-            return self._covered(columns(rule.open), self._part_planes(rule))
+            form = self.chosen[id(rule)]
+            plan = shifted(form.plan, len(self.planes))
+            self.planes += form.planes
+            if not isinstance(plan, StatePart):
+                return plan
+            masked = self.machine.masked and not self.states
+            ahead = [change.value for run in plan.changes for change in run]
+            # Outside the masked register, a value is written by an OR: 1 into the state, or 0 as a
+            # 1 into its inverse.
+            low = bool((inverse ^ rule.inverted).mean() > 0.5) if masked else ahead[:1] == [False]
+            self.states.append(_Held(f"s{len(self.states)}", masked, plan, low, ahead))
+            return self.states[-1]
+        only_xor = set(rule.operators) == {"xor"}
+        inner = rule.second
+        nested = isinstance(inner, Composition) and inner.operators == rule.operators
+        if self.kept and only_xor and nested:
+            assert isinstance(inner, Composition)
+            # One of the parts of the second may be kept with the first.
+            first_two = Composition(rule.operators, rule.first, inner.first)
+            rule = Composition(rule.operators, first_two, inner.second)
         # An `and` is the NOR of its parts' inverses, an `or` the OR of their values.
-        if rule.operator != "xor":
-            inverse = rule.operator == "and"
+        operators = np.array(rule.operators)
+        inverse = np.where(operators == "and", True, np.where(operators == "or", False, inverse))
         first, second = self._planned(rule.first, inverse), self._planned(rule.second, inverse)
         # The masked register can hold the exclusive or of its state and a part of cubes.
-        if not (self.kept and rule.operator == "xor" and isinstance(first, _State)):
-            return rule.operator, first, second
-        alone = first.masked and first.second is None
-        if alone and isinstance(second, _Covered) and isinstance(rule.second, RulePart):
-            values = columns(rule.second.open)
-            steps = [now ^ was for was, now in zip([0, *values[:-1]], values, strict=True)]
-            planes = {plane for cubes in second.cubes for cube in cubes for plane, _ in cube}
-            first.steps, first.second = self._disjoint(steps, sorted(planes)), second
-            return first
-        return rule.operator, first, second
+        if self.kept and only_xor and isinstance(first, _Held):
+            alone = first.masked and first.second is None
+            if alone and isinstance(second, CoveredPart) and isinstance(rule.second, RulePart):
+                values = columns(rule.second.open ^ rule.second.inverted)
+                steps = [now ^ was for was, now in zip([0, *values[:-1]], values, strict=True)]
+                planes = {plane for cubes in second.cubes for cube in cubes for plane, _ in cube}
+                first.steps, first.second = self._disjoint(steps, sorted(planes)), second
+                return first
+        return rule.operators, first, second
 
-    def _state(self, part: RulePart, closes: bool, inverse: bool) -> _State:
-        """Add a state for a part, with planes (contents of code registers) that hold the number of
-        a shutter's change, and return it.
-
-        `closes`: the part only closes, else it only opens. `inverse`: its gates read the inverse.
-        The first state goes into the masked register, if there is one, where both polarities take
-        one word."""
-        base = len(self.planes)
-        # A shutter changes after as many demands as it keeps its first value.
-        changed_at, numbers = np.unique(
-            (part.open if closes else ~part.open).sum(axis=1), return_inverse=True
-        )
-        width = int(len(changed_at) - 1).bit_length()
-        # The `low` lowest bits are binary: a submask is a smaller number. The others are Gray code.
-        low = min(self.submask_bits, width)
-        coded = gray(numbers >> low) << low | numbers & (1 << low) - 1
-        self.planes += binary_planes(f"{' and '.join(part.fields)}, change, bit", coded, width)
-        masked = self.machine.masked and not self.states
-        positive = not inverse if masked else not closes
-        changes = {int(demand): number for number, demand in enumerate(changed_at)}
-        planes = range(base, base + width)
-        state = _State(f"s{len(self.states)}", masked, positive, closes, changes, planes, low)
-        self.states.append(state)
-        return state
-
-    def _part_planes(self, part: RulePart) -> range:
-        """Add the planes of a part that cubes cover, in the writer's `code`, and return their
-        numbers.
-
-        The part's values at the demands are stored as they are, whatever the code, if that takes no
-        more planes than numbers of its kinds of shutters. A cube is a NOR of registers. A demand is
-        a set of shutters that FLAG must select at a boundary."""
-        base, name = len(self.planes), " and ".join(part.fields)
-        # Kinds of shutters are numbered in the order of field values, the first field first:
-        # `lexsort` takes the most significant key last.
-        order = np.lexsort([*part.fields.values()][::-1])
-        _, first, kinds = np.unique(
-            part.open[order], axis=0, return_index=True, return_inverse=True
-        )
-        numbers = np.empty(len(order), dtype=np.int64)
-        # `np.unique` sorts kinds by content; they are numbered by their first shutter instead.
-        numbers[order] = np.argsort(np.argsort(first))[kinds.reshape(-1)]
-        everything = self.problem.everything
-        # A value and its inverse need one plane: the one with fewer shutters.
-        values = dict.fromkeys(
-            min(value, value ^ everything, key=lambda v: (v.bit_count(), v))
-            for value in columns(part.open)
-        )
-        stored = [value for value in values if value]
-        if (
-            sum(value.bit_count() for value in stored) == self.problem.shutters
-            and union(stored) == everything
-        ):
-            stored.pop()  # it is the NOR of the others
-        count = int(numbers.max()) + 1
-        width = (count - 1).bit_length()
-        if self.code == "values" or len(stored) <= width:
-            self.planes += [(value, f"{name}, value {i}") for i, value in enumerate(stored)]
-        elif self.code == "gray":
-            codes = np.array(cycle(count, width))
-            self.planes += binary_planes(f"{name}, Gray bit", codes[numbers], width)
-        else:
-            self.planes += binary_planes(f"{name}, bit", numbers, width)
-        return range(base, len(self.planes))
-
-    def _covered(self, predicates: Sequence[int], planes: Sequence[int]) -> _Covered:
-        """Return for each predicate (a truth vector) the cheaper cover by cubes: of itself, or of
-        its complement; of itself if both are equal.
-
-        Cubes read the planes with the numbers `planes`. Raises GaveUp if these do not distinguish a
-        predicate's shutters from the others, if a predicate needs more than `_MOST_CUBES`, or if
-        the search takes too many steps. A cube is a NOR of registers. A predicate is a set of
-        shutters."""
-        vectors, everything = [self.planes[p][0] for p in planes], self.problem.everything
-        # A part whose covers take more steps than this is given up.
-        budget = Budget(20_000 * len(predicates))
-        known: dict[int, tuple[list[Cube], bool]] = {}
-        for predicate in dict.fromkeys(predicates):
-            covers = [
-                [tuple((planes[plane], value) for plane, value in cube) for cube in found]
-                for found in (
-                    cover(predicate, vectors, everything, budget),
-                    cover(everything & ~predicate, vectors, everything, budget),
-                )
-            ]
-            inverted = len(covers[1]) < len(covers[0])
-            if len(covers[inverted]) > _MOST_CUBES:
-                raise GaveUp(f"a part of the rule takes more than {_MOST_CUBES} cubes")
-            known[predicate] = covers[inverted], inverted
-        chosen = [known[predicate] for predicate in predicates]
-        return _Covered([cubes for cubes, _ in chosen], [inverted for _, inverted in chosen])
-
-    def _disjoint(self, predicates: list[int], planes: Sequence[int]) -> tuple[_Covered, ...]:
+    def _disjoint(self, predicates: list[int], planes: Sequence[int]) -> tuple[CoveredPart, ...]:
         """Return parts whose exclusive or is open in `predicates`, each with at most one cube (a
         NOR of registers), or its inverse, at each demand; none if all predicates are empty.
 
         `predicates` are truth vectors, one for each demand (a set of shutters that FLAG must select
         at a boundary); `planes` are the numbers of the planes that cubes may read."""
-        parts: list[_Covered] = []
+        parts: list[CoveredPart] = []
         while any(predicates):
-            part = self._covered(predicates, planes)
+            vectors = [self.planes[plane][0] for plane in planes]
+            local, _ = covered(predicates, vectors, self.problem.everything)
+            part = CoveredPart(
+                [
+                    [tuple((planes[plane], value) for plane, value in cube) for cube in cubes]
+                    for cubes in local.cubes
+                ],
+                local.inverted,
+            )
             rest = [0] * len(predicates)
             for index, cubes in enumerate(part.cubes):
                 if len(cubes) > 1:
@@ -313,62 +260,97 @@ class _Writer:
         zeros = union(self.planes[p][0] ^ (self.problem.everything * value) for p, value in cube)
         return self.problem.everything ^ zeros
 
-    def _advance(self, state: _State, index: int) -> None:
+    def _advance(self, held: _Held, index: int) -> None:
         """Append the gates that update a state before demand `index`: first the inversions where
-        its second part changes, then the change of its own shutters, if any. A demand is a set of
+        its second part changes, then the changes of its own shutters, if any. A demand is a set of
         shutters that FLAG must select at a boundary."""
-        for step in state.steps:
+        # The changes may run before the inversions, when the second part still has its last value.
+        second = held.second if index else None
+        before = second and self._dear(second, index - 1) < self._dear(second, index)
+        if before:
+            self._change(held, index, index - 1)
+        for step in held.steps:
             if step.cubes[index] or step.inverted[index]:
+                # Scratch values end with an update, so each begins with all registers free.
+                self.free = self._scratch()
                 inverse = self._direct(step, index)
                 (self.gates.nor if inverse else self.gates.or_)(
                     MASK, self._cubes(step, index, inverse)
                 )
                 # A masked NOT inverts the state where the value of the cubes changes.
-                self.gates.nor(state.register, [state.register], masked=True)
+                self.gates.nor(held.register, [held.register], masked=True)
                 self._end_segment()
-        if index not in state.changes:
-            return
-        number = state.changes[index]
-        # Where the low bits begin again at 0, the high bits count on: one bit of their Gray code.
-        if number and not number & (1 << state.low_bits) - 1:
-            high = number >> state.low_bits
-            # The Gray codes of `high` - 1 and `high` differ in the bit of the lowest 1 of `high`.
-            flipped = (high & -high).bit_length() - 1 + state.low_bits
-            self.segments.append(self.standing.flip(state.planes[flipped]))
-        changed = [
-            f"p{plane}"
-            for bit, plane in enumerate(state.planes)
-            if bit >= state.low_bits or not number >> bit & 1
-        ]
-        if state.masked:
-            self._write_changed(state, index, changed)
-        else:
-            self.gates.nor(MASK, changed)
-            self.gates.or_(state.register, [state.register, MASK])
-        self._end_segment()
+        if not before:
+            self._change(held, index, index)
 
-    def _write_changed(self, state: _State, index: int, changed: Sequence[str]) -> None:
-        """Append masked gates that write a state, before demand `index`, in the changed shutters:
-        those in which all planes `changed` (names) are 0.
+    def _scratch(self) -> list[str]:
+        """Return the names of all scratch registers (for intermediate results)."""
+        count = self.machine.registers - len(self.planes) - len(self.states)
+        return [f"t{number}" for number in range(count)]
+
+    def _dear(self, second: CoveredPart, index: int) -> tuple[bool, int]:
+        """Return a key that orders the values of a part at demands by the words that it takes to
+        write them where a mask is 1. A demand is a set of shutters that FLAG must select at a
+        boundary."""
+        cubes = second.cubes[index]
+        inverted = self.standing.inverted
+        turns = sum(inverted[plane] != v for cube in cubes if len(cube) > 1 for plane, v in cube)
+        return len(cubes) > 1, turns
+
+    def _change(self, held: _Held, index: int, second_index: int) -> None:
+        """Append the gates that change a state in its own shutters before demand `index`.
+        `second_index` is the demand whose value the second part has now, if there is one. A demand
+        is a set of shutters that FLAG must select at a boundary."""
+        for change in held.state.changes[index]:
+            if held.masked:
+                self._write_changed(held, second_index, change)
+            else:
+                self._select(change.cube)
+                self._gather_changed(held)
+            self._end_segment()
+
+    def _select(self, cube: Cube) -> None:
+        """Append the gates that set the mask in the shutters of a cube (a NOR of registers)."""
+        names = self._literals(cube)
+        (self.gates.nor if self._is_low([cube]) else self.gates.or_)(MASK, names)
+
+    def _gather_changed(self, held: _Held) -> None:
+        """Append gates that change a state, outside the masked register, in the shutters of the
+        mask.
+
+        The register takes the OR with the mask, so it must hold the inverse of the state if the
+        state becomes 0. If the next change is of the other kind, the gate also inverts."""
+        value, held.ahead = held.ahead[0], held.ahead[1:]
+        if held.inverse == value:
+            self.gates.nor(held.register, [held.register])
+            held.inverse = not value
+        turns = held.ahead[:1] == [not value]
+        (self.gates.nor if turns else self.gates.or_)(held.register, [held.register, MASK])
+        held.inverse ^= turns
+
+    def _write_changed(self, held: _Held, index: int, change: Change) -> None:
+        """Append masked gates that write a state in the shutters that change.
 
         If the state also holds the exclusive or with a second part, its new content depends on the
-        cubes (NORs of registers) of that part. A demand is a set of shutters that FLAG must select
-        at a boundary."""
-        cubes, content = list[Cube](), _after(state)
-        if state.second is not None:
-            cubes, content = state.second.cubes[index], content ^ state.second.inverted[index]
+        cubes (NORs of registers) of that part at demand `index`. A demand is a set of shutters that
+        FLAG must select at a boundary."""
+        cubes, content = list[Cube](), change.value != held.inverse
+        if held.second is not None:
+            cubes, content = held.second.cubes[index], content ^ held.second.inverted[index]
         if len(cubes) == 1:
             names = self._literals(cubes[0])
-            self.gates.nor(MASK, changed)
+            self._select(change.cube)
             inverse = self._is_low(cubes) != content
-            (self.gates.nor if inverse else self.gates.or_)(state.register, names, masked=True)
+            (self.gates.nor if inverse else self.gates.or_)(held.register, names, masked=True)
             return
-        self.gates.nor(MASK, changed)
-        self.gates.add(Gate("SET" if content else "CLR", state.register, (), masked=True))
+        if cubes:
+            self._turn(change.cube)
+        self._select(change.cube)
+        self.gates.add(Gate("SET" if content else "CLR", held.register, (), masked=True))
         for cube in cubes:
             self._turn(cube)
-            self.gates.nor(MASK, [*changed, *(f"p{plane}" for plane, _ in cube)])
-            self.gates.add(Gate("CLR" if content else "SET", state.register, (), masked=True))
+            self.gates.nor(MASK, [f"p{plane}" for plane, _ in (*change.cube, *cube)])
+            self.gates.add(Gate("CLR" if content else "SET", held.register, (), masked=True))
 
     def _end_segment(self) -> None:
         """Add the gates so far as a segment (gates that run together), if there are any."""
@@ -412,12 +394,17 @@ class _Writer:
 
         `planned` is the rule as `_planned` returns it. Raises GaveUp if no register is left. A
         demand is a set of shutters that FLAG must select at a boundary."""
-        if isinstance(planned, _Covered):
+        if isinstance(planned, CoveredPart):
             return self._cubes(planned, index, inverse)
-        if isinstance(planned, _State):
-            name = planned.register
-            return [name] if planned.positive != inverse else [self._joined("NOR", [name])]
-        operator, first, second = planned
+        if isinstance(planned, ComparedPart):
+            return self._comparison(planned, index, inverse)
+        if isinstance(planned, _Held):
+            direct = self._direct(planned, index) == inverse
+            return [planned.register if direct else self._joined("NOR", [planned.register])]
+        operators, first, second = planned
+        operator = operators[index]
+        if operator in ("first", "second"):
+            return self._sources(first if operator == "first" else second, index, inverse)
         if operator == "xor":
             # Each part is read as its value or its inverse, whichever takes fewer gates; every
             # inverse inverts the exclusive or.
@@ -464,32 +451,93 @@ class _Writer:
         shutters that FLAG must select at a boundary."""
         if self._direct(planned, index) != inverse:
             return True
-        if isinstance(planned, tuple):
-            parts = planned[1:]
-            return planned[0] == "xor" or any(self._needs_scratch(p, index, inverse) for p in parts)
-        return isinstance(planned, _Covered) and len(planned.cubes[index]) > 1
+        match planned:
+            case CoveredPart():
+                return len(planned.cubes[index]) > 1
+            case ComparedPart():
+                return len(_runs(planned.thresholds[index], planned.width)) > 1
+            case _Held():
+                return False
+        operators, first, second = planned
+        match operators[index]:
+            case "first":
+                return self._needs_scratch(first, index, inverse)
+            case "second":
+                return self._needs_scratch(second, index, inverse)
+            case "xor":
+                return True
+        return any(self._needs_scratch(part, index, inverse) for part in (first, second))
 
     def _direct(self, planned: _Planned, index: int) -> bool:
         """Return whether registers with the inverse of a rule, at demand number `index`, take fewer
         gates than those with its value. For an exclusive or the result is False. A demand is a set
         of shutters that FLAG must select at a boundary."""
-        if isinstance(planned, _State):
-            return not planned.positive
-        if isinstance(planned, _Covered):
-            return self._is_low(planned.cubes[index]) ^ planned.inverted[index]
-        return planned[0] == "and"
+        match planned:
+            case _Held():
+                return planned.inverse ^ planned.state.inverted[index]
+            case CoveredPart():
+                return self._is_low(planned.cubes[index]) ^ planned.inverted[index]
+            case ComparedPart():
+                runs = _runs(planned.thresholds[index], planned.width)
+                return (bool(runs) and runs[-1][0]) ^ planned.inverted[index]
+        operators, first, second = planned
+        match operators[index]:
+            case "first":
+                return self._direct(first, index)
+            case "second":
+                return self._direct(second, index)
+            case operator:
+                return operator == "and"
+
+    def _turn_ahead(self, planned: _Planned, index: int) -> None:
+        """Append the inversions of planes that the gates of a rule at demand `index` need.
+
+        They come before all gates, because the inversion of a plane in the masked register needs
+        the mask, which is scratch. A part with several cubes needs inversions between them."""
+        match planned:
+            case CoveredPart():
+                for cube in planned.cubes[index]:
+                    if len(planned.cubes[index]) == 1 and len(cube) > 1:
+                        self._turn(cube)
+            case ComparedPart():
+                code = gray(planned.thresholds[index])
+                self._turn(tuple((planned.base + i, code >> i & 1) for i in range(planned.width)))
+            case (operators, first, second):
+                if operators[index] != "second":
+                    self._turn_ahead(first, index)
+                if operators[index] != "first":
+                    self._turn_ahead(second, index)
+
+    def _comparison(self, compared: ComparedPart, index: int, inverse: bool) -> list[str]:
+        """Add gates that compare a number with the threshold of demand `index`, and return
+        registers whose OR is the part's value, or with `inverse` its inverse.
+
+        The planes hold the exclusive or of both Gray codes. In the highest plane that is 1, number
+        and threshold differ: the number is larger if that bit of the threshold is 0. So, from the
+        lowest bit up, bits that are 0 in the threshold are joined to the result by an OR, and those
+        that are 1 to its inverse. Raises GaveUp if no register is left."""
+        inverse ^= compared.inverted[index]
+        names: list[str] = []
+        # The OR of `names` is the result for the bits so far, or its inverse if `low`. Equal
+        # numbers count as larger.
+        low = True
+        for ones, bits in _runs(compared.thresholds[index], compared.width):
+            carried = [self._joined("NOR", names)] if names else []
+            names = [*(f"p{compared.base + bit}" for bit in bits), *carried]
+            low = ones
+        return names if low == inverse else [self._joined("NOR", names)]
 
     def _is_low(self, cubes: Sequence[Cube]) -> bool:
         """Return whether the registers that are read for `cubes` hold the inverse of their OR. They
         do for one cube of several planes (a NOR is still to come), and for a single plane whose
         register holds the inverse of the literal; not for several cubes (NORs of registers), nor
         for none. A plane is the content of a code register."""
-        if len(cubes) != 1 or len(cubes[0]) > 1:
+        if len(cubes) != 1 or len(cubes[0]) != 1:
             return len(cubes) == 1
         ((plane, value),) = cubes[0]
         return bool(self.standing.inverted[plane] == value)
 
-    def _cubes(self, covered: _Covered, index: int, inverse: bool) -> list[str]:
+    def _cubes(self, covered: CoveredPart, index: int, inverse: bool) -> list[str]:
         """Add gates for a part at demand number `index`, and return registers whose OR is the value
         of the part, or with `inverse` its inverse.
 
@@ -525,6 +573,15 @@ class _Writer:
             self.segments += self.standing.turn(cube)
 
 
-def _after(state: _State) -> bool:
-    """Return the content of a state's register after the change."""
-    return state.closes != state.positive
+def _runs(threshold: int, width: int) -> list[tuple[bool, list[int]]]:
+    """Return the runs of equal bits of a number of `width` bits, as (value, positions), from the
+    lowest 1 up.
+
+    >>> _runs(0b0110, 4)
+    [(True, [1, 2]), (False, [3])]
+    """
+    runs = [
+        (value, [*bits])
+        for value, bits in groupby(range(width), lambda bit: bool(threshold >> bit & 1))
+    ]
+    return runs[not threshold & 1 :]

@@ -49,28 +49,39 @@ class Budget:
             raise GaveUp("the search used up its steps")
 
 
-def cover(on: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
+def cover(
+    on: int,
+    planes: Sequence[int],
+    everything: int,
+    budget: Budget,
+    free: int = 0,
+    standing: Sequence[int] = (),
+) -> list[Cube]:
     """Return prime cubes (NORs of registers) whose union is the predicate `on`, a truth vector;
     none if it is empty.
 
     `planes` are truth vectors, `everything` that of all shutters. Codes without a shutter are
-    don't-cares. With 13 planes there are too many primes to enumerate (Quine, McCluskey). Each cube
-    starts as the code of one uncovered shutter and is expanded greedily by newly covered shutters
-    (like Espresso, Brayton et al., 1984). Raises GaveUp if a shutter in `on` and one outside have
-    the same code, or if the budget is used up. A predicate is a set of shutters."""
+    don't-cares, and so are the shutters `free`. With 13 planes there are too many primes to
+    enumerate (Quine, McCluskey). Each cube starts as the code of one uncovered shutter and is
+    expanded greedily by newly covered shutters (like Espresso, Brayton et al., 1984); of equal
+    literals, those that differ from `standing`, the polarities of the planes, are dropped first.
+    Raises GaveUp if a shutter in `on` and one outside have the same code, or if the budget is used
+    up. A predicate is a set of shutters."""
     literals = [(everything & ~plane, plane) for plane in planes]
     cubes: list[Cube] = []
-    uncovered, off = on, everything & ~on
+    uncovered, off = on, everything & ~(on | free)
     while uncovered:
         seed = uncovered & -uncovered
         cube = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]
+        if standing:  # `_expand` drops the first of equal literals
+            cube.sort(key=lambda literal: standing[literal[0]] == literal[1])
         cube = _expand(cube, literals, uncovered, off, everything, budget)
         covered = everything
         for i, value in cube:
             covered &= literals[i][value]
         if covered & off:
             raise GaveUp("two shutters have the same code in these planes")
-        cubes.append(tuple(cube))
+        cubes.append(tuple(sorted(cube)))
         uncovered &= ~covered
     return cubes
 

@@ -1,0 +1,350 @@
+"""Forms of a part of a composed rule: what its registers hold, and the gates that compute it.
+
+* covered: planes hold a number of each kind of shutter, or the part's values themselves; each
+  value is an OR of cubes of these planes
+* state: a register holds the part's value, and cubes select the shutters in which it changes
+* compared: for a part that only closes or only opens, the number of the change is compared with
+  the time, bit by bit; this takes most words, but no register for a state
+
+A kind of shutters are those with equal values at all demands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from itertools import combinations, groupby
+from math import comb
+from typing import NamedTuple
+
+import numpy as np
+
+from nscc.arrays import Indices, Ints
+from nscc.logic.cubes import Budget, Cube, cover
+from nscc.logic.digits import Planes, binary_planes, cycle, gray
+from nscc.logic.problem import GaveUp
+from nscc.logic.rule_parts import RulePart, monotone, only_opens
+from nscc.truth import columns, number_planes, rows, union
+
+# Limits: cubes of a value or a change, and kinds of shutters whose values are covered.
+_MOST_CUBES = 4
+_MOST_COVERED_KINDS = 64
+# Low bits of a binary number whose cubes are submasks; the others are in Gray code. With fewer, the
+# same words are repeated more often, so that a smaller store holds them.
+_SUBMASK_BITS = (13, 4)
+
+
+class Change(NamedTuple):
+    """The shutters of `cube`, in which a state becomes `value`."""
+
+    value: bool
+    cube: Cube
+
+
+@dataclass(frozen=True)
+class CoveredPart:
+    """A part whose values are ORs of `cubes[i]` at demand i, or the inverse of that OR if
+    `inverted[i]`. An empty list is 0. A demand is a set of shutters that FLAG must select at a
+    boundary."""
+
+    cubes: list[list[Cube]]
+    inverted: list[bool]
+
+
+@dataclass(frozen=True)
+class StatePart:
+    """A part whose value is a state that begins with `start`; `changes[i]` run before demand i.
+
+    The part's value is the state, or its inverse if `inverted[i]`. A demand is a set of shutters
+    that FLAG must select at a boundary."""
+
+    start: bool
+    changes: list[list[Change]]
+    inverted: list[bool]
+
+
+@dataclass(frozen=True)
+class ComparedPart:
+    """A part whose value at demand i is whether a number is at least `thresholds[i]`, or the
+    inverse of that if `inverted[i]`.
+
+    The planes from number `base` on, `width` of them, hold the number in Gray code, lowest bit
+    first. A demand is a set of shutters that FLAG must select at a boundary."""
+
+    base: int
+    width: int
+    thresholds: list[int]
+    inverted: list[bool]
+
+
+Plan = StatePart | CoveredPart | ComparedPart
+
+
+@dataclass(frozen=True)
+class Form:
+    """A form of a part: its planes, and a plan that reads them as planes 0, 1, ...
+
+    `words` estimates the words of a frame that the part takes on its own. `varied` tells whether
+    many of them differ, so that a small store may not hold them."""
+
+    planes: Planes
+    plan: Plan
+    words: float
+    varied: bool = False
+
+    @property
+    def registers(self) -> int:
+        """The number of registers that the form occupies all the time."""
+        return len(self.planes) + isinstance(self.plan, StatePart)
+
+
+@dataclass
+class _Kinds:
+    """The kinds of shutters of a part: the number of each shutter's kind (shutters,), from 0, and
+    the set of kinds with value 1 at each demand, as integers with one bit for each kind."""
+
+    number: Indices
+    count: int
+    values: list[int]
+    inverted: list[bool]
+    fields: str
+    nested: bool
+
+    @property
+    def everything(self) -> int:
+        """The set of all kinds."""
+        return (1 << self.count) - 1
+
+
+def forms(part: RulePart, most_planes: int) -> list[Form]:
+    """Return the forms of a part with at most `most_planes` planes, those with the fewest words
+    first."""
+    kinds = _kinds(part)
+    found = [form for form in _forms(kinds, most_planes) if len(form.planes) <= most_planes]
+    return sorted(found, key=lambda form: (form.words, form.registers))
+
+
+def _kinds(part: RulePart) -> _Kinds:
+    """Return the kinds of shutters of a part. Kinds that only close, or only open, are in the order
+    of their change; others in the order of field values, the first field first."""
+    order = np.lexsort([*part.fields.values()][::-1])
+    _, first, kinds = np.unique(part.open[order], axis=0, return_index=True, return_inverse=True)
+    rank = np.argsort(np.argsort(first))
+    nested = monotone(part.open)
+    if nested:
+        change = (part.open if not only_opens(part.open) else ~part.open).sum(axis=1)
+        rank = np.argsort(np.argsort(change[order][first], kind="stable"))
+    number = np.empty(len(order), dtype=np.int64)
+    number[order] = rank[kinds.reshape(-1)]
+    at = np.empty(len(first), dtype=np.int64)
+    at[rank] = order[first]
+    names = " and ".join(part.fields)
+    inverted = [bool(bit) for bit in part.inverted]
+    return _Kinds(number, len(first), columns(part.open[at]), inverted, names, nested)
+
+
+def _forms(kinds: _Kinds, most_planes: int) -> Iterator[Form]:
+    """Yield forms of a part; some may have more than `most_planes` planes."""
+    yield from _stored(kinds, most_planes)
+    width = max(1, (kinds.count - 1).bit_length())
+    if width > most_planes:
+        return
+    numbers = np.arange(kinds.count)
+    coded: list[tuple[str, Ints, int, bool]] = []
+    if kinds.nested:
+        for low in _SUBMASK_BITS if width > _SUBMASK_BITS[1] else _SUBMASK_BITS[:1]:
+            low = min(low, width)
+            codes = gray(numbers >> low) << low | numbers & (1 << low) - 1
+            yield from _state(kinds, "change, bit", codes, width, low)
+        yield _compared(kinds, width)
+    if not kinds.nested:
+        codes = np.array(cycle(kinds.count, width))
+        coded.append(("Gray bit", codes, width, False))
+        coded += [(*places, False) for places in _places(kinds.count, most_planes)]
+        for name, codes, planes, _ in coded:
+            yield from _state(kinds, name, codes, planes, planes)
+    if kinds.count <= _MOST_COVERED_KINDS:
+        coded.append(("bit", numbers, width, False))
+        for name, codes, planes, _ in coded:
+            yield from _covered(kinds, name, codes, planes)
+
+
+def _places(count: int, most_planes: int) -> Iterator[tuple[str, Ints, int]]:
+    """Yield codes of `count` numbers, with their width, whose low bits are places: codes with
+    equally many ones, so that the NOR of the planes that are 0 in one of them selects no other. The
+    high bits number the group in Gray code."""
+    for bits in range(4):
+        size, places = -(-count >> bits), 2
+        while comb(places, places // 2) < size:
+            places += 1
+        if bits + places > most_planes or size < 2:
+            continue
+        ones = combinations(range(places), places // 2)
+        codes = np.array([sum(1 << bit for bit in chosen) for chosen in ones])
+        numbers = np.arange(count)
+        groups = np.array(cycle(-(-count // size), bits) if bits else (0,))
+        code = groups[numbers // size] << places | codes[numbers % size]
+        yield "place or group, bit", code, bits + places
+
+
+def _planes(kinds: _Kinds, name: str, codes: Ints, width: int) -> Planes:
+    """Return the planes that hold the code of each shutter's kind."""
+    return binary_planes(f"{kinds.fields}, {name}", codes[kinds.number], width)
+
+
+def _stored(kinds: _Kinds, most_planes: int) -> Iterator[Form]:
+    """Yield the form whose planes hold the part's different values as they are."""
+    # A value and its inverse need one plane: the one with fewer kinds.
+    values = dict.fromkeys(
+        min(value, value ^ kinds.everything, key=lambda v: (v.bit_count(), v))
+        for value in kinds.values
+    )
+    stored = [value for value in values if value]
+    if sum(v.bit_count() for v in stored) == kinds.count and union(stored) == kinds.everything:
+        stored = stored[:-1] or stored  # it is the NOR of the others
+    if len(stored) > most_planes:
+        return
+    of_shutters = columns(rows(stored, kinds.count)[kinds.number])
+    planes = [(plane, f"{kinds.fields}, value {i}") for i, plane in enumerate(of_shutters)]
+    yield from _covered_by(kinds, planes, stored)
+
+
+def _covered(kinds: _Kinds, name: str, codes: Ints, width: int) -> Iterator[Form]:
+    """Yield the form whose values are covered by cubes of the planes of a code, if it exists."""
+    yield from _covered_by(kinds, _planes(kinds, name, codes, width), number_planes(codes, width))
+
+
+def _covered_by(kinds: _Kinds, planes: Planes, vectors: Sequence[int]) -> Iterator[Form]:
+    """Yield the form with these planes, whose contents in each kind are `vectors`, if no value
+    takes too many cubes."""
+    with suppress(GaveUp):
+        plan, words = covered(kinds.values, vectors, kinds.everything)
+        inverted = [a != b for a, b in zip(plan.inverted, kinds.inverted, strict=True)]
+        yield Form(planes, CoveredPart(plan.cubes, inverted), words)
+
+
+def covered(
+    values: Sequence[int], vectors: Sequence[int], everything: int
+) -> tuple[CoveredPart, float]:
+    """Return the plan that covers `values`, one for each demand, by cubes of the planes `vectors`,
+    and an estimate of its words.
+
+    The values, planes and `everything` are sets of shutters, or of kinds of them. Raises GaveUp if
+    the planes do not distinguish the shutters of a value from the others, if a value takes too many
+    cubes, or if the search takes too many steps."""
+    turned, words = _Turned(len(vectors)), 0.0
+    cubes: list[list[Cube]] = []
+    inverted: list[bool] = []
+    # A part whose covers take more steps than this is given up.
+    budget = Budget(20_000 * len(values))
+    known: dict[tuple[int, tuple[int, ...]], tuple[list[Cube], bool]] = {}
+    for value in values:
+        key = value, tuple(turned.polarity)
+        if key not in known:
+            covers = [
+                cover(on, vectors, everything, budget, standing=turned.polarity)
+                for on in (value, value ^ everything)
+            ]
+            inverse = len(covers[1]) < len(covers[0])
+            if len(covers[inverse]) > _MOST_CUBES:
+                raise GaveUp(f"a part of the rule takes more than {_MOST_CUBES} cubes")
+            known[key] = covers[inverse], inverse
+        chosen, inverse = known[key]
+        words += sum(2 * turned.to(cube) + 1 for cube in chosen if len(cube) > 1)
+        words += 2 * max(0, len(chosen) - 1)
+        cubes.append(chosen)
+        inverted.append(inverse)
+    return CoveredPart(cubes, inverted), words
+
+
+class _Turned:
+    """The polarity of planes over a frame: `polarity[plane]` is 1 if a plane is inverted."""
+
+    def __init__(self, planes: int) -> None:
+        """Begin with planes as they are stored."""
+        self.polarity = [0] * planes
+
+    def to(self, cube: Cube) -> int:
+        """Invert planes so that a cube is their NOR, and return their number."""
+        count = 0
+        for plane, value in cube:
+            count += self.polarity[plane] != value
+            self.polarity[plane] = value
+        return count
+
+
+def _state(kinds: _Kinds, name: str, codes: Ints, width: int, low_bits: int) -> Iterator[Form]:
+    """Yield the form that keeps the value in a state, whose changes are cubes of the planes of a
+    code, if no change takes too many cubes.
+
+    A cube may also contain kinds that have the new value already, if they have the same bits above
+    the `low_bits` lowest."""
+    vectors, everything = number_planes(codes, width), kinds.everything
+    high = codes >> low_bits
+    groups = columns(high[:, None] == np.unique(high))
+    start = 2 * kinds.values[0].bit_count() > kinds.count
+    now, turned, words = everything * start, _Turned(width), 0.0
+    budget = Budget(20_000 * len(kinds.values))
+    changes: list[list[Change]] = []
+    with suppress(GaveUp):
+        for value in kinds.values:
+            chosen: list[Change] = []
+            for after, on, same in (
+                (False, now & ~value, everything & ~value),
+                (True, value & ~now, value),
+            ):
+                for group in groups if on else ():
+                    if on & group:
+                        cubes = cover(
+                            on & group,
+                            vectors,
+                            everything,
+                            budget,
+                            free=same & group,
+                            standing=turned.polarity,
+                        )
+                        for cube in cubes:
+                            words += 2 * turned.to(cube) + 2
+                        chosen += [Change(after, cube) for cube in cubes]
+            if len(chosen) > _MOST_CUBES:
+                return
+            changes.append(chosen)
+            now = value
+        varied = kinds.nested and low_bits > _SUBMASK_BITS[1]
+        yield Form(
+            _planes(kinds, name, codes, width),
+            StatePart(start, changes, kinds.inverted),
+            words,
+            varied,
+        )
+
+
+def _compared(kinds: _Kinds, width: int) -> Form:
+    """Return the form that compares the number of a kind, in the order of changes, with the number
+    of changes so far."""
+    # Kinds with value 1 are all above a threshold, or all below it.
+    above = [value.bit_length() == kinds.count for value in kinds.values]
+    thresholds = [
+        kinds.count - value.bit_count() if high else value.bit_count()
+        for value, high in zip(kinds.values, above, strict=True)
+    ]
+    inverted = [high == out for high, out in zip(above, kinds.inverted, strict=True)]
+    runs = [len(list(groupby(f"{t:b}"))) for t in thresholds]
+    words = sum(2.0 * count + 2 for count in runs)
+    numbers = gray(np.arange(kinds.count))
+    planes = _planes(kinds, "change, Gray bit", numbers, width)
+    return Form(planes, ComparedPart(0, width, thresholds, inverted), words, varied=True)
+
+
+def shifted(plan: Plan, base: int) -> Plan:
+    """Return a plan that reads its planes from number `base` on."""
+
+    def cube_at(cube: Cube) -> Cube:
+        return tuple((base + plane, value) for plane, value in cube)
+
+    if isinstance(plan, ComparedPart):
+        return ComparedPart(base, plan.width, plan.thresholds, plan.inverted)
+    if isinstance(plan, CoveredPart):
+        return CoveredPart([[cube_at(c) for c in cubes] for cubes in plan.cubes], plan.inverted)
+    changes = [[Change(c.value, cube_at(c.cube)) for c in run] for run in plan.changes]
+    return StatePart(plan.start, changes, plan.inverted)
