@@ -28,7 +28,7 @@ from nscc.truth import columns, number_planes, rows, union
 
 # Limits: cubes of a value or a change, and kinds of shutters whose values are covered.
 _MOST_CUBES = 4
-_MOST_COVERED_KINDS = 64
+_MOST_COVERED_KINDS = 512
 # Low bits of a binary number whose cubes are submasks; the others are in Gray code. With fewer, the
 # same words are repeated more often, so that a smaller store holds them.
 _SUBMASK_BITS = (13, 4)
@@ -236,19 +236,20 @@ def covered(
     cubes: list[list[Cube]] = []
     inverted: list[bool] = []
     # A part whose covers take more steps than this is given up.
-    budget = Budget(20_000 * len(values))
+    budget = Budget(2_000 * len(values))
     known: dict[tuple[int, tuple[int, ...]], tuple[list[Cube], bool]] = {}
     for value in values:
         key = value, tuple(turned.polarity)
         if key not in known:
-            covers = [
-                cover(on, vectors, everything, budget, standing=turned.polarity)
-                for on in (value, value ^ everything)
-            ]
-            inverse = len(covers[1]) < len(covers[0])
-            if len(covers[inverse]) > _MOST_CUBES:
+            direct = cover(value, vectors, everything, budget, standing=turned.polarity)
+            known[key] = direct, False
+            if len(direct) > 1:
+                outside = everything & ~value
+                other = cover(outside, vectors, everything, budget, standing=turned.polarity)
+                if len(other) < len(direct):
+                    known[key] = other, True
+            if len(known[key][0]) > _MOST_CUBES:
                 raise GaveUp(f"a part of the rule takes more than {_MOST_CUBES} cubes")
-            known[key] = covers[inverse], inverse
         chosen, inverse = known[key]
         words += sum(2 * turned.to(cube) + 1 for cube in chosen if len(cube) > 1)
         words += 2 * max(0, len(chosen) - 1)
