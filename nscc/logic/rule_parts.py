@@ -60,8 +60,8 @@ def composition(problem: Problem) -> Rule | None:
     """Return the parts of the rule of `problem`.
 
     None for events, for problems without demands, for more than _MOST_FIELDS fields, and for a rule
-    of a single part in which shutters open and close again. A demand is a set of shutters that FLAG must select
-    at a boundary."""
+    of a single part in which shutters open and close again. A demand is a set of shutters that FLAG
+    must select at a boundary."""
     levels_only = all(demand.edge == "open" for demand in problem.demands)
     if not (levels_only and problem.demands and len(problem.values) <= _MOST_FIELDS):
         return None
