@@ -22,7 +22,7 @@ from nscc.program.advice import (
 from nscc.program.classes import Recognised, recognise
 from nscc.program.field_planes import Plane, first_pixel, pixel_text
 from nscc.program.limits import PROOF_LIMIT, SURVEY_LIMIT
-from nscc.program.names import Declarations
+from nscc.program.names import LOOKS, Declarations
 from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
 from nscc.program.program import BucketRule, Codes, Program, SlotGrid
@@ -118,7 +118,7 @@ class Completion:
             problems=problems,
         )
         judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
-        judge_values(self.rules.rules, self._ranges(), problems)
+        judge_values([*self.rules.requires, *self.rules.rules], self._ranges(), problems)
         judge_bumps(recognised, declared.rules[0], survey, problems)
         return self._program(table, legal, at_pixel, recognised)
 
@@ -128,6 +128,18 @@ class Completion:
         fields = [field for field in self.rules.fields if field.bits is None]
         numbers = {field.name: (field.low, field.high) for field in fields}
         return {"n": (0, len(self.frame.slot_us) - 1), **numbers}
+
+    def _judge_looked_values(self, looking: Looking) -> None:
+        """Warn about comparisons in the rules, `reset when` and `next` of a program whose pixels
+        look at their light."""
+        slots, looks = len(self.frame.slot_us), len(looking.looks)
+        states = {s.name: (s.low, s.high) for s in looking.states if not s.boolean}
+        ranges = {**self._ranges(), **states, LOOKS: (0, looks)}
+        nexts = [e for e in looking.expressions if e is not looking.reset]
+        in_slots = [e for e in (*self.rules.rules, looking.reset) if e is not None]
+        judge_values([*self.rules.requires, *in_slots], ranges, self.problems)
+        # A state changes at a boundary, and after at least one look.
+        judge_values(nexts, {**ranges, "n": (1, slots), LOOKS: (1, looks)}, self.problems)
 
     def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: Ints32) -> Program:
         """Return the program if its pixels look at their light: with a state machine instead of
@@ -166,7 +178,7 @@ class Completion:
         judge_looked_names(self.declared, looking, rules.rules, machine, problems)
         expressions = [*rules.rules, *looking.expressions]
         judge_names(self.declared, rules.fields, expressions, rules.books, problems)
-        judge_values(rules.rules, self._ranges(), problems)
+        self._judge_looked_values(looking)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
         table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))

@@ -52,6 +52,7 @@ def expressions(names: list[str], bits: str | None = None) -> tuple[st.SearchStr
 
 
 RULES = expressions(["n", "a", "bits", "N", "k"], "bits")[1]
+VALUES = expressions(["n", "s", "N", "3"])[0].filter(lambda text: "if" not in text)
 PLANES = expressions(["x", "y", "rows", "cols", "k"])[0]
 
 
@@ -103,6 +104,28 @@ def test_expressions_of_pixels_equal_python(expr: str) -> None:
     program = program_of(text, target=target)
     assert program.pixel_codes is not None
     assert program.table.codes[program.pixel_codes][..., 0].tolist() == expected
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    sides=st.tuples(VALUES, VALUES),
+    op=st.sampled_from(["<", "<=", ">", ">=", "==", "!="]),
+)
+def test_a_comparison_that_is_called_never_true_is_so_in_every_slot(
+    sides: tuple[str, str], op: str
+) -> None:
+    """NS0358 stands only at comparisons that Python finds false for all values (`!=`: true)."""
+    comparison = f"({sides[0]}) {op} ({sides[1]})"
+    text = f"nsl 1 frame 5 slots of 1ms code s : 1..4 open when {comparison}"
+    try:
+        messages = program_of(text).messages
+    except Rejected:
+        return  # a division by zero, or numbers that are too large
+    (rule,) = [s.rule for s in statements(text) if isinstance(s, t.Open)]
+    names = [{"N": 5, "n": n, "s": s} for n in range(5) for s in range(1, 5)]
+    found = {bool(value(rule, each)) for each in names}
+    if any(m.code == "NS0358" for m in messages):
+        assert found == {op == "!="}
 
 
 def _small_target() -> object:
