@@ -14,7 +14,7 @@ pixel that is read or written."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
@@ -80,6 +80,21 @@ class ArrayWord:
 
 
 OfArrayWords = Annotated[Array, ArrayWord]
+
+
+class ArrayState(NamedTuple):
+    """The registers of the array, in the layout of this module's docstring, and operands.
+
+    `operands`: three integers each. `values`, `marks`: electrons and saturation marks of analog
+    registers. `planes`: digital registers, 64 pixels a number. `marked`: one number, 1 once any
+    value has a mark; while it is 0, `marks` is not read, and it may be empty if the array records
+    no marks."""
+
+    operands: Ints
+    values: Written[Floats]
+    marks: Written[Bytes]
+    planes: Written[Words]
+    marked: Written[Ints]
 
 
 @inlined
@@ -189,13 +204,14 @@ def _source(shape: ArrayShape, word: ArrayWord, operands: Ints, y: int, s: int) 
 
 @inlined
 def _two_terms(
-    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
+    shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int
 ) -> tuple[int, int, float]:
-    """Return the starts of two rows in `values`, and a constant in electrons, whose sum is the sum
-    of a word's sources in row `y`.
+    """Return the starts of two rows in the values, and a constant in electrons, whose sum is the
+    sum of a word's sources in row `y`.
 
     `a` and `b` are the starts of the two rows, `initial_e` is the constant. With more than two
     sources, the scratch rows `shape.part` and `shape.total` take turns to hold the sum so far."""
+    operands = state.operands
     a, b = _source(shape, word, operands, y, 0), _source(shape, word, operands, y, 1)
     initial_e = word.in_e
     for s in range(2, word.sources):
@@ -203,58 +219,41 @@ def _two_terms(
         out = shape.part if (word.sources - s) % 2 else shape.total
         # out = 1.0 * (initial_e + a + b) in all pixels: with _ALL no FLAG is read, so its plane (0)
         # does not matter.
-        _add(shape, values, out, a, b, 1.0, initial_e, planes, 0, _ALL)
+        _add(shape, state.values, out, a, b, 1.0, initial_e, state.planes, 0, _ALL)
         a, b, initial_e = out, _source(shape, word, operands, y, s), 0.0
     return a, b, initial_e
 
 
 @compiled
-def _mark(
-    shape: ArrayShape,
-    word: ArrayWord,
-    operands: Ints,
-    values: Floats,
-    marks: Bytes,
-    y: int,
-    result: int,
-    marked: Ints,
-) -> None:
-    """Set the row of `marks` at `shape.total` to the OR of the saturation marks of a word's sources
-    in row y, with `range_bit` where the row of `values` at `result` is beyond the range.
-
-    `marked`: one number, which becomes 1 when the first value of the array is beyond the range;
-    while it is 0, there are no marks and none are set."""
-    outside = 0
+def _mark(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int, result: int) -> None:
+    """Set the row of marks at `shape.total` to the OR of the saturation marks of a word's sources
+    in row y, with `range_bit` where the row of values at `result` is beyond the range; while there
+    are no marks in the array, do nothing."""
+    outside, total, values, marks = 0, shape.total, state.values, state.marks
     for x in range(result, result + shape.cols):
         outside |= (values[x] < shape.lowest) | (values[x] > shape.highest)
     if outside:
-        marked[0] = 1
-    if not marked[0]:
+        state.marked[0] = 1
+    if not state.marked[0]:
         return
-    total = shape.total
     for x in range(shape.cols):
         value = values[result + x]
         is_outside = value < shape.lowest or value > shape.highest
         marks[total + x] = shape.range_bit if is_outside else 0
     for s in range(word.sources):
-        source = _source(shape, word, operands, y, s)
+        source = _source(shape, word, state.operands, y, s)
         for x in range(shape.cols):
             marks[total + x] |= marks[source + x]
 
 
 @compiled
 def _store_marks(
-    shape: ArrayShape,
-    word: ArrayWord,
-    out: int,
-    flag: int,
-    source: int,
-    planes: Words,
-    marks: Bytes,
+    shape: ArrayShape, word: ArrayWord, state: ArrayState, out: int, flag: int, source: int
 ) -> None:
-    """Set the row of `marks` at index `out` to the row at `source` where FLAG is 1, or everywhere
-    if `word` acts everywhere. `flag`: index in `planes` of the row of FLAG (the bit that lets a
+    """Set the row of marks at index `out` to the row at `source` where FLAG is 1, or everywhere if
+    `word` acts everywhere. `flag`: index in the planes of the row of FLAG (the bit that lets a
     pixel act)."""
+    planes, marks = state.planes, state.marks
     for x in range(shape.cols):
         if word.everywhere or (planes[flag + x // 64] >> np.uint64(x % 64)) & _ONE:
             marks[out + x] = marks[source + x]
@@ -262,85 +261,67 @@ def _store_marks(
 
 @compiled
 def _store(
-    shape: ArrayShape,
-    word: ArrayWord,
-    register: int,
-    y: int,
-    source: int,
-    values: Floats,
-    marks: Bytes,
-    planes: Words,
-    marked: Ints,
+    shape: ArrayShape, word: ArrayWord, state: ArrayState, register: int, y: int, source: int
 ) -> None:
-    """Set row `y` of analog register number `register` to the row that begins at values[source],
-    where FLAG is 1 or `word` acts everywhere. Copy the saturation marks in the same way, if
-    marked[0] says that there are any in the array. FLAG is the bit that lets a pixel act."""
-    out, flag = row_of(shape, register, y), plane_of(shape, shape.flag, y)
-    state = _ALL if word.everywhere else _flagged(shape, planes, y)
-    _add(shape, values, out, source, 0, 1.0, 0.0, planes, flag, state)
-    if marked[0]:
-        _store_marks(shape, word, out, flag, source, planes, marks)
+    """Set row `y` of analog register number `register` to the row of values that begins at
+    `source`, where FLAG is 1 or `word` acts everywhere, and its saturation marks likewise, if there
+    are any in the array. FLAG is the bit that lets a pixel act."""
+    planes, out, flag = state.planes, row_of(shape, register, y), plane_of(shape, shape.flag, y)
+    acting = _ALL if word.everywhere else _flagged(shape, planes, y)
+    _add(shape, state.values, out, source, 0, 1.0, 0.0, planes, flag, acting)
+    if state.marked[0]:
+        _store_marks(shape, word, state, out, flag, source)
 
 
 @compiled
-def _bus(
-    shape: ArrayShape,
-    word: ArrayWord,
-    operands: Ints,
-    values: Floats,
-    marks: Bytes,
-    planes: Words,
-    y: int,
-    marked: Ints,
-) -> None:
+def _bus(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> None:
     """Run the bus word `word` for row `y` of its sources: write minus their sum, over the divisor,
     to the destinations where FLAG is 1, with saturation marks if these are recorded.
 
     A destination may be in a neighbouring row; a row whose neighbour is beyond the array gets 0.
-    `marked`: one number, 1 once a value has a mark. FLAG is the bit that lets a pixel act."""
+    FLAG is the bit that lets a pixel act."""
+    operands, values, planes = state.operands, state.values, state.planes
     first, total = word.operands + 3 * word.sources, shape.total
     halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
-    flag, state = plane_of(shape, shape.flag, y), _ALL
+    flag, acting = plane_of(shape, shape.flag, y), _ALL
     # A word writes no register that it reads, so a single destination needs no intermediate sum.
     direct = word.destinations == 1 and halves
     direct = direct and operands[first + 1] == 0 and operands[first + 2] == 0
     out = total
     if direct:
         out = row_of(shape, operands[first], y)
-        state = _ALL if word.everywhere else _flagged(shape, planes, y)
-        if state == _NONE:
+        acting = _ALL if word.everywhere else _flagged(shape, planes, y)
+        if acting == _NONE:
             return
-    a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
+    a, b, initial_e = _two_terms(shape, word, state, y)
     factor = -1.0 / word.divisor if halves else -1.0
-    _add(shape, values, out, a, b, factor, initial_e, planes, flag, state)
+    _add(shape, values, out, a, b, factor, initial_e, planes, flag, acting)
     if not halves:
         for x in range(total, total + shape.cols):
             values[x] /= word.divisor
     if shape.range_bit:
-        _mark(shape, word, operands, values, marks, y, out, marked)
+        _mark(shape, word, state, y, out)
     if direct:
-        if marked[0]:
-            _store_marks(shape, word, out, flag, total, planes, marks)
+        if state.marked[0]:
+            _store_marks(shape, word, state, out, flag, total)
         return
     down = 0
     for at in range(first, first + 3 * word.destinations, 3):
         down = operands[at + 2]
         if 0 <= y + down < shape.rows:
-            source = total - operands[at + 1]
-            _store(shape, word, operands[at], y + down, source, values, marks, planes, marked)
+            _store(shape, word, state, operands[at], y + down, total - operands[at + 1])
     if (down > 0 and y == 0) or (down < 0 and y == shape.rows - 1):
         # No bus reaches this row.
-        _store(shape, word, operands[first], y, 0, values, marks, planes, marked)
+        _store(shape, word, state, operands[first], y, 0)
 
 
 @compiled
-def _compare(
-    shape: ArrayShape, word: ArrayWord, operands: Ints, values: Floats, planes: Words, y: int
-) -> None:
-    """Set FLAG in row `y` of `planes` to 1 where the sum of the sources of `word` is above 0, else
-    to 0 (also for NaN); with `shape.obeys_flag`, also to 0 where FLAG (the bit that lets a pixel
-    act) was 0."""
-    a, b, initial_e = _two_terms(shape, word, operands, values, planes, y)
+def _compare(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> None:
+    """Set FLAG in row `y` to 1 where the sum of the sources of `word` is above 0, else to 0 (also
+    for NaN); with `shape.obeys_flag`, also to 0 where FLAG (the bit that lets a pixel act) was 0.
+    """
+    values, planes = state.values, state.planes
+    a, b, initial_e = _two_terms(shape, word, state, y)
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.plane_words):
         above = _ZERO
@@ -352,9 +333,10 @@ def _compare(
 
 
 @compiled
-def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
-    """Write the OR of the sources in row `y` of `planes`, or its inverse, to the destinations;
-    without sources the OR is 0. The masked register changes only where its mask is 1."""
+def _write_bits(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> None:
+    """Write the OR of the sources in row `y`, or its inverse, to the destinations; without sources
+    the OR is 0. The masked register changes only where its mask is 1."""
+    operands, planes = state.operands, state.planes
     first, bus = word.operands, plane_of(shape, shape.bus, y)
     flip = _FULL if word.inverted else _ZERO
     a = plane_of(shape, operands[first] if word.sources else shape.zero, y)
@@ -382,12 +364,13 @@ def _write_bits(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Word
 
 
 @compiled
-def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: int) -> None:
+def _look(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> None:
     """Write, in row `y`, the OR of the bits of those neighbours that the steering registers choose;
     0 for pixels that choose none. Bits beyond the array are 1 if `word` is inverted, else 0.
 
     The first operand is the destination, the second the source. All further operands steer: a
     register, and the step to the neighbour that it chooses where it is 1."""
+    operands, planes = state.operands, state.planes
     first, bus, last = word.operands, plane_of(shape, shape.bus, y), shape.cols - 1
     for g in range(shape.plane_words):
         planes[bus + g] = _ZERO
@@ -420,15 +403,16 @@ def _look(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words, y: 
 
 
 @compiled
-def _propagate(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words) -> None:
+def _propagate(shape: ArrayShape, word: ArrayWord, state: ArrayState) -> None:
     """Set those bits of the word's register, within the mask, that a 1 reaches in at most
     `word.divisor` steps; each step goes to neighbours as the steering registers choose.
 
     The operands are the bus, the register and the steering registers, as for `_look`, then the
     mask."""
+    operands, planes = state.operands, state.planes
     for _ in range(word.divisor):
         for y in range(shape.rows):
-            _look(shape, word, operands, planes, y)
+            _look(shape, word, state, y)
         changed = _ZERO
         for y in range(shape.rows):
             bits = plane_of(shape, operands[word.operands + 3], y)
@@ -444,22 +428,11 @@ def _propagate(shape: ArrayShape, word: ArrayWord, operands: Ints, planes: Words
 
 @compiled
 def _run_rows(
-    shape: ArrayShape,
-    words: OfArrayWords,
-    first: int,
-    stop: int,
-    operands: Ints,
-    values: Floats,
-    marks: Bytes,
-    planes: Words,
-    marked: Ints,
+    shape: ArrayShape, words: OfArrayWords, first: int, stop: int, state: ArrayState
 ) -> None:
     """Run the words `first` to `stop` - 1, which contain no propagation, row by row: each word runs
     `lag` rows behind the first one, so that rows stay in the cache. Without words nothing happens.
-
-    `operands`: three integers each. `values`, `marks`: electrons and saturation marks of analog
-    registers. `planes`: digital registers, 64 pixels a number. `marked`: one number, 1 once any
-    value has a mark."""
+    """
     for step in range(shape.rows + words[stop - 1].lag if stop > first else 0):
         for w in range(first, stop):
             word = words[w]
@@ -467,34 +440,20 @@ def _run_rows(
             if y < 0 or y >= shape.rows:
                 continue
             if word.kind == BUS:
-                _bus(shape, word, operands, values, marks, planes, y, marked)
+                _bus(shape, word, state, y)
             elif word.kind == COMPARE:
-                _compare(shape, word, operands, values, planes, y)
+                _compare(shape, word, state, y)
             elif word.kind == NEIGHBOURS:
-                _look(shape, word, operands, planes, y)
+                _look(shape, word, state, y)
             else:
-                _write_bits(shape, word, operands, planes, y)
+                _write_bits(shape, word, state, y)
 
 
 @compiled
 def run_words(
-    shape: ArrayShape,
-    words: OfArrayWords,
-    first: int,
-    stop: int,
-    operands: Ints,
-    values: Floats,
-    marks: Bytes,
-    planes: Words,
-    marked: Ints,
+    shape: ArrayShape, words: OfArrayWords, first: int, stop: int, state: ArrayState
 ) -> None:
-    """Run the words `first` to `stop` - 1 in their order, and change `values` and `planes` as they
-    do.
-
-    `operands`: three integers each: a register, columns to the right, rows down. `values`:
-    electrons of all analog registers. `marks`: their saturation marks, in the same order; may be
-    empty if `shape.range_bit` is 0. `planes`: the digital registers, 64 pixels a number. `marked`:
-    one number, 1 if any value has a mark; it is set to 1 with the first one.
+    """Run the words `first` to `stop` - 1 in their order, and change the registers as they do.
 
     A row goes through all words while it is in the cache. A word runs `lag` rows behind the first
     word: the neighbouring rows that it reads are then complete, and no earlier word still needs the
@@ -502,25 +461,15 @@ def run_words(
     begin = first
     for w in range(first, stop):
         if words[w].kind == PROPAGATION:
-            _run_rows(shape, words, begin, w, operands, values, marks, planes, marked)
-            _propagate(shape, words[w], operands, planes)
+            _run_rows(shape, words, begin, w, state)
+            _propagate(shape, words[w], state)
             begin = w + 1
-    _run_rows(shape, words, begin, stop, operands, values, marks, planes, marked)
+    _run_rows(shape, words, begin, stop, state)
 
 
 @loop
 def run_array_words(
-    shape: ArrayShape,
-    words: Annotated[Array, ArrayWord, "count"],
-    operands: Ints,
-    values: Written[Floats],
-    marks: Written[Bytes],
-    planes: Written[Words],
-    marked: Written[Ints],
+    shape: ArrayShape, words: Annotated[Array, ArrayWord, "count"], state: ArrayState
 ) -> None:
-    """Run all words on the array, and change the electrons of analog registers (`values`), their
-    saturation marks (`marks`, in the same order) and the digital registers (`planes`). The layout
-    of these is that of this module's docstring. `operands`: three integers each. `marked`: one
-    number, which the caller sets to 1 if a value has a mark at the start, and which is 1 once any
-    value has."""
-    run_words(shape, words, 0, shape.count, operands, values, marks, planes, marked)
+    """Run all words on the array, and change its registers."""
+    run_words(shape, words, 0, shape.count, state)

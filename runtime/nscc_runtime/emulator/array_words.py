@@ -80,9 +80,7 @@ class ArrayWords:
         """Return the shape of an array with values of the first `registers` analog registers.
 
         `length`: numbers in a row of values, more than `cols` if words reach neighbours.
-        `range_bit`: saturation mark of values beyond the range, 0 to record none. The values need
-        (registers * (rows + 1) + 5) * length + 64 numbers: rows for two sums, each between rows of
-        zeros, follow the registers, and groups of 64 pixels may extend beyond the last row."""
+        `range_bit`: saturation mark of values beyond the range, 0 to record none."""
         target, last = self.target, registers * (rows + 1)
         guarded = None not in (target.mask_register, target.masked_register)
         return loop.ArrayShape(
@@ -102,6 +100,19 @@ class ArrayWords:
             lowest=target.register_min_e,
             highest=target.register_max_e,
             range_bit=range_bit,
+        )
+
+    def state(self, shape: loop.ArrayShape, operands: Ints) -> loop.ArrayState:
+        """Return registers of an array of `shape` that hold 0, without saturation marks, and the
+        words' `operands`."""
+        # Groups of 64 pixels may extend beyond the last row of zeros, which follows the two sums.
+        values = np.zeros(shape.part + 2 * shape.length + 64)
+        return loop.ArrayState(
+            operands=operands,
+            values=values,
+            marks=np.zeros(len(values) if shape.range_bit else 0, np.uint8),
+            planes=np.zeros(len(self.digital) * shape.rows * shape.plane_words, np.uint64),
+            marked=np.zeros(1, np.int64),
         )
 
     def _translated(self, op: Op) -> tuple[int, ...]:

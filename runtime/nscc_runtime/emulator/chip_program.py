@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from nscc.arrays import Bools, Floats
+from nscc.arrays import Bools, Floats, Ints
 from nscc.mappings import NamedValues
 from nscc.operations import Op
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
@@ -68,10 +68,10 @@ class ChipProgram:
         self._kernels, self._launches = kernels, launches
 
     @cached_property
-    def _words(self) -> tuple[ArrayWords, EmulatedWords]:
-        """The words as a table, and as arrays for the loop. A kernel occurs once for each value of
-        IN with which it is launched, because each word has its own value. IN is the level sent to
-        all pixels. A kernel is a list of words."""
+    def _words(self) -> tuple[ArrayWords, EmulatedWords, Ints]:
+        """The words as a table, as arrays for the loop, and their operands. A kernel (a list of
+        words) occurs once for each value of IN with which it is launched, because each word has its
+        own value. IN is the level sent to all pixels."""
         from nscc_runtime.emulator.loops import EmulatedWords
 
         table, kernel_start, in_e = ArrayWords(self.target), [0], 0.0
@@ -90,12 +90,9 @@ class ChipProgram:
         # Boundaries 0 to N, and one entry more for the end of the last.
         launch_start = np.zeros(self.slots + 2, np.int64)
         np.cumsum(np.bincount(instants, minlength=self.slots + 1), out=launch_start[1:])
-        return table, EmulatedWords(
-            *table.table,
-            np.array(kernel_start, np.int64),
-            launch_start,
-            np.array(launched, np.int64),
-        )
+        words, operands = table.table
+        starts = np.array(kernel_start, np.int64), launch_start, np.array(launched, np.int64)
+        return table, EmulatedWords(words, *starts), operands
 
     def run(
         self,
@@ -132,7 +129,8 @@ class ChipProgram:
         from nscc_runtime.emulator.loops import PixelRange, expose_without_effects
 
         _check_matrix(light)
-        (table, _), (rows, cols), pixels = self._words, light.shape, prod(light.shape)
+        (table, _, operands), (rows, cols) = self._words, light.shape
+        pixels = prod(light.shape)
         # If pixels depend on each other, the whole array is one block, with a column of zeros at
         # the end of each row; otherwise blocks are pieces of one long row.
         if table.reaches_neighbours:
@@ -141,8 +139,7 @@ class ChipProgram:
             rows, cols = 1, pixels
             block = 1, min(EMULATED_BLOCK, (pixels + 63) // 64 * 64)
             length = block[1]
-        registers = len(table.analog)
-        shape = table.shape(*block, length, registers)
+        shape = table.shape(*block, length, len(table.analog))
         shared = self._shared(light, analog, digital, (rows, cols))
 
         def fill(lit: Light, first: int, begin: int, end: int) -> None:
@@ -169,10 +166,7 @@ class ChipProgram:
                 shape=shape,
                 chosen=chosen,
                 light=lit.matrix,
-                planes=np.empty(len(table.digital) * rows * shape.plane_words, np.uint64),
-                values=np.zeros((registers * (rows + 1) + 5) * length + 64),
-                marks=np.empty(0, np.uint8),
-                marked=np.zeros(1, np.int64),
+                state=table.state(shape, operands),
                 charge=np.empty(block[0] * block[1], np.float32),
                 **shared,
             )
@@ -197,7 +191,7 @@ class ChipProgram:
         and columns of digital registers."""
         from nscc_runtime.emulator.loops import KeptValues, RegisterBits
 
-        (table, words), pixels = self._words, prod(light.shape)
+        (table, words, _), pixels = self._words, prod(light.shape)
         loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, *size))
         return {
             "program": words,

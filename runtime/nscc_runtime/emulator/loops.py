@@ -11,9 +11,10 @@ from typing import Annotated, NamedTuple
 
 import numpy as np
 
-from nscc.arrays import Array, Bytes, Floats, Floats32, Ints
+from nscc.arrays import Array, Floats, Floats32, Ints
 from nscc_runtime.emulator.array_loop import (
     ArrayShape,
+    ArrayState,
     ArrayWord,
     clear_flag_outside,
     plane_of,
@@ -114,7 +115,6 @@ class EmulatedWords(NamedTuple):
     kernel, a list of words."""
 
     words: Annotated[Array, ArrayWord]
-    operands: Ints
     kernel_start: Ints
     launch_start: Annotated[Ints, "slots+2"]
     launch_kernel: Ints
@@ -214,20 +214,16 @@ def _expose_block(
     frame_weight: Floats,
     bits: RegisterBits,
     before: KeptValues,
-    planes: Words,
-    values: Floats,
-    marks: Bytes,
-    marked: Ints,
+    state: ArrayState,
     charge: Floats32,
 ) -> None:
     """Expose the block that begins with pixel number `first`: set its registers as at the start of
     a frame, run the words of all boundaries, add the light of the slots in between, and copy the
-    digital registers that are read into `bits.read`. Analog registers stay in `values`.
+    digital registers that are read into `bits.read`. Analog registers stay in `state`.
 
     `length`: number of pixels of a row of the block, at most `shape.cols`. `frame_weight`: weight
-    of each frame of light in all slots together. `planes`, `values` and `charge` are working
-    memory."""
-    words, total = (length + 63) // 64, shape.total
+    of each frame of light in all slots together. `charge` is working memory."""
+    words, total, values, planes = (length + 63) // 64, shape.total, state.values, state.planes
     for y in range(shape.rows):
         for i in range(shape.cols):
             values[total + i] = 0.0
@@ -253,11 +249,7 @@ def _expose_block(
                 program.words,
                 program.kernel_start[kernel],
                 program.kernel_start[kernel + 1],
-                program.operands,
-                values,
-                marks,
-                planes,
-                marked,
+                state,
             )
         if n < chosen.slots:
             _add_slot(chosen, first, length, n, shape, light, values, charge)
@@ -279,19 +271,15 @@ def expose_without_effects(
     register_numbers: Annotated[Ints, "registers"],
     bits: RegisterBits,
     before: KeptValues,
-    planes: Written[Words],
-    values: Written[Floats],
-    marks: Written[Bytes],
-    marked: Written[Ints],
+    state: ArrayState,
     charge: Written[Floats32],
     contents: Written[Annotated[Floats, "registers pixels"]],
 ) -> None:
     """Expose the pixels of `chosen`, block by block, and write the final `contents`, in electrons,
     of the analog registers with the numbers `register_numbers`, and the bits `bits.read`.
 
-    `frame_weight`: weight of each frame of light in all slots together. `planes`, `values` (0 at
-    the start) and `charge` are working memory for a block. `marks` may be empty and marked[0] is
-    0, because no saturation is recorded here."""
+    `frame_weight`: weight of each frame of light in all slots together. `state` (0 at the
+    start) and `charge` are working memory for a block."""
     first = chosen.begin
     while first < chosen.end:
         length = min(shape.cols, chosen.end - first)
@@ -305,10 +293,7 @@ def expose_without_effects(
             frame_weight,
             bits,
             before,
-            planes,
-            values,
-            marks,
-            marked,
+            state,
             charge,
         )
         for k in range(chosen.registers):
@@ -316,5 +301,5 @@ def expose_without_effects(
                 row = row_of(shape, register_numbers[k], y)
                 out = k * chosen.pixels + first + y * shape.cols
                 for i in range(length):
-                    contents[out + i] = values[row + i]
+                    contents[out + i] = state.values[row + i]
         first += shape.rows * shape.cols

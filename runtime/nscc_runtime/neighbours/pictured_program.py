@@ -86,31 +86,21 @@ class PictureWords:
         `exposed_by`, which has the same names; digital registers hold the bits `code`. All map the
         name of a register to an array (pixels,), row after row. Other registers hold 0."""
         (rows, cols), table, names = shape, self._table, self._target.analog_registers
-        length, last, digital = cols + 1, len(names) * (rows + 1), table.digital
+        length, digital = cols + 1, table.digital
         array = table.shape(rows, cols, length, len(names), RANGE_BIT)
-        # Groups of 64 pixels may extend beyond the last row.
-        values = np.zeros((last + 5) * length + 64)
-        marks = np.zeros(values.shape, np.uint8)
-        planes = np.zeros((len(digital), rows, array.plane_words), np.uint64)
+        state = table.state(array, self._operands)
+        planes = state.planes.reshape(len(digital), rows, -1)
         register, cut_by = (
             dict(zip(names, inner.reshape(-1, rows + 1, length)[:, :-1, :cols], strict=True))
-            for inner in (values[length:][: last * length], marks[length:][: last * length])
+            for inner in (each[length : array.total] for each in (state.values, state.marks))
         )
         for name, exposure in exposed.items():
             register[name][:] = exposure.reshape(shape)
             cut_by[name][:] = exposed_by[name].reshape(shape)
         for name, plane in code.items():
             planes[digital[name]] = packed(plane.reshape(shape))
-        run_array_words(
-            shape=array,
-            words=self._words,
-            operands=self._operands,
-            values=values,
-            marks=marks,
-            planes=planes,
-            # An array of one number, because the loop sets it to 1 when the first value saturates.
-            marked=np.array([any(by.any() for by in exposed_by.values())], np.int64),
-        )
+        state.marked[0] = any(by.any() for by in exposed_by.values())
+        run_array_words(shape=array, words=self._words, state=state)
         return ArrayContents(register, cut_by, dict(zip(digital, planes, strict=True)))
 
 
