@@ -66,7 +66,7 @@ class Chip:
 
     def pixels(self, shape: tuple[int, int], frame: int):
         """Return pixels whose registers hold 0."""
-        from nscc_runtime.neighbours.pixels import ArrayPixels
+        from nscc_runtime.reference.array_pixels import ArrayPixels
 
         zero = np.zeros(shape[0] * shape[1])
         return ArrayPixels(

@@ -22,11 +22,11 @@ def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
     """Return the content of a register after `value` is written, with soft saturation.
 
     All are electrons but `knee`, a fraction. Up to `knee` times the limit (`low`, below 0, or
-    `high`) it is exact; beyond, it approaches the limit. NaN is not expected.
+    `high`) it is exact; beyond, it approaches the limit. NaN stays NaN.
     `nscc_runtime.effects.register.soft` does the same for arrays."""
     limit = -low if value < 0.0 else high
     size = abs(value)
-    if size <= knee * limit:
+    if not size > knee * limit:  # also for NaN
         return value
     if knee == 1.0:
         return math.copysign(limit, value)

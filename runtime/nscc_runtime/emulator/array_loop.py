@@ -1,6 +1,7 @@
-"""The compiled loop that executes words exactly, without effects, on an array of pixels.
+"""The compiled loop that executes words on an array of pixels, exactly or with sensor effects.
 
-The emulator runs it on blocks of pixels (one row), and programs with images on the whole array.
+The emulator runs it on blocks of pixels (one row) without effects, and programs with images on the
+whole array.
 
 A plane (a one-bit register) has `plane_words` 64-bit words per row: pixel x is bit x % 64 of word
 x // 64. A register has `length` values per row, at least `cols`. Rows of zeros lie before, between
@@ -19,7 +20,11 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats, Ints
+from nscc_runtime.effects.spread import soft_in_loop
 from nscc_runtime.loop import Words, Written, compiled, inlined, loop, record
+from nscc_runtime.noise.gaussian import normal_fast
+from nscc_runtime.noise.keys import bits
+from nscc_runtime.noise.noise_loops import uniform
 
 BUS, COMPARE, BITS, NEIGHBOURS, PROPAGATION = range(5)
 _NONE, _SOME, _ALL = range(3)
@@ -32,12 +37,13 @@ class ArrayShape:
     """The array: `rows`, `cols`, the `length` of a row of values, and `plane_words`, the number of
     64-bit words of a row of a plane.
 
-    `count`: number of words of `run_array_words`. `total`, `part`: indices of two rows of values
-    for intermediate sums. `flag` to `masked` are numbers of planes: `bus`, of half-word pairs;
-    `zero`, of zeros; `mask` and `masked`, of the mask and of the register that it guards, are -1 on
-    a chip without a masked register. `obeys_flag`: 1 if a comparison only clears FLAG (the bit that
-    lets a pixel act), 0 if it sets it anew. Values outside `lowest` to `highest` (electrons) get
-    the saturation mark `range_bit`; 0 to record no marks."""
+    `count`: number of words of `run_array_words`. `total`, `part`, `normals`: indices of rows of
+    values, two for intermediate sums and one for random numbers. `flag` to `masked` are numbers of
+    planes: `bus`, of half-word pairs; `zero`, of zeros; `mask` and `masked`, of the mask and of the
+    register that it guards, are -1 on a chip without a masked register. `obeys_flag`: 1 if a
+    comparison only clears FLAG (the bit that lets a pixel act), 0 if it sets it anew. Values
+    outside `lowest` to `highest` (electrons) get the saturation mark `range_bit`; 0 to record no
+    marks."""
 
     rows: int
     cols: int
@@ -46,6 +52,7 @@ class ArrayShape:
     count: int
     total: int
     part: int
+    normals: int
     flag: int
     bus: int
     zero: int
@@ -66,7 +73,8 @@ class ArrayWord:
     bits are inverted, or the bits beyond the array that neighbours read are 1. It runs `lag` rows
     behind the first word. `everywhere`: whether an analog word acts where FLAG (the bit that lets a
     pixel act) is 0, too. `in_e`: the value of IN (the level sent to all pixels) in electrons if the
-    word reads IN, else 0."""
+    word reads IN, else 0. `adds`: whether it has several sources. `number`: its number among the
+    analog words, which selects its random numbers."""
 
     kind: int
     operands: int
@@ -77,6 +85,35 @@ class ArrayWord:
     everywhere: int
     lag: int
     in_e: float
+    adds: int
+    number: int
+
+
+@record
+class ArrayErrors:
+    """The effects that act on words; 0 for effects that are off, so that `gain` and `highest` tell
+    whether words have errors and whether registers saturate.
+
+    The fields from `gain` to `compares` are those of the same names in `Numbers` and `WordKeys` of
+    `nscc_runtime.execution.layout`. `frame`: number of the frame. `numbered`:
+    difference between the draw numbers of consecutive words. `inverted`: number of the register
+    that holds inverted values, -1 for none. `patterns`: number of the first of two registers that
+    hold fixed patterns: errors of additions, then offsets of comparators."""
+
+    gain: float
+    move_gain: float
+    word_error: float
+    move_error: float
+    lowest: float
+    highest: float
+    knee: float
+    compare_noise: float
+    words: np.uint64
+    compares: np.uint64
+    frame: int
+    numbered: int
+    inverted: int
+    patterns: int
 
 
 OfArrayWords = Annotated[Array, ArrayWord]
@@ -85,12 +122,13 @@ OfArrayWords = Annotated[Array, ArrayWord]
 class ArrayState(NamedTuple):
     """The registers of the array, in the layout of this module's docstring, and operands.
 
-    `operands`: three integers each. `values`, `marks`: electrons and saturation marks of analog
-    registers. `planes`: digital registers, 64 pixels a number. `marked`: one number, 1 once any
-    value has a mark; while it is 0, `marks` is not read, and it may be empty if the array records
-    no marks."""
+    `operands`: three integers each. `errors`: one record. `values`, `marks`: electrons and
+    saturation marks of analog registers. `planes`: digital registers, 64 pixels a number. `marked`:
+    one number, 1 once any value has a mark; while it is 0, `marks` is not read, and it may be empty
+    if the array records no marks."""
 
     operands: Ints
+    errors: Annotated[Array, ArrayErrors]
     values: Written[Floats]
     marks: Written[Bytes]
     planes: Written[Words]
@@ -224,15 +262,23 @@ def _two_terms(
     return a, b, initial_e
 
 
+@inlined
+def _is_beyond(shape: ArrayShape, values: Floats, row: int, low: float, high: float) -> bool:
+    """Return whether any of the values of a row, which begins at index `row`, is below `low` or
+    above `high`."""
+    beyond = 0
+    for x in range(row, row + shape.cols):
+        beyond |= (values[x] < low) | (values[x] > high)
+    return beyond != 0
+
+
 @compiled
 def _mark(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int, result: int) -> None:
     """Set the row of marks at `shape.total` to the OR of the saturation marks of a word's sources
     in row y, with `range_bit` where the row of values at `result` is beyond the range; while there
     are no marks in the array, do nothing."""
-    outside, total, values, marks = 0, shape.total, state.values, state.marks
-    for x in range(result, result + shape.cols):
-        outside |= (values[x] < shape.lowest) | (values[x] > shape.highest)
-    if outside:
+    total, values, marks = shape.total, state.values, state.marks
+    if _is_beyond(shape, values, result, shape.lowest, shape.highest):
         state.marked[0] = 1
     if not state.marked[0]:
         return
@@ -274,18 +320,68 @@ def _store(
 
 
 @compiled
+def _draw(
+    shape: ArrayShape, errors: ArrayErrors, stream: np.uint64, number: int, y: int, values: Floats
+) -> None:
+    """Set the row of values at `shape.normals` to the standard normal numbers of the pixels of row
+    `y`, for the draw `number` of the random key `stream`. The two steps are separate loops, because
+    a single loop runs out of processor registers."""
+    key, out, place = bits(stream, errors.frame, np.uint64(number)), shape.normals, y * shape.cols
+    for x in range(shape.cols):
+        values[out + x] = uniform(key, place + x)
+    for x in range(out, out + shape.cols):
+        values[x] = float(normal_fast(values[x]))
+
+
+@compiled
+def _err(
+    shape: ArrayShape,
+    errors: ArrayErrors,
+    word: ArrayWord,
+    values: Floats,
+    y: int,
+    destination: int,
+    register: int,
+) -> None:
+    """Change the row of values at `shape.total` from the exact result of `word` in row `y` to that
+    with errors of words. `destination`: its index in the word. `register`: its number."""
+    sign = -1.0 if register == errors.inverted else 1.0
+    gain, fixed, random = errors.move_gain, 0.0, sign * errors.move_error
+    if word.adds:
+        gain, fixed, random = errors.gain, sign, sign * errors.word_error
+    if random != 0.0:
+        number = word.number * errors.numbered + destination
+        _draw(shape, errors, errors.words, number, y, values)
+    total, normals, pattern = shape.total, shape.normals, row_of(shape, errors.patterns, y)
+    for x in range(shape.cols):
+        error_e = fixed * values[pattern + x] + random * values[normals + x]
+        values[total + x] = gain * values[total + x] + error_e
+
+
+@compiled
+def _bend(shape: ArrayShape, errors: ArrayErrors, values: Floats, row: int) -> None:
+    """Bend the values of a row, which begins at index `row`, into the range of registers."""
+    low, high, knee = errors.lowest, errors.highest, errors.knee
+    if _is_beyond(shape, values, row, knee * low, knee * high):
+        for x in range(row, row + shape.cols):
+            values[x] = soft_in_loop(values[x], low, high, knee)
+
+
+@compiled
 def _bus(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> None:
     """Run the bus word `word` for row `y` of its sources: write minus their sum, over the divisor,
-    to the destinations where FLAG is 1, with saturation marks if these are recorded.
+    to the destinations where FLAG is 1, with saturation marks if these are recorded. Marks tell the
+    range before the effects of registers bend the value into it.
 
     A destination may be in a neighbouring row; a row whose neighbour is beyond the array gets 0.
     FLAG is the bit that lets a pixel act."""
-    operands, values, planes = state.operands, state.values, state.planes
+    operands, values, planes, errors = state.operands, state.values, state.planes, state.errors[0]
+    is_exact = errors.gain == 0.0 and errors.highest == 0.0
     first, total = word.operands + 3 * word.sources, shape.total
     halves = word.divisor & (word.divisor - 1) == 0  # so that a factor is exact
     flag, acting = plane_of(shape, shape.flag, y), _ALL
     # A word writes no register that it reads, so a single destination needs no intermediate sum.
-    direct = word.destinations == 1 and halves
+    direct = word.destinations == 1 and halves and is_exact
     direct = direct and operands[first + 1] == 0 and operands[first + 2] == 0
     out = total
     if direct:
@@ -295,19 +391,24 @@ def _bus(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> None:
             return
     a, b, initial_e = _two_terms(shape, word, state, y)
     factor = -1.0 / word.divisor if halves else -1.0
-    _add(shape, values, out, a, b, factor, initial_e, planes, flag, acting)
-    if not halves:
-        for x in range(total, total + shape.cols):
-            values[x] /= word.divisor
-    if shape.range_bit:
-        _mark(shape, word, state, y, out)
-    if direct:
-        if state.marked[0]:
-            _store_marks(shape, word, state, out, flag, total)
-        return
     down = 0
-    for at in range(first, first + 3 * word.destinations, 3):
+    for d in range(word.destinations):
+        at = first + 3 * d
         down = operands[at + 2]
+        if d == 0 or not is_exact:
+            _add(shape, values, out, a, b, factor, initial_e, planes, flag, acting)
+            for x in range(total, total + (0 if halves else shape.cols)):
+                values[x] /= word.divisor
+            if errors.gain:
+                _err(shape, errors, word, values, y, d, operands[at])
+            if shape.range_bit:
+                _mark(shape, word, state, y, out)
+            if errors.highest:
+                _bend(shape, errors, values, total)
+        if direct:
+            if state.marked[0]:
+                _store_marks(shape, word, state, out, flag, total)
+            return
         if 0 <= y + down < shape.rows:
             _store(shape, word, state, operands[at], y + down, total - operands[at + 1])
     if (down > 0 and y == 0) or (down < 0 and y == shape.rows - 1):
@@ -320,8 +421,17 @@ def _compare(shape: ArrayShape, word: ArrayWord, state: ArrayState, y: int) -> N
     """Set FLAG in row `y` to 1 where the sum of the sources of `word` is above 0, else to 0 (also
     for NaN); with `shape.obeys_flag`, also to 0 where FLAG (the bit that lets a pixel act) was 0.
     """
-    values, planes = state.values, state.planes
+    values, planes, errors = state.values, state.planes, state.errors[0]
     a, b, initial_e = _two_terms(shape, word, state, y)
+    if errors.patterns:
+        total, offset = shape.total, row_of(shape, errors.patterns + 1, y)
+        _add(shape, values, total, a, b, 1.0, initial_e, planes, 0, _ALL)
+        if errors.compare_noise:
+            _draw(shape, errors, errors.compares, word.number, y, values)
+        for x in range(shape.cols):
+            noise_e = errors.compare_noise * values[shape.normals + x]
+            values[total + x] += values[offset + x] + noise_e
+        a, b, initial_e = total, 0, 0.0
     flag = plane_of(shape, shape.flag, y)
     for g in range(shape.plane_words):
         above = _ZERO

@@ -49,6 +49,7 @@ class ArrayWords:
         self._operands: list[Operand] = []
         self._known: dict[Op, tuple[int, ...]] = {}
         self.reaches_neighbours = False
+        self._analog_words = 0
 
     def append(self, words: Iterable[tuple[Op, float]]) -> int:
         """Append words, each with the value of IN (the level sent to all pixels) in electrons, in
@@ -57,6 +58,7 @@ class ArrayWords:
         behind another."""
         lag, vertical = 0, False
         for op, in_e in words:
+            number, self._analog_words = self._analog_words, self._analog_words + op.analog
             if op.operation.effect is WordEffect.NONE:
                 continue
             if op not in self._known:
@@ -65,7 +67,8 @@ class ArrayWords:
             before, vertical = vertical, bool(reaches)
             # A word reads and writes at most one row beside its own.
             lag += 2 * (before or vertical)
-            self._rows.append((*columns, lag, in_e if "IN" in op.sources else 0.0))
+            sources_e = in_e if "IN" in op.sources else 0.0
+            self._rows.append((*columns, lag, sources_e, len(op.sources) > 1, number))
         return len(self._rows)
 
     @property
@@ -91,6 +94,7 @@ class ArrayWords:
             count=len(self._rows),
             total=(last + 1) * length,
             part=(last + 3) * length,
+            normals=(last + 5) * length,
             flag=self.digital["FLAG"],
             bus=self.digital["bus"],
             zero=self.digital["SELECT"],
@@ -104,11 +108,12 @@ class ArrayWords:
 
     def state(self, shape: loop.ArrayShape, operands: Ints) -> loop.ArrayState:
         """Return registers of an array of `shape` that hold 0, without saturation marks, and the
-        words' `operands`."""
-        # Groups of 64 pixels may extend beyond the last row of zeros, which follows the two sums.
-        values = np.zeros(shape.part + 2 * shape.length + 64)
+        words' `operands`. Words have no errors."""
+        # Groups of 64 pixels may extend beyond the last row of zeros.
+        values = np.zeros(shape.normals + 2 * shape.length + 64)
         return loop.ArrayState(
             operands=operands,
+            errors=np.zeros(1, np.dtype(loop.ArrayErrors)),
             values=values,
             marks=np.zeros(len(values) if shape.range_bit else 0, np.uint8),
             planes=np.zeros(len(self.digital) * shape.rows * shape.plane_words, np.uint64),

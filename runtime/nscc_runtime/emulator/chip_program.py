@@ -90,9 +90,9 @@ class ChipProgram:
         # Boundaries 0 to N, and one entry more for the end of the last.
         launch_start = np.zeros(self.slots + 2, np.int64)
         np.cumsum(np.bincount(instants, minlength=self.slots + 1), out=launch_start[1:])
-        words, operands = table.table
+        rows, operands = table.table
         starts = np.array(kernel_start, np.int64), launch_start, np.array(launched, np.int64)
-        return table, EmulatedWords(words, *starts), operands
+        return table, EmulatedWords(rows, *starts), operands
 
     def run(
         self,

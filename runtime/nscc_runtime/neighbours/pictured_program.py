@@ -14,25 +14,30 @@ from numpy.typing import NDArray
 
 from nscc.arrays import Array, Bools, Bytes, Floats
 from nscc.chips.target import Target
+from nscc.mappings import NamedValues
 from nscc.operations import Op
 from nscc.record import Record
 from nscc.truth import unpacked_bits
 from nscc.words.container import Container, state_registers
+from nscc.words.cost import word_us
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
-from nscc_runtime.caches import OfContainer
+from nscc_runtime.caches import OfContainer, Recent
 from nscc_runtime.effects import Selection
+from nscc_runtime.effects.in_loops import draws_keys, figures, patterns
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import whole_device
 from nscc_runtime.emulator.array_loop import run_array_words
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
+from nscc_runtime.reference.array_pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.reference.trace import retention_us
+from nscc_runtime.reference.words import most_destinations
 from nscc_runtime.sensor import default_sensor
 
 
@@ -42,11 +47,12 @@ class ArrayContents:
 
     `register`: analog registers (rows, cols) in electrons. `cut_by`: their saturation marks, also
     (rows, cols), 0 where nothing saturated. `planes`: digital registers (rows, words of 64 pixels),
-    as `unpacked` reads them."""
+    as `unpacked` reads them. `leak_per_s`: leakage rate of each pixel (rows, cols)."""
 
     register: Mapping[str, Floats]
     cut_by: Mapping[str, Bytes]
     planes: Mapping[str, NDArray[np.uint64]]
+    leak_per_s: Floats
 
     def bit(self, name: str) -> Bools:
         """Return the digital register called `name`, such as `R3`, as bits (rows, cols). Raises
@@ -54,24 +60,29 @@ class ArrayContents:
         return unpacked(self.planes[name], next(iter(self.register.values())).shape[1])
 
     def hold(self, seconds: float) -> None:
-        """Do nothing: registers without effects do not decay."""
+        """Let analog registers leak for a time in seconds."""
+        if self.leak_per_s.any():
+            kept = np.exp(-self.leak_per_s * seconds)
+            for value in self.register.values():
+                value *= kept
 
 
 class PictureWords:
     """Words in the order of execution, prepared for arrays of a target. They may be run any number
-    of times."""
+    of times. `words`: as given. `after_us`: their duration in microseconds."""
 
-    def __init__(self, target: Target, words: Iterable[tuple[Op, int | None]]) -> None:
+    def __init__(self, target: Target, words: Sequence[tuple[Op, int | None]]) -> None:
         """Translate `words` to tables for the compiled loop. Each is an operation and the value of
         IN set before it, in steps of `target.electrons_per_step`; None leaves IN (the level sent to
         all pixels) as it was, at first 0."""
-        self._target, self._table = target, ArrayWords(target)
+        self._target, self._table, self.words = target, ArrayWords(target), words
+        self.after_us = sum(word_us(op, target) for op, _ in words)
         in_e, words_with_in = 0.0, list[tuple[Op, float]]()
         for op, level in words:
             in_e = in_e if level is None else level * target.electrons_per_step
             words_with_in.append((op, in_e))
         self._table.append(words_with_in)
-        self._words, self._operands = self._table.table
+        self._rows, self._operands = self._table.table
 
     def run(
         self,
@@ -79,14 +90,17 @@ class PictureWords:
         exposed: Mapping[str, Floats],
         exposed_by: Mapping[str, Bytes],
         code: Mapping[str, Bools],
+        errors: Mapping[str, Any] = MappingProxyType({}),
     ) -> ArrayContents:
         """Return the contents of registers after the words, for an array of `shape` (rows, cols).
 
         Before the words, analog registers hold `exposed` (electrons) with the saturation marks
         `exposed_by`, which has the same names; digital registers hold the bits `code`. All map the
-        name of a register to an array (pixels,), row after row. Other registers hold 0."""
-        (rows, cols), table, names = shape, self._table, self._target.analog_registers
-        length, digital = cols + 1, table.digital
+        name of a register to an array (pixels,), row after row. Other registers hold 0. `errors`:
+        the effects that act on words, fields of `ArrayErrors` and `FixedPatterns` by name; without
+        them there are none."""
+        (rows, cols), table, analog = shape, self._table, self._target.analog_registers
+        names, length, digital = (*analog, *_PATTERNS), cols + 1, table.digital
         array = table.shape(rows, cols, length, len(names), RANGE_BIT)
         state = table.state(array, self._operands)
         planes = state.planes.reshape(len(digital), rows, -1)
@@ -94,15 +108,24 @@ class PictureWords:
             dict(zip(names, inner.reshape(-1, rows + 1, length)[:, :-1, :cols], strict=True))
             for inner in (each[length : array.total] for each in (state.values, state.marks))
         )
+        for name in state.errors.dtype.names or ():
+            state.errors[name] = errors.get(name, 0)
+        for name in {*errors} & {*_PATTERNS}:
+            register[name][:] = errors[name].reshape(shape)
         for name, exposure in exposed.items():
             register[name][:] = exposure.reshape(shape)
             cut_by[name][:] = exposed_by[name].reshape(shape)
         for name, plane in code.items():
             planes[digital[name]] = packed(plane.reshape(shape))
         state.marked[0] = any(by.any() for by in exposed_by.values())
-        run_array_words(shape=array, words=self._words, state=state)
-        return ArrayContents(register, cut_by, dict(zip(digital, planes, strict=True)))
+        run_array_words(shape=array, words=self._rows, state=state)
+        planes_by_name = dict(zip(digital, planes, strict=True))
+        leak_per_s = np.reshape(errors.get("leak_per_s", np.zeros(shape)), shape)
+        return ArrayContents(register, cut_by, planes_by_name, leak_per_s)
 
+
+_PATTERNS = "error_e", "offset_e"
+"""Fixed patterns of `FixedPatterns` that words use; they are rows of values after the registers."""
 
 Told = dict[str, Array]
 Planes = dict[str, Bools]
@@ -295,59 +318,23 @@ class PicturedProgram:
         # sign.
         images = [name for name in read if name not in buckets]
         if images:
-            codes, saturated_by = self._converted(images, read, valid, seeds, number)
-        for index, name in enumerate(images):
+            full = replace(self.container.target, readout="full")
+            # The converter draws noise by index: images follow the buckets.
+            exposure = _exposure_of(images, read, valid, len(buckets))
+            frame = converted(exposure, full, self._image_sensor, self.effects, seeds, number)
+        for index, name in enumerate(images, len(buckets)):
             told[f"image_{name}"] = read[name][0]
-            told[f"image_codes_{name}"] = codes[index]
-            told[f"image_saturated_by_{name}"] = saturated_by[index]
+            told[f"image_codes_{name}"] = frame.frame[index]
+            told[f"image_saturated_by_{name}"] = frame.saturated_by[index]
         planes = {
             name: pixels.bit(name).reshape(valid.shape) for name in state_registers(self.container)
         }
         told |= told_of_planes(self.container, planes, reaches)
         told |= sums_of_images(self.container, pixels.register, reaches)
-        kept = [name for name in read if name in buckets]
-        frame = self._bucket_frame(kept, read, valid, seeds, number)
+        exposure = _exposure_of([name for name in read if name in buckets], read, valid)
+        target = self.container.target
+        frame = converted(exposure, target, self.sensor, self.effects, seeds, number)
         return replace(frame, told=told)
-
-    def _bucket_frame(
-        self,
-        names: list[str],
-        read: dict[str, tuple[Floats, Bytes]],
-        valid: Bools,
-        seeds: tuple[int, int],
-        number: int,
-    ) -> Frame:
-        """Return the frame of the buckets `names`; without names, a frame of no buckets.
-
-        `read`: electrons and saturation marks, each (rows, cols), by name. `valid` (rows, cols):
-        False where a value is no number or meaningless. `seeds`: of noise and device. `number`:
-        number of the frame."""
-        exposure, target = _exposure_of(names, read, valid), self.container.target
-        if names:
-            return converted(exposure, target, self.sensor, self.effects, seeds, number)
-        empty = np.zeros(exposure.valid.shape, np.uint8)
-        return Frame(empty, exposure.exposure_e, exposure.valid, empty)
-
-    def _converted(
-        self,
-        names: list[str],
-        read: dict[str, tuple[Floats, Bytes]],
-        valid: Bools,
-        seeds: tuple[int, int],
-        number: int,
-    ) -> tuple[Bytes, Bytes]:
-        """Return the converter codes of the images `names`, 128 for 0 e, and their saturation
-        marks, each (names, rows, cols).
-
-        `read`: electrons and saturation marks, each (rows, cols), by name. Pixels that are not
-        `valid` (rows, cols) get code 0. `seeds`: of noise and device. `number`: number of the
-        frame."""
-        target = replace(self.container.target, readout="full")
-        # The converter draws noise by index: images follow the buckets.
-        buckets = len(self.container.buckets)
-        exposure = _exposure_of(names, read, valid, buckets)
-        frame = converted(exposure, target, self._image_sensor, self.effects, seeds, number)
-        return frame.frame[buckets:], frame.saturated_by[buckets:]
 
     def _computed(
         self,
@@ -377,9 +364,15 @@ class PicturedProgram:
         exposed |= kept.images
         exposed_by |= kept.marks
         code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept.bits
-        words = _words_of_params(container)
-        if self.effects.without_effects:
-            return words.compiled(params).run((shape[0], shape[1]), exposed, exposed_by, code)
+        words = _recent_words(container).of(
+            tuple(sorted(params.items())),
+            lambda: PictureWords(container.target, picture_words(container, params)),
+        )
+        if not self._by_reference:
+            errors = self.errors(seeds, number, shape[0] * shape[1])
+            contents = words.run((shape[0], shape[1]), exposed, exposed_by, code, errors)
+            contents.hold(words.after_us * 1e-6)
+            return contents
         pixels = ArrayPixels(
             sensor=self.sensor,
             seed=seeds[0],
@@ -393,9 +386,34 @@ class PicturedProgram:
             exposed=exposed,
             exposed_by=exposed_by,
         )
-        pixels.run_words(words.listed(params))
-        pixels.hold(pixels.after_us * 1e-6)
+        pixels.run_words(words.words)
+        pixels.hold(words.after_us * 1e-6)
         return pixels
+
+    @cached_property
+    def _by_reference(self) -> bool:
+        """Whether the reference runs the words: on request, or for effects that only it has."""
+        from nscc_runtime.execution.frames import reference_reasons
+
+        wanted = self.by_words or reference_reasons(self.effects)
+        return bool(wanted) and not self.effects.without_effects
+
+    def errors(self, seeds: tuple[int, int], number: int, pixels: int) -> NamedValues:
+        """Return the effects that act on words in frame `number`, as `PictureWords.run` takes them,
+        for all `pixels` pixels; empty without effects. `seeds`: of noise and device."""
+        sensor, effects, target = self.sensor, self.effects, self.container.target
+        if effects.without_effects:
+            return {}
+        device = whole_device(sensor, seeds[1], pixels)
+        return {
+            **figures(sensor, effects),
+            **draws_keys(seeds[0], ArrayPixels.word_draws),
+            **patterns(effects, device, device.places),
+            "frame": number,
+            "numbered": most_destinations(target),
+            "patterns": len(target.analog_registers),
+            "inverted": [*target.analog_registers].index(target.analog_scratch),
+        }
 
 
 def _exposure_of(
@@ -411,37 +429,13 @@ def _exposure_of(
     return Exposure(values, np.broadcast_to(valid, shape).copy(), marks)
 
 
-class _WordsOfParams:
-    """The words of a container's images and planes, cached for the most recently requested values
-    of its parameters."""
-
-    def __init__(self, container: Container) -> None:
-        """Begin without words for the parameters of `container`."""
-        self._container = container
-        self._last: tuple[Any, list[tuple[Op, int | None]], PictureWords | None] | None = None
-
-    def listed(self, params: Mapping[str, int]) -> list[tuple[Op, int | None]]:
-        """Return the words for these values of parameters (by name) in execution order, each with
-        the value of IN set before it in steps, or None if it stays. IN is the level sent to all
-        pixels."""
-        key = tuple(sorted(params.items()))
-        if self._last is None or self._last[0] != key:
-            self._last = key, picture_words(self._container, params), None
-        return self._last[1]
-
-    def compiled(self, params: Mapping[str, int]) -> PictureWords:
-        """Return the words for these values of parameters (by name) as tables of the compiled
-        loop. Those of the last values are cached."""
-        words = self.listed(params)
-        assert self._last is not None
-        key, _, prepared = self._last
-        if prepared is None:
-            prepared = PictureWords(self._container.target, words)
-            self._last = key, words, prepared
-        return prepared
+@OfContainer
+def _recent_words(_container: Container) -> Recent:
+    """Return the cache of the words of a container for the parameters that were used last."""
+    return Recent(1)
 
 
-_words_of_params, _beyond_reaches = OfContainer(_WordsOfParams), OfContainer(beyond_reaches)
+_beyond_reaches = OfContainer(beyond_reaches)
 
 
 def image_sensor(sensor: Sensor, target: Target) -> Sensor:

@@ -19,7 +19,6 @@ from functools import cached_property
 import numpy as np
 
 from nscc.arrays import Bools, Floats
-from nscc.operations import WordEffect
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -247,22 +246,3 @@ class ProgramPixels(WordPixels):
             now = now if word.boundary == slots else min(now, 1.0)
             self.fall(slot_charge * (now - self.fallen))
             self.fallen = now
-
-    def run_word(self, word: RunningWord) -> None:
-        """Execute one word in all pixels: a reset, a bus word, a comparison, or a digital word. The
-        first two act where FLAG (the bit that lets a pixel act) is 1 (a reset everywhere on chips
-        whose resets ignore FLAG)."""
-        flag = self.digital.read("FLAG") == 1
-        match word.op.operation.effect:
-            case WordEffect.RESET_PIX:
-                everywhere = self.target.reset_honours_flag == "no"
-                self.reset(word, np.ones_like(flag) if everywhere else flag)
-            case WordEffect.BUS:
-                self.bus(word, flag)
-            case WordEffect.FLAG_ANALOG:
-                is_above = self.compared(word) > 0
-                self.digital.write(
-                    "FLAG", is_above & flag if self.target.where_obeys_flag else is_above
-                )
-            case _:
-                self.digital.run(word.op)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 import numpy as np
@@ -21,6 +21,7 @@ from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Fallen
+from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.trace import RunningWord, readout_waits_s
 from nscc_runtime.reference.weights import error_sign
 
@@ -232,12 +233,14 @@ class WordPixels(Pixels):
     """The contents of some pixels while the words of one frame run. All arrays are (pixels,).
 
     `charge`: electrons of PIX (the photodiode). `register`: electrons of the analog registers by
-    name. `word_draws`: the source number, in random keys, of draws for single words; a subclass
-    whose words have other numbers has another."""
+    name. `digital`: the digital registers, which `run_word` needs. `word_draws`: the source number,
+    in random keys, of draws for single words; a subclass whose words have other numbers has
+    another."""
 
     word_draws: ClassVar[int] = WORD_DRAWS
     container: Container
     effects: Selection
+    digital: Digital = field(init=False)
 
     def __post_init__(self) -> None:
         """Set PIX (the photodiode) and the analog registers to arbitrary values of the device seed,
@@ -338,6 +341,25 @@ class WordPixels(Pixels):
             value, lost_in_register_e = self.marks.clip_register(self, value, lost_e)
             self.register[name] = np.where(acting, value, self.register[name])
             self.marks.write(name, acting, full, lost_in_register_e)
+
+    def run_word(self, word: RunningWord) -> None:
+        """Execute one word in all pixels: a reset, a bus word, a comparison, or a digital word. The
+        first two act where FLAG (the bit that lets a pixel act) is 1 (a reset everywhere on chips
+        whose resets ignore FLAG)."""
+        flag = self.digital.read("FLAG") == 1
+        match word.op.operation.effect:
+            case WordEffect.RESET_PIX:
+                everywhere = self.target.reset_honours_flag == "no"
+                self.reset(word, np.ones_like(flag) if everywhere else flag)
+            case WordEffect.BUS:
+                self.bus(word, flag)
+            case WordEffect.FLAG_ANALOG:
+                is_above = self.compared(word) > 0
+                self.digital.write(
+                    "FLAG", is_above & flag if self.target.where_obeys_flag else is_above
+                )
+            case _:
+                self.digital.run(word.op)
 
     def read_out(self) -> Marked:
         """Return exposures in electrons and saturation marks of the frame, each (buckets, pixels).
