@@ -1,7 +1,9 @@
 """The emulator with sensor effects against numpy, side by side in one run.
 
     python tests/benchmarks/bench_emulator_effects.py [--rounds 15] [--slots 16]
+    python tests/benchmarks/bench_emulator_effects.py --beside CHECKOUT [--rounds 3]
 
+With `--beside`, only whole captures are measured, in turns with those of another checkout. Else:
 256 x 256 pixels, float32 light, through `nscc_runtime.capture`. Every line prints its goal beside
 what was measured; times are the best of several rounds, taken in turn, of light that may lie in the
 cache, and CPU time where one thread works:
@@ -33,7 +35,9 @@ from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
+from beside import add_option, in_turns, show
 from one_scene import load_scene
+from whole_captures import SATURATING
 
 from nscc.compiler import compile_file
 from nscc.pipeline import Options
@@ -59,12 +63,6 @@ MEMORY_GOAL = 4.0
 WHOLE_GOALS = {"auto, 5 e": 0.25, "all": 0.35}
 COPIES_GOAL = 10.0
 REPEATS, REPEAT_GOAL = 20, 0.4
-SATURATING = (
-    ("class_c", "builtin:hdr", "300000"),
-    ("flutter", "builtin:hdr", "300000"),
-    ("flutter", "builtin:motion", "30000"),
-    ("hdr_2x2", "builtin:hdr", "300000"),
-)
 SLOTS_GOAL = 1.2
 NOISY = "shot,read,full_well"
 PROGRAMS = {
@@ -313,7 +311,12 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rounds", type=int, default=15)
     parser.add_argument("--slots", type=int, default=16)
+    add_option(parser)
     arguments = parser.parse_args()
+    if arguments.beside is not None:
+        worker = str(Path(__file__).with_name("whole_captures.py").resolve())
+        show(*in_turns(worker, [], arguments.beside, arguments.rounds), "ms")
+        return
     for name in PROGRAMS:
         frames(name, arguments.slots, arguments.rounds)
     whole(arguments.slots, arguments.rounds)

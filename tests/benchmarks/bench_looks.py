@@ -1,20 +1,23 @@
 """Programs that look beside fixed shutters of as many slots, in one run: issue 15's time.
 
-    python tests/benchmarks/bench_looks.py [--rounds 7]
+    python tests/benchmarks/bench_looks.py [--rounds 3] [--beside CHECKOUT]
 
 256 x 256 pixels, 256 slots, the default sensor, `nscc_runtime.capture` of one frame, its planning
 included: `examples/float_pixel.nsl` against a program of class b whose pixels have all 256 stops.
-Seconds are those of the processor, the best of several rounds, taken in turn.
+Seconds are those of the processor, the best of several rounds, taken in turn; with `--beside` also
+those of another checkout.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import tempfile
 from pathlib import Path
 from time import process_time
 
 import numpy as np
+from beside import add_option, in_turns, show
 
 import nscc
 from nscc_runtime import capture, scene
@@ -51,26 +54,35 @@ def lights(program: nscc.ShutterProgram) -> dict[str, Light]:
     return {**stills, "a clip": Light.of_clip(clip)}
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--rounds", type=int, default=7)
-    rounds = parser.parse_args().rounds
-    made = programs()
+def measure() -> dict[str, float]:
+    """The least CPU milliseconds by "light, effects: program"."""
+    made, best = programs(), dict[str, float]()
     for what, light in lights(made["float_pixel"]).items():
         for effects in ("all", "auto"):
-            best = dict.fromkeys(made, float("inf"))
-            for _ in range(rounds):
+            for _ in range(3):
                 for name, program in made.items():
                     begin = process_time()
                     capture(program, light, effects=effects)
-                    best[name] = min(best[name], process_time() - begin)
-            ratio = best["float_pixel"] / best["class_b_256"]
-            print(
-                f"{what:<22} --effects {effects:<5}"
-                + "  ".join(f"{name} {each * 1e3:6.1f} ms" for name, each in best.items())
-                + f"  x{ratio:.2f} (goal x{GOAL:g}){'' if ratio <= GOAL else '  <-- misses'}"
-            )
+                    key = f"{what}, {effects}: {name}"
+                    best[key] = min(best.get(key, np.inf), 1e3 * (process_time() - begin))
+    return best
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=3)
+    add_option(parser)
+    chosen = parser.parse_args()
+    if chosen.worker:
+        print(json.dumps(measure()))
+        return
+    mine, other = in_turns(str(Path(__file__).resolve()), [], chosen.beside, chosen.rounds)
+    show(mine, other, "ms")
+    for key in mine:
+        if key.endswith(": float_pixel"):
+            ratio = mine[key] / mine[key.replace("float_pixel", "class_b_256")]
+            print(f"{key} x{ratio:.2f} (goal x{GOAL:g}){'' if ratio <= GOAL else '  <-- misses'}")
 
 
 if __name__ == "__main__":

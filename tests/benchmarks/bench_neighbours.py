@@ -1,17 +1,19 @@
 """Images of neighbouring pixels: words beside goals, and the emulator beside SciPy.
 
-    python tests/benchmarks/bench_neighbours.py [--words] [--speed]
+    python tests/benchmarks/bench_neighbours.py [--words] [--speed] [--beside CHECKOUT]
 
 Words: what `-O2` takes for kernels with public forms of words and with all forms, beside the goals
 and the words of Cain (its div counted as 2), with CPU-seconds of both. Sets are several kernels of
 one exposure in one program. Speed: two Sobels and a threshold on 256 x 256 pixels without effects,
 beside two calls of `scipy.ndimage.correlate`, taken in turn; the goal is 2 times. Whoever exposes
-more slots waits for these, too.
+more slots waits for these, too. With `--beside`, only the speed is measured, in turns with that of
+another checkout.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
 from collections.abc import Callable
 from dataclasses import replace
@@ -25,6 +27,7 @@ from scipy.ndimage import correlate
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "helpers"))
 
+from beside import add_option, in_turns, show
 from network_kernels import ANALOGNET2, MAX_POOLED
 
 from nscc.chips.load import builtin_target
@@ -129,8 +132,8 @@ def milliseconds(runs: list[Callable[[], object]], rounds: int = 60) -> list[flo
     return best
 
 
-def print_speed() -> None:
-    """The emulator beside SciPy."""
+def measure() -> dict[str, float]:
+    """The least milliseconds of a frame by the emulator, and of two correlations by SciPy."""
     container = container_of(EDGES)
     program = PicturedProgram(
         container, default_sensor(container.target), selected("none"), threads=1
@@ -145,15 +148,21 @@ def print_speed() -> None:
             lambda: [correlate(image, kernel, mode="constant") for kernel in weights],
         ]
     )
-    print(f"a frame {frame:.2f} ms, two correlations {pair:.2f} ms: {frame / pair:.2f} times")
+    return {"a frame": frame, "two correlations": pair}
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--words", action="store_true", help="only words")
     parser.add_argument("--speed", action="store_true", help="only times")
+    add_option(parser)
     arguments = parser.parse_args()
-    if not arguments.speed:
+    if arguments.worker:
+        print(json.dumps(measure()))
+        sys.exit()
+    if not (arguments.speed or arguments.beside):
         print_words()
     if not arguments.words:
-        print_speed()
+        mine, other = in_turns(str(Path(__file__).resolve()), [], arguments.beside, 3)
+        show(mine, other, "ms")
+        print(f"{mine['a frame'] / mine['two correlations']:.2f} times SciPy")
