@@ -35,6 +35,9 @@ from time import perf_counter, process_time
 from typing import Any
 
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "helpers"))
+
 from beside import add_option, in_turns, show
 from one_scene import load_scene
 from whole_captures import SATURATING

@@ -45,9 +45,9 @@ def programs() -> dict[str, nscc.ShutterProgram]:
 def lights(program: nscc.ShutterProgram) -> dict[str, Light]:
     """Stills and a clip, dim to saturated."""
     stills = {
-        f"builtin:hdr, {exposure:g} e": scene("builtin:hdr", exposure=exposure).light(
-            program.slot_us, program.container.target
-        )
+        f"builtin:hdr, {exposure:g} e": capture(
+            program, scene("builtin:hdr", exposure=exposure)
+        ).light
         for exposure in (3e4, 1e6)
     }
     clip = np.random.default_rng(1).exponential(60.0, (256, 256, 256)).astype(np.float32)
