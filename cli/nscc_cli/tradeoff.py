@@ -17,7 +17,6 @@ from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options, scene_option
 from nscc_cli.support import CommonCommand, Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_files import output_files, run_study
-from nscc_runtime.run_kinds import KINDS
 from nscc_training.command_settings import (
     DecoderStudySettings,
     EmulatorStudySettings,
@@ -142,7 +141,7 @@ def emulator(program: Path | None, **options: Any) -> int:
 def _refuse(container: Container) -> None:
     """Raise Rejected if the study does not support a program: chips without plans (NS0750), and
     pixels that look at their light (NS0828)."""
-    from nscc_runtime.planless import refuse_planless
+    from nscc_runtime.run_kinds import KINDS, refuse_planless
 
     refuse_planless(container, "nscc tradeoff emulator")
     if not KINDS.of(container).open_times_known:

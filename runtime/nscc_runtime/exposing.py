@@ -32,7 +32,6 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.host_setting import host_settings
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
-from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import ToleranceInput
@@ -48,6 +47,7 @@ from nscc_runtime.python_arguments import (
     sensor_of,
 )
 from nscc_runtime.request import Fidelity, Request
+from nscc_runtime.run_kinds import refuse_planless
 from nscc_runtime.scene_settings import Fit, FramesAre, Scene, Transfer
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Listener
@@ -242,8 +242,8 @@ def plan(
     """
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import make_plan
-    from nscc_runtime.planning.plan_request import PlanRequest
-    from nscc_runtime.planning.planned_scene import planning_of
+    from nscc_runtime.planning.plan import PlanRequest
+    from nscc_runtime.planning.planned_scene import PlannedScene
 
     given = locals()
     call = "nscc_runtime.plan"
@@ -256,7 +256,7 @@ def plan(
     refuse_planless(container, call)
     warn(diagnostics)
     wanted = PlanRequest(request.effects, request.tolerance, figures=True)
-    return make_plan(planning_of(container, chip, scene, request.device_seed), wanted)
+    return make_plan(PlannedScene(container, chip, scene, request.device_seed), wanted)
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:

@@ -19,12 +19,13 @@ one after twice as many scenes, and so on."""
 
 @dataclass(frozen=True)
 class _KeptPlan:
-    """A plan, the number of scenes that it has served (`scenes`, the one that it was made for
-    included), and the number after which a new plan is made (`most_scenes`)."""
+    """A plan with its error on the last scene, the number of scenes that it has served (`scenes`,
+    the one that it was made for included), and the number after which a new plan is made
+    (`most_scenes`)."""
 
     plan: Plan
-    scenes: int
-    most_scenes: int
+    scenes: int = 1
+    most_scenes: int = _AGAIN
 
 
 class KeptPlans:
@@ -75,12 +76,12 @@ class KeptPlans:
         self.passed(turn.number)
         try:
             earlier = None if last is None or last.exception() else last.result()
-            plan, kept = _planned(turn.frames, earlier, make, measure)
+            kept = _planned(turn.frames, earlier, make, measure)
             mine.set_result(kept)
         except BaseException as error:
             mine.set_exception(error)
             raise
-        return plan
+        return kept.plan
 
 
 def _planned(
@@ -88,26 +89,22 @@ def _planned(
     earlier: _KeptPlan | None,
     make: Callable[[int], Plan],
     measure: Callable[[Plan], Plan | None],
-) -> tuple[Plan, _KeptPlan]:
-    """Return the plan (the effects that are simulated) of a scene, and the plan to keep for the
-    next one.
+) -> _KeptPlan:
+    """Return the plan (the effects that are simulated) of a scene, to keep for the next one.
 
     `frames`: the largest number of frames for which a plan has to pay. `earlier`: the plan kept
     last; None makes a new one. `make` makes a new plan for a number of frames; `measure` returns
     the earlier plan with its error on this scene, or None if the error is too large."""
     if earlier is None:
-        plan = make(frames)
-        return plan, _KeptPlan(plan, scenes=1, most_scenes=_AGAIN)
+        return _KeptPlan(make(frames))
     # A plan that served as many scenes as it may is made anew, and the new one may serve twice as
     # many.
-    if earlier.scenes >= earlier.most_scenes:
-        plan = make(min(frames, earlier.scenes))
-        return plan, _KeptPlan(plan, scenes=1, most_scenes=2 * earlier.most_scenes)
-    measured = measure(earlier.plan)
+    is_due = earlier.scenes >= earlier.most_scenes
+    measured = None if is_due else measure(earlier.plan)
     if measured is not None:
-        return measured, replace(earlier, scenes=earlier.scenes + 1)
-    plan = make(min(frames, earlier.scenes))
-    return plan, _KeptPlan(plan, scenes=1, most_scenes=_AGAIN)
+        return replace(earlier, plan=measured, scenes=earlier.scenes + 1)
+    most_scenes = 2 * earlier.most_scenes if is_due else _AGAIN
+    return _KeptPlan(make(min(frames, earlier.scenes)), most_scenes=most_scenes)
 
 
 @dataclass(frozen=True, eq=False)

@@ -158,7 +158,7 @@ def _for_all(
     if not request.by_plan or KINDS.of(container).without_plan:
         return request
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planning.planned_scene import PlannedScene, planning_of
+    from nscc_runtime.planning.planned_scene import PlannedScene
     from nscc_runtime.planning.tolerance import tolerance_of, unit_of
 
     class All:
@@ -168,7 +168,7 @@ def _for_all(
             """Yield what is planned for each light in turn; only one is in memory."""
             for light in lights:
                 check(container, light)
-                yield planning_of(container, sensor, light, request.device_seed)
+                yield PlannedScene(container, sensor, light, request.device_seed)
 
         def signal_e(self) -> float:
             """Return the mean signal of all lights in electrons."""

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from typing import Any
 
 from nscc.arrays import Bools
+from nscc.diagnostics.diagnostic import rejected
 from nscc.kinds import KindTable
 from nscc.lazy import LazyFunctions
 from nscc.record import Record
@@ -107,3 +108,17 @@ KINDS = KindTable(
     stream="nscc_runtime.runs.stream_run:BitPlanesRun",
 )
 """The kinds of programs that the runtime knows."""
+
+
+def refuse_planless(container: Container, subject: str) -> None:
+    """Raise Rejected (NS0750) if plans do not apply to the program of `container`. `subject`: what
+    needs a plan (the effects that are simulated), such as an option or a function's name; the
+    message begins with it."""
+    reason = KINDS.of(container).without_plan
+    if reason:
+        raise rejected(
+            "NS0750",
+            f"{subject} needs a plan, but plans do not apply to this program",
+            notes=(f"{reason}, so all selected effects are simulated",),
+            helps=(f"leave {subject} out",),
+        )

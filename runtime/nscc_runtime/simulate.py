@@ -19,11 +19,10 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.light import Light
-from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.tolerance import check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.request import Request
-from nscc_runtime.run_kinds import KINDS
+from nscc_runtime.run_kinds import KINDS, refuse_planless
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
@@ -149,12 +148,12 @@ def _by_plan(
     from nscc_runtime.execution.block_loop import run_blocks
     from nscc_runtime.planning.audit import audit
     from nscc_runtime.planning.plan_file import plan_text
-    from nscc_runtime.planning.planned_scene import planning_of
+    from nscc_runtime.planning.planned_scene import PlannedScene
 
     timings, seed = listener.timings, request.seed
     check(container, light)
     _say_compiling(listener, run_blocks, "planner")
-    scene = planning_of(container, sensor, light, request.device_seed, request.threads)
+    scene = PlannedScene(container, sensor, light, request.device_seed, request.threads)
     digest = digest_of(container)
     with timings.measure("analyse_s"):
         scene.ready()
@@ -199,8 +198,8 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
     `digest`: that of the program, which a plan file must have. A plan for a file or an audit has
     every figure. Raises Rejected for a plan file that is invalid or of another program."""
     from nscc_runtime.planning.make import make_plan, measured_again, served_plan
+    from nscc_runtime.planning.plan import PlanRequest
     from nscc_runtime.planning.plan_file import read_plan
-    from nscc_runtime.planning.plan_request import PlanRequest
 
     if isinstance(request.plan, Path) and plan_given:
         plan = read_plan(request.plan, digest, scene.sensor)

@@ -49,9 +49,8 @@ from nscc_runtime import capture
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.plan import Plan, PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.scenes import light_of_array
 from nscc_runtime.scenes.exposure import parse_exposure
 from nscc_runtime.sensor import default_sensor
@@ -117,7 +116,7 @@ def verdict(holds: bool) -> str:
 
 def plan_of(program: Container, light: Light, effects: str, tolerance_e: float = 5.0) -> Plan:
     """The plan of these effects."""
-    scene = planning_of(program, default_sensor(program.target), unknown(light))
+    scene = PlannedScene(program, default_sensor(program.target), unknown(light))
     return make_plan(scene, PlanRequest(selected(effects), tolerance_e))
 
 
@@ -220,7 +219,7 @@ def saturating(rounds: int) -> None:
             cols=program.target.cols,
             exposure=parse_exposure(exposure),
         )
-        planned = planning_of(program, default_sensor(program.target), light)
+        planned = PlannedScene(program, default_sensor(program.target), light)
         part = len(planned.near_pixels(everything()).places)
         one = partial(_fresh, program, light, threads=1, effects="all")
         runs: dict[str, Callable[[], object]] = {"one": one, "many": partial(one, repeat=REPEATS)}

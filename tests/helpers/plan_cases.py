@@ -13,9 +13,8 @@ from nscc.words.container import Container
 from nscc_runtime.effects import registered, selected
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan import Decision, Plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.plan import Decision, Plan, PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.sensor import Sensor
 
 ANY_STOP = """nsl 1
@@ -152,5 +151,5 @@ def measured_plan(
     device_seed: int = 5,
 ) -> Plan:
     """A plan with every figure of its table."""
-    scene = planning_of(container, sensor, light, device_seed, threads=1)
+    scene = PlannedScene(container, sensor, light, device_seed, threads=1)
     return make_plan(scene, PlanRequest(selected(effects), tolerance, figures=True))

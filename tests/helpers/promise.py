@@ -16,9 +16,8 @@ from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.plan import Plan, PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.sensor import Sensor
 
 POOLED = 65536
@@ -141,7 +140,7 @@ def outcome(
 ) -> Outcome:
     """Plan, with the figures of the table or as quickly as for frames of a run, and measure the
     plan's error beside the frames `full`."""
-    scene = planning_of(container, sensor, light, device_seed, threads=1)
+    scene = PlannedScene(container, sensor, light, device_seed, threads=1)
     made = make_plan(scene, PlanRequest(selected(effects), tolerance, figures=figures))
     return Outcome(made, error_of(made, full, container, light, sensor, device_seed))
 

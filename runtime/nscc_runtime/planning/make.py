@@ -32,8 +32,15 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.execution.frames import word_reasons
 from nscc_runtime.execution.program import analysed
-from nscc_runtime.planning.plan import MOST_OTHER_STATES, Choice, Decision, Plan
-from nscc_runtime.planning.plan_request import Names, PlanRequest, effects_of_exposure
+from nscc_runtime.planning.plan import (
+    MOST_OTHER_STATES,
+    Choice,
+    Decision,
+    Names,
+    Plan,
+    PlanRequest,
+    effects_of_exposure,
+)
 from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, Trial, trial_of
 from nscc_runtime.planning.prices import Work
 from nscc_runtime.planning.sample import SampledErrors
@@ -100,9 +107,9 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     is_worth = saved_ms > _WORTH * case.work.trials_ms(1, _QUICK)
     if not (request.figures or is_checked or is_worth):
         return _plan(case, allowed)
-    trial = _trial(case)
-    allowed = allowed or tolerance_of(request.tolerance, scene.sensor, trial)
-    return _plan(case, allowed, _dropped(case, trial, allowed, _promising(moves, sizes_e, allowed)))
+    trial, allowed = _trial(case, allowed)
+    sets = _promising(moves, sizes_e, allowed)
+    return _plan(case, allowed, _dropped(case, trial, allowed, sets))
 
 
 def measured_again(
@@ -125,8 +132,7 @@ def measured_again(
     dropped, allowed = frozenset(plan.names("dropped")), _known_tolerance(scene, request)
     if not (dropped or figures):
         return _plan(case, allowed)
-    trial = _trial(case)
-    allowed = allowed or tolerance_of(asked, scene.sensor, trial)
+    trial, allowed = _trial(case, allowed)
     return _plan(case, allowed, _Measured(trial, dropped - request.forced_off, {}))
 
 
@@ -165,9 +171,12 @@ def _known_tolerance(scene: PlannedScene, request: PlanRequest) -> Tolerance | N
     return tolerance_of(request.tolerance, scene.sensor, scene) if is_known else None
 
 
-def _trial(case: _Case) -> Trial:
-    """Expose a sample of the scene with every effect; with figures a larger one."""
-    return trial_of(case.work.scene, SAMPLED if case.request.figures else _QUICK)
+def _trial(case: _Case, allowed: Tolerance | None) -> tuple[Trial, Tolerance]:
+    """Expose a sample of the scene with every effect, with figures a larger one; return the trial,
+    and the tolerance, measured if it is not known (None)."""
+    scene, request = case.work.scene, case.request
+    trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
+    return trial, allowed or tolerance_of(request.tolerance, scene.sensor, trial)
 
 
 def _moves(case: _Case) -> dict[Names, float]:

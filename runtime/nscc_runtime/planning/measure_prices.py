@@ -13,9 +13,9 @@ from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan_request import PlanRequest, effects_of_exposure
+from nscc_runtime.planning.plan import PlanRequest, effects_of_exposure
 from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, trial_of
-from nscc_runtime.planning.prices import SHIPPED, Work
+from nscc_runtime.planning.prices import FRAME_NS, SLOT_NS, Work
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.sensor import default_sensor
 
@@ -91,7 +91,7 @@ def measure_prices() -> list[Price]:
             "reference",
             "a pixel and slot in the reference",
             "ns",
-            SHIPPED.slot,
+            SLOT_NS,
             reference_ns / (scene.pixels * still.slots),
         ),
         *_of_sums(scene),
@@ -105,7 +105,7 @@ def _of_sums(scene: PlannedScene) -> list[Price]:
     every_ns = _frame_ns(scene, all_effects)
     bare_ns = _frame_ns(scene, selected("none"))
     return [
-        Price("sums", "a pixel without effects", "ns", SHIPPED.frame, bare_ns),
+        Price("sums", "a pixel without effects", "ns", FRAME_NS, bare_ns),
         *(
             Price(
                 effect.name,

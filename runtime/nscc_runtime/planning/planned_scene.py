@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import numpy as np
 
@@ -29,13 +28,12 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import Planes, block_exposer, next_planes
 from nscc_runtime.looked_frames import frames as looked_frames
-from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.reference.trace import retention_us
-from nscc_runtime.run_kinds import KINDS
+from nscc_runtime.run_kinds import KINDS, refuse_planless
 
 SAMPLED = 4000
 """Number of pixels on which a plan is measured."""
@@ -52,7 +50,10 @@ the pixels begins a frame in a state in which it did not begin before."""
 @dataclass(frozen=True, eq=False)
 class PlannedScene:
     """A program on a scene and a chip, to be planned, exposed and audited. `device_seed`: seed of
-    the chip's fixed patterns. Results do not depend on `threads` (None: all processors)."""
+    the chip's fixed patterns. Results do not depend on `threads` (None: all processors).
+
+    Raises Rejected for programs to which plans do not apply (NS0750), and for light of another size
+    (NS0734)."""
 
     container: Container
     sensor: Sensor
@@ -60,7 +61,12 @@ class PlannedScene:
     device_seed: int = 0
     threads: int | None = None
 
-    @cached_property
+    def __post_init__(self) -> None:
+        """Check the program and the light."""
+        refuse_planless(self.container, "planning")
+        check_size(self.container, self.light)
+
+    @property
     def looks(self) -> bool:
         """Whether pixels look at their light."""
         return not KINDS.of(self.container).open_times_known
@@ -139,29 +145,13 @@ class PlannedScene:
         return trial_of(self).noise_e()
 
 
-def planning_of(
-    container: Container,
-    sensor: Sensor,
-    light: Light,
-    device_seed: int = 0,
-    threads: int | None = None,
-) -> PlannedScene:
-    """Return a program on a scene, to be planned. `device_seed`: of the fixed patterns. `threads`:
-    None for all processors. Raises Rejected for programs to which plans do not apply (NS0750), and
-    for light of another size (NS0734). A plan is a choice of the effects that are simulated."""
-    refuse_planless(container, "planning")
-    check_size(container, light)
-    return PlannedScene(container, sensor, light, device_seed, threads)
-
-
 @dataclass(frozen=True, eq=False)
 class SampledExposures:
     """Exposures of sampled pixels.
 
     `exposure_e` (outputs, frames, pixels): electrons. An output is a bucket of one frame of a
     series; `frames` are its repeats with other noise. `endings`, of the same shape: the states in
-    which each pixel ended, as a number whose bit k is that of the k-th state register in
-    alphabetical order; 0 without states."""
+    which each pixel ended, as numbers (`_states`); 0 without states."""
 
     exposure_e: Floats
     endings: Ints32
@@ -350,10 +340,10 @@ def _exposures(
 
 def _states(scene: PlannedScene, exposure_e: Floats, planes: Planes) -> Ints32:
     """Return the states in which pixels ended as numbers (pixels,): bit k is that of the k-th state
-    register in alphabetical order; a register that is missing is 0."""
+    register; a register that is missing is 0."""
     of_states = scene.container.state_planes.values()
     numbers = np.zeros(exposure_e.shape[1], np.int32)
-    for k, name in enumerate(sorted({name for each in of_states for name in each.registers})):
+    for k, name in enumerate(name for each in of_states for name in each.registers):
         if name in planes:
             numbers |= planes[name].astype(np.int32) << k
     return numbers

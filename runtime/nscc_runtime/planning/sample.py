@@ -177,24 +177,21 @@ def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Fl
 
     `near`: the pixels near saturation. `full_well_e`: full well in electrons. `chance` (rows *
     cols,): relative probabilities of `drawing_chances`."""
-    pixels = chance.size
-    # Room that the pixels far from saturation do not need goes to those near it.
-    far_count = min(pixels - len(near.places), int((1.0 - _NEAR_FRACTION) * count))
-    near_count = min(len(near.places), count - far_count)
+    pixels, is_near = chance.size, np.zeros(chance.size, np.bool_)
+    is_near[near.places] = True
     if pixels <= count:
-        is_near = np.zeros(pixels, np.bool_)
-        is_near[near.places] = True
         return Sample(np.arange(pixels), np.ones(pixels), is_near, pixels)
-    far_chance = chance.copy()
-    far_chance[near.places] = 0.0
-    drawn, weight = _drawn(far_chance, count - near_count, pixels - len(near.places))
-    near_drawn, near_weight = _near_drawn(near, full_well_e, chance, near_count)
-    places = np.concatenate([drawn, near.places[near_drawn]])
-    order = np.argsort(places)
-    is_near = np.arange(len(places)) >= len(drawn)
-    return Sample(
-        places[order], np.concatenate([weight, near_weight])[order], is_near[order], pixels
-    )
+    # Room that the pixels far from saturation do not need goes to those near it.
+    far = np.flatnonzero(~is_near)
+    far_count = min(len(far), int((1.0 - _NEAR_FRACTION) * count))
+    near_count = min(len(near.places), count - far_count)
+    weights = np.zeros(pixels)
+    drawn, weight = _drawn(chance[far], count - near_count)
+    weights[far[drawn]] = weight
+    drawn, weight = _near_drawn(near, full_well_e, chance[near.places], near_count)
+    weights[near.places[drawn]] = weight
+    places = np.flatnonzero(weights)
+    return Sample(places, weights[places], is_near[places], pixels)
 
 
 def _near_drawn(
@@ -203,8 +200,7 @@ def _near_drawn(
     """Draw about `count` of the pixels near saturation; all if there are no more. Return their
     indices in `near`, and how many such pixels each represents, 1 if it is certain to be drawn.
 
-    `full_well_e`: full well in electrons. `chance` (rows * cols,): relative probabilities of all
-    pixels of the scene."""
+    `full_well_e`: full well in electrons. `chance`: relative probabilities of these pixels."""
     if len(near.places) <= count:
         return np.arange(len(near.places)), np.ones(len(near.places))
     sure = np.zeros(len(near.places), np.bool_)
@@ -212,19 +208,19 @@ def _near_drawn(
         sure[np.argpartition(size, -_EXTREMES)[-_EXTREMES:]] = True
     ordered = np.flatnonzero(~sure)
     ordered = ordered[np.argsort(near.most_e[ordered], kind="stable")]
-    drawn, weight = _drawn(chance[near.places[ordered]], count - int(sure.sum()), len(ordered))
+    drawn, weight = _drawn(chance[ordered], count - int(sure.sum()))
     certain = np.flatnonzero(sure)
     return np.append(certain, ordered[drawn]), np.append(np.ones(len(certain)), weight)
 
 
-def _drawn(chance: Floats, count: int, represented: int) -> tuple[Places, Floats]:
+def _drawn(chance: Floats, count: int) -> tuple[Places, Floats]:
     """Draw distinct indices of `chance` with probabilities proportional to its values,
     deterministically.
 
     One point is drawn in each of `count` equal strata, by an additive recurrence, so that the
     points do not align with tiles of codes; points at the same index count once. Return the
-    indices, ascending, and their weights, whose sum is `represented`: 1 for indices that are
-    certain to be drawn. Both are empty if `count` or all of `chance` is 0."""
+    indices, ascending, and their weights, whose sum is the number of `chance`: 1 for indices that
+    are certain to be drawn. Both are empty if `count` or all of `chance` is 0."""
     total = np.cumsum(chance)
     if count <= 0 or not total[-1] > 0:
         return np.empty(0, np.int64), np.empty(0)
@@ -234,7 +230,7 @@ def _drawn(chance: Floats, count: int, represented: int) -> tuple[Places, Floats
     expected = chance[drawn] * (count / total[-1])
     sure = expected >= _SURE
     weight = np.where(sure, 1.0, times / np.maximum(expected, 1e-300))
-    scale = (represented - np.count_nonzero(sure)) / max(float(weight[~sure].sum()), 1e-300)
+    scale = (len(chance) - np.count_nonzero(sure)) / max(float(weight[~sure].sum()), 1e-300)
     return drawn, np.where(sure, 1.0, weight * scale)
 
 
@@ -273,12 +269,6 @@ def drawing_chances(light: Light, near: NearSaturation, full_well_e: float) -> F
 def _contrast(light_e: Floats32) -> Floats32:
     """Return each pixel's light plus the absolute differences from its four neighbours, in
     electrons, (rows, cols) as `light_e`; beyond the border there is no difference."""
-    score = light_e.copy()
-    for axis in (0, 1):
-        step = np.abs(np.diff(light_e, axis=axis))
-        before, after = (
-            (slice(None),) * axis + (index_range,) for index_range in (slice(-1), slice(1, None))
-        )
-        score[before] += step
-        score[after] += step
-    return score
+    around = np.pad(light_e, 1, mode="edge")
+    beside = around[:-2, 1:-1], around[2:, 1:-1], around[1:-1, :-2], around[1:-1, 2:]
+    return np.asarray(light_e + sum(np.abs(light_e - neighbour_e) for neighbour_e in beside))

@@ -23,6 +23,9 @@ DEFAULT = "0.15noise"
 """The default tolerance. An error of 0.15 times the noise increases the standard deviation by 1.1
 %; frames of 4,000 pixels are needed to detect that."""
 
+_ANY_E = 1e4
+"""The signal and noise that relative tolerances refer to if there is no scene."""
+
 _TOLERANCE = re.compile(
     r"\s*((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(e|lsb|%|noise)\s*"
 )
@@ -73,10 +76,13 @@ class ToleranceScene(Protocol):
     def noise_e(self) -> float: ...
 
 
-def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene) -> Tolerance:
+def tolerance_of(
+    requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene | None
+) -> Tolerance:
     """Convert `5e`, `0.1lsb`, `1%` of the scene's signal, `0.1noise`, or a number of electrons.
 
-    The signal or noise of the scene is computed only for a relative tolerance. Raises Rejected
+    The signal or noise of the scene is computed only for a relative tolerance; without a `scene`
+    it is a large number, so that only the tolerance itself can be wrong. Raises Rejected
     (NS0746, status 2) for any other text, for values outside LEAST_E to MOST_E electrons, and for a
     percentage of a scene without signal."""
     if isinstance(requested, Tolerance):
@@ -96,10 +102,10 @@ def tolerance_of(requested: ToleranceInput, sensor: Sensor, scene: ToleranceScen
     if not 0 < value < math.inf:
         raise _malformed(f"'{requested[:40]}'")
     if unit == "noise":
-        noise = scene.noise_e()
+        noise = scene.noise_e() if scene else _ANY_E
         tolerance = Tolerance(text, value * noise, noise_e=noise)
         return _within(tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons")
-    signal = scene.signal_e()
+    signal = scene.signal_e() if scene else _ANY_E
     if not signal > 0:
         raise rejected(
             "NS0746",
@@ -118,21 +124,11 @@ def unit_of(tolerance: ToleranceInput) -> str | None:
     return match[2] if match else None
 
 
-class _Bright:
-    """A scene with signal and noise above 0, so that only the tolerance itself can be wrong."""
-
-    def signal_e(self) -> float:
-        """Return a large exposure, so that only the text of a tolerance matters."""
-        return 1e4
-
-    noise_e = signal_e
-
-
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene; `sensor` gives the
     electrons of a converter code. The check does not see the scene, so it accepts a percentage also
     for a scene without signal."""
-    tolerance_of(tolerance, sensor, _Bright())
+    tolerance_of(tolerance, sensor, None)
 
 
 def mean_signal_e(exposure_e: Floats, sensor: Sensor) -> float:

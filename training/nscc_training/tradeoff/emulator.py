@@ -22,8 +22,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.planning.audit import SLACK, audit
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_request import PlanRequest
+from nscc_runtime.planning.plan import Plan, PlanRequest
 from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames

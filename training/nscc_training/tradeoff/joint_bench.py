@@ -23,7 +23,7 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.request import Request
 from nscc_runtime.response import response_of
@@ -132,7 +132,7 @@ class Bench:
         """Return the standard deviation of the frame's noise in electrons, as a plan (the effects
         that are simulated) of the program and scene predicts it."""
         seed = self.request.device_seed
-        return planning_of(self.container, self.sensor, self.light, seed).noise_e()
+        return PlannedScene(self.container, self.sensor, self.light, seed).noise_e()
 
     @cached_property
     def target(self) -> Tolerance:

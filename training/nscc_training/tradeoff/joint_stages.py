@@ -23,15 +23,14 @@ from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.effect import MOST_E
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
-from nscc_runtime.planless import refuse_planless
 from nscc_runtime.planning.audit import audit
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import PlannedScene, planning_of
+from nscc_runtime.planning.plan import Plan, PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import LEAST_E
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.response import response_of
+from nscc_runtime.run_kinds import refuse_planless
 from nscc_runtime.simulate import Simulated
 from nscc_training.experiments.engine import Figures
 from nscc_training.experiments.study import NotMeasured, StudyPoint, timed_ms
@@ -170,7 +169,7 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
         """Return the scene for a plan (the effects that are simulated). Its light has no stored
         sums, because computing them is part of the frame's time."""
         light = unknown(bench.light)
-        return planning_of(container, bench.sensor, light, request.device_seed)
+        return PlannedScene(container, bench.sensor, light, request.device_seed)
 
     def made_plan(scene: PlannedScene, chosen: str, tolerance: str) -> Plan:
         """Make the plan for `chosen` effects ("auto" or "all") and a tolerance."""
@@ -189,7 +188,7 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
         scene = planning()
         next(iter(scene.frames(made_plan(scene, *way).kept, request.seed, 1)))
 
-    scene = planning_of(container, bench.sensor, bench.light, request.device_seed)
+    scene = PlannedScene(container, bench.sensor, bench.light, request.device_seed)
     scene.ready()
 
     @cache

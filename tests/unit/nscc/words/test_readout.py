@@ -34,8 +34,8 @@ from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.plan import PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import default_sensor
 
@@ -65,7 +65,7 @@ def test_emulated_codes_mean_what_the_target_says(readout: str) -> None:
     frame = read_out(expose(container, light), target, sensor)
     check(frame.frame, readout, target)
     assert frame.saturated.tolist() == [[[False, False, True]]]
-    planning = planning_of(container, sensor, light)
+    planning = PlannedScene(container, sensor, light)
     plan = make_plan(planning, PlanRequest(selected("none"), 5.0))
     [planned] = planning.frames(plan.kept, 0, 1)
     np.testing.assert_array_equal(planned.frame, frame.frame)

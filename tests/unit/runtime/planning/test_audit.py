@@ -14,7 +14,7 @@ from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.planning.audit import SLACK, Audit, audit, in_distribution
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 64, 80
@@ -29,7 +29,7 @@ def mid() -> Setting:
 
 def audited(setting: Setting, plan: Plan) -> Audit:
     container, light, sensor = setting
-    return audit(planning_of(container, sensor, light, 5), plan)
+    return audit(PlannedScene(container, sensor, light, 5), plan)
 
 
 def test_the_audit_equals_an_independent_comparison(mid: Setting) -> None:

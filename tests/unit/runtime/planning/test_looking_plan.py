@@ -23,7 +23,7 @@ from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import measured_again, served_plan
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_runtime.request import Request
 from nscc_runtime.sensor import default_sensor
@@ -128,7 +128,7 @@ def test_a_plan_survives_json_and_is_measured_on_other_scenes(program: Container
     plan, _ = run(program, light(0.05), "auto", tolerance=40.0)
     again: Plan = from_plain(Plan, json.loads(json.dumps(plan.as_json())))
     assert again == plan
-    scene = planning_of(program, default_sensor(program.target), light(2.0))
+    scene = PlannedScene(program, default_sensor(program.target), light(2.0))
     brighter = measured_again(scene, again)
     assert brighter.kept.on == plan.kept.on
     assert brighter.predicted_e > plan.predicted_e
@@ -174,7 +174,7 @@ def test_a_plan_serves_a_scene_only_where_few_pixels_end_in_other_states(
 
     def served(full_wells: float) -> tuple[bool, float]:
         still = np.full((SIDE, SIDE), full_wells * 30000.0 / weight.sum(), np.float32)
-        scene = planning_of(program, default_sensor(program.target), Light.of_still(still, weight))
+        scene = PlannedScene(program, default_sensor(program.target), Light.of_still(still, weight))
         measured = measured_again(scene, plan)
         return served_plan(scene, plan, plan.tolerance) is not None, measured.other_states
 

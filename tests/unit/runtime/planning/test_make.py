@@ -14,8 +14,8 @@ from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.plan import PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 
 SIDE, SLOTS = 64, 8
 
@@ -116,7 +116,7 @@ def test_a_single_frame_is_not_measured_and_many_are() -> None:
     pays."""
     container = case("b edges", SLOTS, rows=256, cols=256)
     light = scene("mid", SLOTS, 256, 256)
-    planned = planning_of(container, sensor_of(container), light)
+    planned = PlannedScene(container, sensor_of(container), light)
     plans = [
         make_plan(planned, PlanRequest(selected("auto"), "60e", frames)) for frames in (1, 1000)
     ]

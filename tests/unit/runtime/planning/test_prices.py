@@ -11,10 +11,11 @@ from plan_cases import CASES, case
 from reference_programs import sensor_of
 
 from nscc_runtime.effects import everything
+from nscc_runtime.effects.parts import Leak
 from nscc_runtime.light import Light
 from nscc_runtime.planning import measure_prices
 from nscc_runtime.planning.measure_prices import Price
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.prices import Work
 
 FOUND = [Price("sums", "a pixel", "ns", 137.5, 100.0)]
@@ -52,7 +53,7 @@ def test_measuring_finds_prices_of_every_way() -> None:
 def test_dropped_effects_save_predicted_time(name: str) -> None:
     container = case(name, rows=6, cols=9)
     light = Light.of_clip(np.full((8, 6, 9), 40000.0, np.float32))
-    work = Work.of(planning_of(container, sensor_of(container), light))
+    work = Work.of(PlannedScene(container, sensor_of(container), light))
     every = everything()
     # 6 x 9 pixels, all near saturation.
     assert work.near == 54
@@ -62,3 +63,15 @@ def test_dropped_effects_save_predicted_time(name: str) -> None:
     saturating = "full_well", "register"
     saved = work.milliseconds(every) - work.milliseconds(every.without(*saturating))
     assert saved == pytest.approx(1e-6 * work.near * work.loop_ns(every))
+
+
+def test_prices_count_pixels_whose_leakage_is_far_from_the_mean() -> None:
+    """In a frame of 4 s some pixels run through their words because they leak unlike most; without
+    leakage none does."""
+    container = case("b edges", slot="500ms", rows=32, cols=32)
+    light = Light.of_clip(np.full((8, 32, 32), 100.0, np.float32))
+    work = Work.of(PlannedScene(container, sensor_of(container), light))
+    every, leakage = everything(), everything().names(Leak)
+    assert (work.near, work.uneven > 0) == (0, True)
+    saved_ms = work.saved_ms(every, leakage, 50)
+    assert saved_ms > 50e-6 * work.uneven * work.loop_ns(every)

@@ -24,8 +24,8 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.precision import Point
 from nscc_runtime.planning.audit import audit
 from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan_request import PlanRequest
-from nscc_runtime.planning.planned_scene import planning_of
+from nscc_runtime.planning.plan import PlanRequest
+from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.scenes import Scene, scene_light
 from nscc_runtime.sensor import default_sensor
 from nscc_training.command_settings import STAGES, JointRequest
@@ -222,7 +222,7 @@ def test_errors_of_plans_are_those_of_their_audits(folder: Path) -> None:
     exact = capture(container, "builtin:flat:9000")
     assert joint.signal_e == pytest.approx(float(exact.exposure_e.mean()))
     light = Scene("builtin:flat:9000")
-    scene = planning_of(
+    scene = PlannedScene(
         container,
         default_sensor(container.target),
         scene_light(light, container.slot_us, container.target),
