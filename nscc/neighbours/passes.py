@@ -190,7 +190,7 @@ def _with_fewer_registers(pictures: Pictures) -> list[Pictures]:
 
     Repeated items cannot be ordered by last use. Only in programs of version 4 are shifts of images
     written where they are read."""
-    ways = [] if pictures.repeated else [by_last_use(pictures)]
+    ways = [] if pictures.repeated else [by_last_use(pictures), by_last_use(pictures, eager=True)]
     if pictures.is_of_version_4:
         moved = with_moves_where_read(pictures)
         ways += [moved] if moved.repeated else [moved, by_last_use(moved)]
@@ -481,6 +481,15 @@ class _Changes:
         stored = sum(map(len, grouped(lowering.words, lowering.loops).kernels))
         return self._container.words_stored + stored <= self._container.target.store_words
 
+    def fits_with_limit(self, pictures: Pictures, percent: int) -> bool:
+        """Return whether images and planes fit if exposures reach `percent` of a full well."""
+        limit_e = percent / 100 * self._container.target.full_well_e
+        return self.fits(replace(pictures, limits_e=dict.fromkeys(pictures.limits_e, limit_e)))
+
+
+_LOWER_LIMIT, _LIMIT_TRIED = "limit the exposure: `assume exposure <= {}%` compiles", 50
+"""A help, and the limit in percent that is tried where registers run out."""
+
 
 def _changes_that_fit(pictures: Pictures, changes: _Changes) -> list[str]:
     """Return the helps for images and planes that do not fit: how many of those that are read out
@@ -506,6 +515,9 @@ def _changes_that_fit(pictures: Pictures, changes: _Changes) -> list[str]:
         if changes.fits(replace(pictures, weights=_middles(pictures.weights, side))):
             helps.append(f"use the middle {side} x {side} weights of larger kernels: this compiles")
             break
+    # Of the programs of a kernel, those with few registers may have larger values.
+    if not helps and pictures.limits_e and changes.fits_with_limit(pictures, _LIMIT_TRIED):
+        helps.append(_LOWER_LIMIT.format(_LIMIT_TRIED))
     return helps or ["read out fewer images and planes, or use smaller convolution kernels"]
 
 
@@ -549,9 +561,8 @@ def _beyond_range(
     # fit, the limit is halved.
     percent = int(limit_percent / over + 1e-9)
     while percent >= 1:
-        limits = dict.fromkeys(pictures.limits_e, percent / 100 * target.full_well_e)
-        if changes.fits(replace(pictures, limits_e=limits)):
-            helps.append(f"limit the exposure: `assume exposure <= {percent}%` compiles")
+        if changes.fits_with_limit(pictures, percent):
+            helps.append(_LOWER_LIMIT.format(percent))
             break
         percent //= 2
     if not helps:

@@ -163,8 +163,25 @@ class Synthesis:
         if len(taps) <= _MOST_ADDED:
             candidates += additions(taps, self.forms)
         candidates += digit_plane_programs(taps, self.forms)
+        candidates += self._digit_planes_of_lines(taps)
         assert all(self._right(program, dict(taps)) for program in candidates)
         return candidates
+
+    def _digit_planes_of_lines(self, taps: Taps) -> Iterator[Program]:
+        """Yield programs that apply the digit planes of a row, then those of a column, if their
+        product is the convolution kernel `taps`; they need five or four registers."""
+        chains = [
+            [
+                chained(*pair)
+                for pair in zip(
+                    *(digit_plane_programs(line, self.forms) for line in lines), strict=False
+                )
+            ]
+            for lines in separated(taps)
+        ]
+        for number in (0, 1):  # with five registers, then with four
+            programs = [Ranged(program) for chain in chains for program in chain[number::2]]
+            yield from (ranged.program for ranged in _best(programs, _peak(taps)))
 
     def _right(self, program: Program, taps: Polynomial) -> bool:
         """Return whether a program computes the convolution kernel `taps`, by words that the chip
@@ -295,8 +312,8 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     """Yield pairs of a row and a column kernel whose product is the convolution kernel `taps`.
 
     All are weights by offset, in units of 1 / UNIT. The halvings are in the column, divided between
-    both, or in the row. Yield nothing if `taps` is not a product, or has only one row or one
-    column."""
+    both, in the row, or such that the row has no gain. Yield nothing if `taps` is not a product, or
+    has only one row or one column."""
     (left, top), size = box_of(taps)
     if 0 in size:
         return
@@ -307,11 +324,12 @@ def separated(taps: Taps) -> Iterator[tuple[Polynomial, Polynomial]]:
     left_column = {y: weight for (x, y), weight in taps.items() if x == left}
     common = gcd(*top_row.values())
     # A kernel is a product if its weights times the corner's are those of its first row and column.
-    product = {(x, y): a * b for x, a in top_row.items() for y, b in left_column.items()}
-    if product != {at: weight * corner for at, weight in taps.items()}:
+    outer = {(x, y): a * b for x, a in top_row.items() for y, b in left_column.items()}
+    if outer != {at: weight * corner for at, weight in taps.items()}:
         return
     halvings = halvings_of(taps)
-    for in_row in sorted({0, halvings // 2, halvings}):
+    in_row_alone = (sum(map(abs, top_row.values())) // common - 1).bit_length()
+    for in_row in sorted({0, halvings // 2, min(in_row_alone, halvings), halvings}):
         scale = 2**in_row * common
         if all(weight * scale % corner == 0 for weight in left_column.values()):
             yield (

@@ -514,3 +514,16 @@ def test_a_plane_xor_itself_is_0_also_after_an_or() -> None:
     pictures = container_of(HEAD + text).pictures
     words = [matching(word, ()) for kernel in pictures.kernels for word in kernel]
     assert op("CLR", [pictures.registers["z"]]) in words
+
+
+def test_an_error_of_registers_proposes_a_lower_limit_that_fits() -> None:
+    """A repeated dense kernel with signs fits the registers only if its values are smaller."""
+    text = (
+        "kernel k = [[0, 1, 5], [9, -9, -8], [6, 8, -4]] / 64 "
+        "image p = exposure repeat 4 k(p) read p"
+    )
+    with pytest.raises(Rejected) as refused:
+        container_of(HEAD + text)
+    (help_text,) = refused.value.diagnostics[0].helps
+    assert help_text == "limit the exposure: `assume exposure <= 50%` compiles"
+    assert container_of(HEAD + "assume exposure <= 50% " + text).pictures.words

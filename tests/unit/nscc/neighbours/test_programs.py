@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from fractions import Fraction
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -178,6 +179,50 @@ def test_three_dense_kernels_of_one_exposure_fit() -> None:
     kernels = [rng.integers(-9, 10, (5, 5)).tolist() for _ in range(3)]
     # A recorded number of words: it must not grow.
     assert words_of(kernels, 256) <= 310
+
+
+@pytest.mark.parametrize(("size", "most"), [(5, 45), (7, 75), (9, 100)])
+def test_products_of_a_row_and_a_column_take_few_words_with_few_registers(
+    size: int, most: int
+) -> None:
+    """A program with five registers applies the column after the row, so words grow with the side.
+
+    The bounds are recorded numbers of words: they must not grow."""
+    for seed in range(3):
+        column, row = np.random.default_rng(seed).integers(1, 10, (2, size)).tolist()
+        rows = outer(column, row)
+        divisor = 1 << (sum(map(sum, rows)) - 1).bit_length()
+        programs = Synthesis(400, PUBLIC).variants(exact_taps(weights_of(rows, divisor)))
+        words = [len(ranged.program) for ranged in programs if registers_of(ranged.program) <= 5]
+        assert min(words) <= most
+
+
+def chain_read_twice(kind: str, count: int) -> str:
+    """A program with `count` planes or images that two others read, one of them in reverse."""
+    if kind == "planes":
+        items = [f"plane v{i} = exposure > {90 * i // count + 5}%" for i in range(count)]
+        items += [f"plane t = {' xor '.join(f'v{i}' for i in range(count))}"]
+        items += [f"plane u = {' and '.join(f'v{i}' for i in reversed(range(count)))}"]
+    else:
+        items = [
+            f"kernel k{i} = [[{i % 7 + 1}, 0, -1]] / 8 image v{i} = abs(k{i}(exposure))"
+            for i in range(count)
+        ]
+        terms = [f"v{i} / {1 << (count - 1).bit_length()}" for i in range(count)]
+        items += [f"image t = {' + '.join(terms)} image u = {' + '.join(reversed(terms))}"]
+    return f"nsl 3 frame 1 slots of 1ms open when true {' '.join(items)} read t, u"
+
+
+@pytest.mark.parametrize("kind", ["planes", "images"])
+def test_images_and_planes_that_others_read_twice_need_registers_of_a_few(kind: str) -> None:
+    """Words grow with the number of images and planes, and all of them fit the registers."""
+    words = []
+    for count in (8, 16, 32):
+        source = Source("p.nsl", chain_read_twice(kind, count))
+        made = run_passes(source, Path(), Options(level=1, cache=False)).container
+        assert made is not None
+        words.append(made.pictures.words)
+    assert all(after < 2.4 * before for before, after in pairwise(words))
 
 
 @pytest.mark.parametrize("line", [line for line in ROWS.split("\n") if line])
