@@ -20,7 +20,7 @@ from itertools import chain, groupby, product
 
 import numpy as np
 
-from nscc.arrays import Bools
+from nscc.arrays import Ints
 from nscc.logic.cubes import Cube, Standing
 from nscc.logic.digits import Planes, gray
 from nscc.logic.part_forms import (
@@ -31,6 +31,7 @@ from nscc.logic.part_forms import (
     StatePart,
     covered,
     forms,
+    oriented,
     shifted,
 )
 from nscc.logic.problem import MASK, Gate, Gates, GaveUp, Machine, Problem, Segment, Solution
@@ -156,7 +157,7 @@ class _Writer:
         Raises GaveUp if no register is left for intermediate results. A demand is a set of shutters
         that FLAG must select at a boundary."""
         count = len(self.problem.demands)
-        planned = self._planned(rule, np.zeros(count, dtype=np.bool_))
+        planned = self._planned(rule, np.zeros(count, dtype=np.int64))
         if self.kept and not any(state.second for state in self.states):
             raise GaveUp("no exclusive or can be kept")
         self.gates = Gates(self.machine)
@@ -182,16 +183,18 @@ class _Writer:
         name = f"parts of the rule{repeated}"
         return Script(name, self.planes, len(self.states), opening, before, closing)
 
-    def _planned(self, rule: Rule, inverse: Bools) -> _Planned:
+    def _planned(self, rule: Rule, inverse: Ints) -> _Planned:
         """Add the planes and states of all parts of a rule to the writer, and return the rule with
         its parts replaced by plans.
 
-        `inverse`, bool (demands,), tells at which demands the gates will read the rule's inverse; a
-        state in the masked register is stored inverted if that is at most of them. A plane is the
-        content of a code register. A demand is a set of shutters that FLAG must select at a
-        boundary."""
+        `inverse`, (demands,), is 1 where the gates will read the rule's inverse, 0 where its value,
+        and -1 where neither; a state in the masked register, and planes, are stored for most. A
+        plane is the content of a code register. A demand is a set of shutters that FLAG must select
+        at a boundary."""
         if isinstance(rule, RulePart):
             form = self.chosen[id(rule)]
+            if isinstance(form.plan, CoveredPart):
+                form = oriented(form, form.plan, inverse.tolist(), self.problem.everything)
             plan = shifted(form.plan, len(self.planes))
             self.planes += form.planes
             if not isinstance(plan, StatePart):
@@ -200,7 +203,8 @@ class _Writer:
             ahead = [change.value for run in plan.changes for change in run]
             # Outside the masked register, a value is written by an OR: 1 into the state, or 0 as a
             # 1 into its inverse.
-            low = bool((inverse ^ rule.inverted).mean() > 0.5) if masked else ahead[:1] == [False]
+            wanted = (inverse ^ rule.inverted)[inverse >= 0]
+            low = 2 * int(wanted.sum()) > len(wanted) if masked else ahead[:1] == [False]
             self.states.append(_Held(f"s{len(self.states)}", masked, plan, low, ahead))
             return self.states[-1]
         only_xor = set(rule.operators) == {"xor"}
@@ -213,8 +217,9 @@ class _Writer:
             rule = Composition(rule.operators, first_two, inner.second)
         # An `and` is the NOR of its parts' inverses, an `or` the OR of their values.
         operators = np.array(rule.operators)
-        inverse = np.where(operators == "and", True, np.where(operators == "or", False, inverse))
-        first, second = self._planned(rule.first, inverse), self._planned(rule.second, inverse)
+        inverse = np.where(operators == "and", 1, np.where(operators == "or", 0, inverse))
+        first = self._planned(rule.first, np.where(operators == "second", -1, inverse))
+        second = self._planned(rule.second, np.where(operators == "first", -1, inverse))
         # The masked register can hold the exclusive or of its state and a part of cubes.
         if self.kept and only_xor and isinstance(first, _Held):
             alone = first.masked and first.second is None

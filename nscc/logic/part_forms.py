@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations, groupby
 from math import comb
 from typing import NamedTuple
@@ -29,6 +29,8 @@ from nscc.truth import columns, number_planes, rows, union
 # Limits: cubes of a value or a change, and kinds of shutters whose values are covered.
 _MOST_CUBES = 4
 _MOST_COVERED_KINDS = 512
+# Forms of a part that may be better than another in all respects: words are estimates.
+_MOST_RIVALS = 2
 # Low bits of a binary number whose cubes are submasks; the others are in Gray code. With fewer, the
 # same words are repeated more often, so that a smaller store holds them.
 _SUBMASK_BITS = (13, 4)
@@ -118,10 +120,20 @@ class _Kinds:
 
 def forms(part: RulePart, most_planes: int) -> list[Form]:
     """Return the forms of a part with at most `most_planes` planes, those with the fewest words
-    first."""
+    first. A form is left out if `_MOST_RIVALS` others are better in words and in registers, or if
+    one of these takes no words."""
     kinds = _kinds(part)
-    found = [form for form in _forms(kinds, most_planes) if len(form.planes) <= most_planes]
-    return sorted(found, key=lambda form: (form.words, form.registers))
+    fitting = [form for form in _forms(kinds, most_planes) if len(form.planes) <= most_planes]
+    kept: list[Form] = []
+    for form in sorted(fitting, key=lambda form: (form.words, form.registers)):
+        rivals = [
+            rival
+            for rival in kept
+            if rival.registers <= form.registers and rival.varied <= form.varied
+        ]
+        if len(rivals) < _MOST_RIVALS and all(rival.words for rival in rivals):
+            kept.append(form)
+    return kept
 
 
 def _kinds(part: RulePart) -> _Kinds:
@@ -335,6 +347,31 @@ def _compared(kinds: _Kinds, width: int) -> Form:
     numbers = gray(np.arange(kinds.count))
     planes = _planes(kinds, "change, Gray bit", numbers, width)
     return Form(planes, ComparedPart(0, width, thresholds, inverted), words, varied=True)
+
+
+def oriented(form: Form, plan: CoveredPart, inverse: Sequence[int], everything: int) -> Form:
+    """Return a form, with the plan `plan`, whose planes hold what most gates read.
+
+    At demand i, the gates read the part's value if `inverse[i]` is 0, its inverse if it is 1, and
+    neither if it is -1. A value that is a single plane takes no gate if the plane holds just that.
+    `everything` is the truth vector of all shutters. Planes that are also read by cubes of
+    several are left as they are, because they are inverted over time."""
+    wide = {plane for cubes in plan.cubes for cube in cubes if len(cube) > 1 for plane, _ in cube}
+    votes = [0] * len(form.planes)
+    for cubes, inverted, read in zip(plan.cubes, plan.inverted, inverse, strict=True):
+        if read >= 0 and len(cubes) == 1 and len(cubes[0]) == 1:
+            ((plane, value),) = cubes[0]
+            votes[plane] += 1 if value != (inverted != read) else -1
+    turned = [vote < 0 and plane not in wide for plane, vote in enumerate(votes)]
+    planes = [
+        (plane ^ everything * turn, f"{name}, inverted" if turn else name)
+        for (plane, name), turn in zip(form.planes, turned, strict=True)
+    ]
+    cubes_as_stored = [
+        [tuple((plane, value ^ turned[plane]) for plane, value in cube) for cube in run]
+        for run in plan.cubes
+    ]
+    return replace(form, planes=planes, plan=CoveredPart(cubes_as_stored, plan.inverted))
 
 
 def shifted(plan: Plan, base: int) -> Plan:

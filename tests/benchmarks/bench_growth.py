@@ -98,6 +98,20 @@ FAMILIES: dict[str, tuple[Callable[[int], str], int]] = {
                            "open when n < stop or n % 4 == k"), 512),
     "xor": (lambda n: frame(n, "code stop : 1..N code k : 0..3 "
                             "open when n < stop xor n % 4 == k"), 512),
+    "and or not": (lambda n: frame(n, "code a : 1..N code b : 0..7 code c : 0..1 "
+                                   "open when (n < a or n % 8 == b) and not (c == 1 and n > N / 2)"
+                                   ), 256),
+    "xor range": (lambda n: frame(n, "code a : 1..N code k : 0..7 "
+                                  "open when n < a xor n % 8 < k"), 256),
+    "window and": (lambda n: frame(n, "code a : 0..N - 8 code k : 0..3 "
+                                   "open when a <= n < a + 8 and n % 4 != k"), 256),
+    "nested": (lambda n: frame(n, "code a : 1..N code k : 0..3 code j : 0..2 "
+                               "open when (n < a and n % 4 != k) or n % 3 == j"), 256),
+    "and bits": (lambda n: frame(n, "code a : 1..N code m : bit[3] "
+                                 "open when n < a and m[n % 3]"), 512),
+    "buckets and": (lambda n: frame(n, "code a : 1..N - 1 code k : 0..3 "
+                                    "bucket p open when n < a and n % 4 != k "
+                                    "bucket q open when n >= a and n % 4 != k"), 256),
     "looks": (lambda n: f"nsl 2 frame {n} slots of 500us sense bright when light > 50% "
               f"at n % 4 == 0 and n > 0 state seen : 0..{n} = 0 "
               "next seen = looks when bright and seen == 0 open when seen == 0 read seen", 32),

@@ -172,6 +172,26 @@ def test_families_solve_problems_whether_flag_lasts_or_not(table, flag_kept):
             continue
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_cubes_may_contain_free_shutters_and_prefer_standing_planes(seed):
+    """The cubes contain all shutters that must be in, and no others but free ones. Of 16 codes of
+    four planes, the code of one shutter with eight free ones is covered without inversions."""
+    choose = random.Random(seed)
+    everything = (1 << 16) - 1
+    planes = [sum((code >> bit & 1) << code for code in range(16)) for bit in range(4)]
+    on, free = choose.getrandbits(16), choose.getrandbits(16)
+    standing = [choose.getrandbits(1) for _ in planes]
+    cubes = cover(on, planes, everything, Budget(10_000), free=free, standing=standing)
+    covered = {
+        code for code in range(16) for cube in cubes if all(code >> p & 1 == v for p, v in cube)
+    }
+    assert {code for code in range(16) if on >> code & 1} <= covered
+    assert covered <= {code for code in range(16) if (on | free) >> code & 1}
+    half = sum(1 << code for code in range(16) if code & 1 == standing[0])
+    (cube,) = cover(half & -half, planes, everything, Budget(100), free=half, standing=standing)
+    assert cube == ((0, standing[0]),)
+
+
 def test_every_generator_solves_some_table():
     """For each generator there is a table, chip and lowering for which it does not give up. One
     that serves none should be deleted."""
