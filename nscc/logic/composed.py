@@ -16,19 +16,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
-from itertools import chain, groupby, product
+from itertools import chain, product
 
 import numpy as np
 
 from nscc.arrays import Ints
 from nscc.logic.cubes import Cube, Standing
-from nscc.logic.digits import Planes, gray
+from nscc.logic.digits import Planes
 from nscc.logic.part_forms import (
     Change,
     ComparedPart,
     CoveredPart,
     Form,
     StatePart,
+    bit_runs,
+    compared_code,
     covered,
     forms,
     oriented,
@@ -460,7 +462,7 @@ class _Writer:
             case CoveredPart():
                 return len(planned.cubes[index]) > 1
             case ComparedPart():
-                return len(_runs(planned.thresholds[index], planned.width)) > 1
+                return len(bit_runs(planned.thresholds[index], planned.width)) > 1
             case _Held():
                 return False
         operators, first, second = planned
@@ -483,7 +485,7 @@ class _Writer:
             case CoveredPart():
                 return self._is_low(planned.cubes[index]) ^ planned.inverted[index]
             case ComparedPart():
-                runs = _runs(planned.thresholds[index], planned.width)
+                runs = bit_runs(planned.thresholds[index], planned.width)
                 return (bool(runs) and runs[-1][0]) ^ planned.inverted[index]
         operators, first, second = planned
         match operators[index]:
@@ -505,8 +507,9 @@ class _Writer:
                     if len(planned.cubes[index]) == 1 and len(cube) > 1:
                         self._turn(cube)
             case ComparedPart():
-                code = gray(planned.thresholds[index])
-                self._turn(tuple((planned.base + i, code >> i & 1) for i in range(planned.width)))
+                code = compared_code(planned.thresholds[index])
+                places = range(1, planned.width)
+                self._turn(tuple((planned.base + i, code >> i & 1) for i in places))
             case (operators, first, second):
                 if operators[index] != "second":
                     self._turn_ahead(first, index)
@@ -517,7 +520,7 @@ class _Writer:
         """Add gates that compare a number with the threshold of demand `index`, and return
         registers whose OR is the part's value, or with `inverse` its inverse.
 
-        The planes hold the exclusive or of both Gray codes. In the highest plane that is 1, number
+        The planes are now the exclusive or of both codes. In the highest plane that is 1, number
         and threshold differ: the number is larger if that bit of the threshold is 0. So, from the
         lowest bit up, bits that are 0 in the threshold are joined to the result by an OR, and those
         that are 1 to its inverse. Raises GaveUp if no register is left."""
@@ -526,7 +529,7 @@ class _Writer:
         # The OR of `names` is the result for the bits so far, or its inverse if `low`. Equal
         # numbers count as larger.
         low = True
-        for ones, bits in _runs(compared.thresholds[index], compared.width):
+        for ones, bits in bit_runs(compared.thresholds[index], compared.width):
             carried = [self._joined("NOR", names)] if names else []
             names = [*(f"p{compared.base + bit}" for bit in bits), *carried]
             low = ones
@@ -576,17 +579,3 @@ class _Writer:
         if any(self.standing.inverted[plane] != value for plane, value in cube):
             self._end_segment()
             self.segments += self.standing.turn(cube)
-
-
-def _runs(threshold: int, width: int) -> list[tuple[bool, list[int]]]:
-    """Return the runs of equal bits of a number of `width` bits, as (value, positions), from the
-    lowest 1 up.
-
-    >>> _runs(0b0110, 4)
-    [(True, [1, 2]), (False, [3])]
-    """
-    runs = [
-        (value, [*bits])
-        for value, bits in groupby(range(width), lambda bit: bool(threshold >> bit & 1))
-    ]
-    return runs[not threshold & 1 :]

@@ -21,7 +21,7 @@ import numpy as np
 
 from nscc.arrays import Indices, Ints
 from nscc.logic.cubes import Budget, Cube, cover
-from nscc.logic.digits import Planes, binary_planes, cycle, gray
+from nscc.logic.digits import Numbers, Planes, binary_planes, cycle, gray
 from nscc.logic.problem import GaveUp
 from nscc.logic.rule_parts import RulePart, monotone, only_opens
 from nscc.truth import columns, number_planes, rows, union
@@ -70,8 +70,8 @@ class ComparedPart:
     """A part whose value at demand i is whether a number is at least `thresholds[i]`, or the
     inverse of that if `inverted[i]`.
 
-    The planes from number `base` on, `width` of them, hold the number in Gray code, lowest bit
-    first. A demand is a set of shutters that FLAG must select at a boundary."""
+    The planes from number `base` on, `width` of them, hold `compared_code` of the number, lowest
+    bit first. A demand is a set of shutters that FLAG must select at a boundary."""
 
     base: int
     width: int
@@ -264,7 +264,8 @@ def covered(
                 raise GaveUp(f"a part of the rule takes more than {_MOST_CUBES} cubes")
         chosen, inverse = known[key]
         words += sum(2 * turned.to(cube) + 1 for cube in chosen if len(cube) > 1)
-        words += 2 * max(0, len(chosen) - 1)
+        # With one scratch register, FLAG holds the cubes before the last.
+        words += 3 * max(0, len(chosen) - 1)
         cubes.append(chosen)
         inverted.append(inverse)
     return CoveredPart(cubes, inverted), words
@@ -342,10 +343,11 @@ def _compared(kinds: _Kinds, width: int) -> Form:
         for value, high in zip(kinds.values, above, strict=True)
     ]
     inverted = [high == out for high, out in zip(above, kinds.inverted, strict=True)]
-    runs = [len(list(groupby(f"{t:b}"))) for t in thresholds]
-    words = sum(2.0 * count + 2 for count in runs)
-    numbers = gray(np.arange(kinds.count))
-    planes = _planes(kinds, "change, Gray bit", numbers, width)
+    # One plane is inverted in every second slot, and each run of bits but one takes a gate, which
+    # writes over its own source from the second on.
+    words = sum(1.0 + max(0, 2 * len(bit_runs(t, width)) - 3) for t in thresholds)
+    numbers = compared_code(np.arange(kinds.count))
+    planes = _planes(kinds, "change, bit", numbers, width)
     return Form(planes, ComparedPart(0, width, thresholds, inverted), words, varied=True)
 
 
@@ -372,6 +374,30 @@ def oriented(form: Form, plan: CoveredPart, inverse: Sequence[int], everything: 
         for run in plan.cubes
     ]
     return replace(form, planes=planes, plan=CoveredPart(cubes_as_stored, plan.inverted))
+
+
+def compared_code(number: Numbers) -> Numbers:
+    """Return the code of a number, or of each number of an array, that is compared with the code of
+    a threshold.
+
+    Above the lowest bit it is the Gray code, so that the next threshold differs in one bit. The
+    lowest bit is read for odd thresholds only, so its plane is never inverted: it is 0 where the
+    number is odd, too."""
+    return gray(number >> 1) << 1 | (number & 1 ^ 1)
+
+
+def bit_runs(threshold: int, width: int) -> list[tuple[bool, list[int]]]:
+    """Return the runs of equal bits of a number of `width` bits, as (value, positions), from the
+    lowest 1 up.
+
+    >>> bit_runs(0b0110, 4)
+    [(True, [1, 2]), (False, [3])]
+    """
+    found = [
+        (value, [*bits])
+        for value, bits in groupby(range(width), lambda bit: bool(threshold >> bit & 1))
+    ]
+    return found[not threshold & 1 :]
 
 
 def shifted(plan: Plan, base: int) -> Plan:

@@ -29,6 +29,9 @@ ALLOWED = {
     ("d", 64, 128): "128 slots have 8,256 bumps, more than 12 planes distinguish",
     ("states", 32, 33): "33 values need a sixth bit, which counts by a ripple of carries",
     ("and", 256, 257): "257 stops need a ninth plane, which leaves two planes for 4 values of k",
+    ("and or not", 128, 256): "256 stops need 12 planes: no state fits, so numbers are compared",
+    ("nested", 128, 256): "256 stops need 12 planes: no state fits, so numbers are compared",
+    ("and bits", 256, 512): "512 stops need 12 planes: no state fits, so numbers are compared",
     ("codebook of 16 slots", 32, 33): "33 rows need a sixth plane, and both polarities do not fit",
 }
 """Exceptions: (family, size, next size), with the reason."""
