@@ -202,7 +202,9 @@ class _Writer:
             if not isinstance(plan, StatePart):
                 return plan
             masked = self.machine.masked and not self.states
-            ahead = [change.value for run in plan.changes for change in run]
+            ahead = [c.value for run in plan.changes for c in run if isinstance(c.value, bool)]
+            if not masked and len(ahead) < sum(map(len, plan.changes)):
+                raise GaveUp("only a masked register takes the bit of a plane")
             # Outside the masked register, a value is written by an OR: 1 into the state, or 0 as a
             # 1 into its inverse.
             wanted = (inverse ^ rule.inverted)[inverse >= 0]
@@ -341,6 +343,14 @@ class _Writer:
         If the state also holds the exclusive or with a second part, its new content depends on the
         cubes (NORs of registers) of that part at demand `index`. A demand is a set of shutters that
         FLAG must select at a boundary."""
+        if not isinstance(change.value, bool):
+            self._select(change.cube)
+            inverse = self._is_low([(change.value,)]) != held.inverse
+            names = [f"p{change.value[0]}"]
+            if held.second is not None:  # all shutters of the cube change
+                inverse, names = True, [held.register]
+            (self.gates.nor if inverse else self.gates.or_)(held.register, names, masked=True)
+            return
         cubes, content = list[Cube](), change.value != held.inverse
         if held.second is not None:
             cubes, content = held.second.cubes[index], content ^ held.second.inverted[index]

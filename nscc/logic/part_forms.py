@@ -37,9 +37,10 @@ _SUBMASK_BITS = (13, 4)
 
 
 class Change(NamedTuple):
-    """The shutters of `cube`, in which a state becomes `value`."""
+    """The shutters of `cube`, in which a state becomes `value`: a constant, or whether a plane
+    holds a bit, as (plane, bit)."""
 
-    value: bool
+    value: bool | tuple[int, int]
     cube: Cube
 
 
@@ -162,23 +163,22 @@ def _forms(kinds: _Kinds, most_planes: int) -> Iterator[Form]:
     if width > most_planes:
         return
     numbers = np.arange(kinds.count)
-    coded: list[tuple[str, Ints, int, bool]] = []
+    codes: list[tuple[str, Ints, int]] = []
     if kinds.nested:
-        for low in _SUBMASK_BITS if width > _SUBMASK_BITS[1] else _SUBMASK_BITS[:1]:
-            low = min(low, width)
-            codes = gray(numbers >> low) << low | numbers & (1 << low) - 1
-            yield from _state(kinds, "change, bit", codes, width, low)
+        for most_low in _SUBMASK_BITS if width > _SUBMASK_BITS[1] else _SUBMASK_BITS[:1]:
+            low = min(most_low, width)
+            code = gray(numbers >> low) << low | numbers & (1 << low) - 1
+            yield from _state(kinds, "change, bit", code, width, low)
         yield _compared(kinds, width)
-    if not kinds.nested:
-        codes = np.array(cycle(kinds.count, width))
-        coded.append(("Gray bit", codes, width, False))
-        coded += [(*places, False) for places in _places(kinds.count, most_planes)]
-        for name, codes, planes, _ in coded:
-            yield from _state(kinds, name, codes, planes, planes)
+    else:
+        codes.append(("Gray bit", np.array(cycle(kinds.count, width)), width))
+        codes += [*_places(kinds.count, most_planes), *_phases(kinds, most_planes)]
+        for name, code, bits in codes:
+            yield from _state(kinds, name, code, bits, bits)
     if kinds.count <= _MOST_COVERED_KINDS:
-        coded.append(("bit", numbers, width, False))
-        for name, codes, planes, _ in coded:
-            yield from _covered(kinds, name, codes, planes)
+        for name, code, bits in (*codes, ("bit", numbers, width)):
+            vectors = number_planes(code, bits)
+            yield from _covered_by(kinds, _planes(kinds, name, code, bits), vectors)
 
 
 def _places(count: int, most_planes: int) -> Iterator[tuple[str, Ints, int]]:
@@ -197,6 +197,27 @@ def _places(count: int, most_planes: int) -> Iterator[tuple[str, Ints, int]]:
         groups = np.array(cycle(-(-count // size), bits) if bits else (0,))
         code = groups[numbers // size] << places | codes[numbers % size]
         yield "place or group, bit", code, bits + places
+
+
+def _phases(kinds: _Kinds, most_planes: int) -> Iterator[tuple[str, Ints, int]]:
+    """Yield codes of windows, with their width: the start is divided by the most common length. The
+    remainder is in the low bits, and the quotient in Gray code.
+
+    A window closes when the next one with the same remainder opens. Both are then one cube."""
+    counts = rows(kinds.values, kinds.count).sum(axis=1)
+    # The part may be the inverse of windows.
+    length = int(np.bincount(np.minimum(counts, len(kinds.values) - counts)).argmax())
+    quotients = -(-kinds.count // max(length, 1))
+    if not 2 <= length <= kinds.count // 2:
+        return
+    numbers, high = np.arange(kinds.count), (quotients - 1).bit_length()
+    groups = np.array(cycle(quotients, high))
+    low = max(1, (length - 1).bit_length())
+    phases = [("", np.array(cycle(length, low)), low), *_places(length, most_planes - high)]
+    for _, codes, width in phases:
+        if high + width <= most_planes:
+            code = groups[numbers // length] << width | codes[numbers % length]
+            yield "phase or window, bit", code, high + width
 
 
 def _planes(kinds: _Kinds, name: str, codes: Ints, width: int) -> Planes:
@@ -219,11 +240,6 @@ def _stored(kinds: _Kinds, most_planes: int) -> Iterator[Form]:
     of_shutters = columns(rows(stored, kinds.count)[kinds.number])
     planes = [(plane, f"{kinds.fields}, value {i}") for i, plane in enumerate(of_shutters)]
     yield from _covered_by(kinds, planes, stored)
-
-
-def _covered(kinds: _Kinds, name: str, codes: Ints, width: int) -> Iterator[Form]:
-    """Yield the form whose values are covered by cubes of the planes of a code, if it exists."""
-    yield from _covered_by(kinds, _planes(kinds, name, codes, width), number_planes(codes, width))
 
 
 def _covered_by(kinds: _Kinds, planes: Planes, vectors: Sequence[int]) -> Iterator[Form]:
@@ -303,6 +319,12 @@ def _state(kinds: _Kinds, name: str, codes: Ints, width: int, low_bits: int) -> 
     with suppress(GaveUp):
         for value in kinds.values:
             chosen: list[Change] = []
+            both = _exchanged(value & ~now, now & ~value, vectors, everything, turned, budget)
+            if both is not None:
+                words += 2 * turned.to(both.cube) + 2
+                changes.append([both])
+                now = value
+                continue
             for after, on, same in (
                 (False, now & ~value, everything & ~value),
                 (True, value & ~now, value),
@@ -331,6 +353,27 @@ def _state(kinds: _Kinds, name: str, codes: Ints, width: int, low_bits: int) -> 
             words,
             varied,
         )
+
+
+def _exchanged(
+    opening: int,
+    closing: int,
+    vectors: Sequence[int],
+    everything: int,
+    turned: _Turned,
+    budget: Budget,
+) -> Change | None:
+    """Return the change that opens kinds and closes others at the same time, if one cube contains
+    just these and a plane distinguishes them."""
+    planes = [
+        (plane, int(not opening & ~vector))
+        for plane, vector in enumerate(vectors)
+        if (opening & vector, closing & vector) in ((opening, 0), (0, closing))
+    ]
+    if not (opening and closing and planes):
+        return None
+    cubes = cover(opening | closing, vectors, everything, budget, standing=turned.polarity)
+    return Change(planes[0], cubes[0]) if len(cubes) == 1 else None
 
 
 def _compared(kinds: _Kinds, width: int) -> Form:
@@ -410,5 +453,11 @@ def shifted(plan: Plan, base: int) -> Plan:
         return ComparedPart(base, plan.width, plan.thresholds, plan.inverted)
     if isinstance(plan, CoveredPart):
         return CoveredPart([[cube_at(c) for c in cubes] for cubes in plan.cubes], plan.inverted)
-    changes = [[Change(c.value, cube_at(c.cube)) for c in run] for run in plan.changes]
+    changes = [
+        [
+            Change(v if isinstance(v, bool) else (base + v[0], v[1]), cube_at(cube))
+            for v, cube in run
+        ]
+        for run in plan.changes
+    ]
     return StatePart(plan.start, changes, plan.inverted)

@@ -173,6 +173,17 @@ def test_windows_are_states_that_open_and_close(rule):
 
 
 @pytest.mark.parametrize(
+    ("length", "join", "most"), [(8, "and", 6), (8, "or", 6), (5, "and", 8), (6, "xor", 9)]
+)
+def test_one_cube_selects_windows_that_open_and_close(length, join, most):
+    """Starts are divided by the length of the window, whether it is a power of two or not."""
+    codes = f"code a : 0..N - {length} code k : 0..3"
+    found = words(problem(f"a <= n < a + {length} {join} n % 4 != k", 100, codes), chip())
+    assert found
+    assert min(found) <= most * 100
+
+
+@pytest.mark.parametrize(
     "rules",
     [
         ("n < a and n % 4 != k", "n >= a and n % 4 != k"),
