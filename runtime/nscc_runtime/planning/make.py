@@ -345,7 +345,7 @@ def _decision(
     saved_ms = 0.0
     if measured and not is_absent:
         saved_ms = max(0.0, case.work.saved_ms(full, frozenset({name})))
-    if case.reused:
+    if case.reused and measured:
         reason = "taken from an earlier plan"
     elif is_absent:
         reason = effect.absent
