@@ -233,10 +233,10 @@ def _promising(
 ) -> list[Names]:
     """Return the sets of `moves` whose estimated error is within the tolerance `allowed` (None if
     it is not known), and before them, with estimates, the union of as many as fit together."""
-    limit_e2 = math.inf if allowed is None else allowed.electrons**2
+    limit_e2 = math.inf if allowed is None else (_MARGIN * allowed.electrons) ** 2
 
     def fits(names: Names) -> bool:
-        """Return whether the estimated error of leaving out `names` is within the tolerance."""
+        """Return whether the estimated error of leaving out `names` leaves the margin."""
         return sum(sizes_e.get(name, 0.0) ** 2 for name in names) <= limit_e2
 
     sets, union = [names for names in moves if fits(names)], Names()

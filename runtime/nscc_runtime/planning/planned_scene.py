@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -66,7 +67,7 @@ class PlannedScene:
         refuse_planless(self.container, "planning")
         check_size(self.container, self.light)
 
-    @property
+    @cached_property
     def looks(self) -> bool:
         """Whether pixels look at their light."""
         return not KINDS.of(self.container).open_times_known
