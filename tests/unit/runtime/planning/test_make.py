@@ -126,6 +126,20 @@ def test_a_single_frame_is_not_measured_and_many_are() -> None:
     assert plans[1].total_ms < plans[1].all_ms
 
 
+def test_effects_that_are_estimated_to_be_too_large_are_not_measured() -> None:
+    """At 5 electrons counts, words and crosstalk of a scene with lamps are all too large, as a plan
+    with figures measures. A plan for 20 frames does not measure them; at 500 electrons it does."""
+    container = case("b edges", SLOTS, rows=256, cols=256)
+    light = scene("hdr, bright", SLOTS, 256, 256)
+    planned = PlannedScene(container, sensor_of(container), light)
+    table = make_plan(planned, PlanRequest(selected("auto"), "5e", figures=True))
+    large = {each.name for each in table.decisions if (each.predicted_rms_e or 0.0) > 5.0}
+    assert large >= {"shot", "analog", "crosstalk"}
+    plans = [make_plan(planned, PlanRequest(selected("auto"), x, 20)) for x in ("5e", "500e")]
+    assert [plan.predicted_e is not None for plan in plans] == [False, True]
+    assert {"shot", "dark"} <= {*plans[1].names("dropped")}
+
+
 def test_a_relative_tolerance_is_that_of_the_frames_noise() -> None:
     """`0.3noise` is 0.3 of the standard deviation of 40 frames with all effects, which the plan
     knows within 5 %."""

@@ -67,6 +67,18 @@ def test_a_lamp_and_its_neighbours_are_always_drawn(row: int, col: int) -> None:
     assert found.weight[found.places == row * 160 + col].tolist() == [1.0]
 
 
+def test_pixels_beside_a_lamp_are_drawn_beside_brighter_lamps_that_saturate() -> None:
+    """1600 pixels near saturation are ten times as bright as a lamp. Its neighbours, which get most
+    charge of all other pixels from it, stand for themselves alone."""
+    total = np.full((1, 128, 160), 30.0, np.float32)
+    total[0, 20:60, 20:60] = 1e7
+    total[0, 100, 100] = 1e6
+    scene = Light.of_clip(total)
+    found = sample(scene, near_at(np.flatnonzero(total > WELL_E)))
+    for row, col in ((99, 100), (101, 100), (100, 99), (100, 101)):
+        assert found.weight[found.places == row * 160 + col].tolist() == [1.0]
+
+
 @pytest.mark.parametrize("is_sampled", [False, True])
 def test_a_flashing_pixel_and_its_neighbours_are_always_drawn(is_sampled: bool) -> None:
     """A pixel whose light comes in one slot, as much as that of the others, has a weight of 1. So
