@@ -7,12 +7,16 @@ import pytest
 from plan_cases import case, moving_light
 from reference_programs import sensor_of
 
+from nscc_runtime import capture
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.dark import current_e_per_s
 from nscc_runtime.effects.prnu import response
 from nscc_runtime.execution.near_saturation import near_saturation
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.light import Light
+
+NOISE = "shot", "dark", "read", "reset", "analog", "crosstalk"
+"""Effects that draw random numbers, or move charge of other pixels."""
 
 SLOTS, DEVICE, SIGMAS = 8, 5, 6.0
 
@@ -44,7 +48,8 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
     )
     light = moving_light((SLOTS, *shape), 300.0)
     program = AnalysedProgram.of(container, sensor)
-    near = near_saturation(program, light, DEVICE, everything())
+    # Words take no time, so that only slots whose shutter is open count.
+    near = near_saturation(program, light, DEVICE, everything().without("dead_time", "black_sun"))
     places = np.arange(shape[0] * shape[1])
     scale = 1.1 * response(sensor, DEVICE, places).reshape(shape)
     current = current_e_per_s(sensor, DEVICE, places).reshape(shape)
@@ -68,3 +73,22 @@ def test_no_pixel_is_near_saturation_without_saturating_effects() -> None:
     wanted = everything().without("full_well", "register")
     assert not len(near_saturation(program, light, DEVICE, wanted).places)
     assert len(near_saturation(program, light, DEVICE, everything()).places) == 36
+
+
+@pytest.mark.filterwarnings("ignore:.*NS0793")
+@pytest.mark.parametrize("name", ["b accumulate", "b edges", "c accumulate", "two buckets"])
+def test_light_that_flashes_after_the_last_read_saturates_as_in_the_reference(name: str) -> None:
+    """Pixels flash with 10 million electrons in each slot. Words that run at the end of an exposure
+    collect a part of the next slot's light, which fills PIX in some pixels; frames without draws
+    of random numbers are those of the reference."""
+    container = case(name, 4, "100us", 16, 16)
+    sensor, effects = sensor_of(container), everything().without(*NOISE)
+    clip = np.full((4, 16, 16), 200.0, np.float32)
+    clip[np.arange(256) % 4, np.arange(256) // 16, np.arange(256) % 16] = 1e7
+    light = Light.of_clip(clip)
+    chip = {"sensor": sensor, "device_seed": 5, "effects": effects}
+    own, true = (
+        capture(container, light, fidelity=fidelity, **chip)
+        for fidelity in ("planned", "reference")
+    )
+    np.testing.assert_allclose(own.exposure_e, true.exposure_e, rtol=1e-4, atol=0.1)
