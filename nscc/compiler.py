@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.fit import has_ways_out
 from nscc.lower.lowered import Lowered
 from nscc.options import Options
@@ -35,26 +35,38 @@ def compile_source(
     """Return the compiled program of a text; files that it names are relative to the folder `base`.
 
     `see` is called after each pass with the pass and its value (None: not). Raises Rejected with
-    all errors. If the only error is that the program does not fit, similar programs are compiled,
-    and the diagnostics suggest those that fit."""
+    all errors. If the only errors are that the program does not fit, or is too large to prove,
+    similar programs are compiled, and the diagnostics suggest those that fit."""
     try:
         return run_passes(source, base, options, see)
-    except Unfit as unfit:
-        diagnostics = _with_ways_out(unfit.diagnostics, unfit.program, base, options)
-        raise Rejected(diagnostics, unfit.status) from None
+    except Rejected as rejected:
+        program = rejected.program if isinstance(rejected, Unfit) else None
+        diagnostics = _with_ways_out(rejected.diagnostics, source, program, base, options)
+        raise Rejected(diagnostics, rejected.status) from None
 
 
 def _with_ways_out(
-    diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
+    diagnostics: tuple[Diagnostic, ...],
+    source: Source,
+    program: Program | None,
+    base: Path,
+    options: Options,
 ) -> list[Diagnostic]:
-    """Return the diagnostics of a program that does not fit, with similar programs that fit added
-    to them as `ways_out`. `base` is the folder for relative paths, and `options` are those of the
-    compilation. Diagnostics of errors that a similar program cannot avoid stay as they are."""
-    if not any(has_ways_out(d) for d in diagnostics):
+    """Return the diagnostics of a text that does not fit, with similar programs that fit added to
+    them as `ways_out`, or a help that none was found. `program` is None if the text has errors, or
+    too many shutters to list.
+
+    `base` is the folder for relative paths, and `options` are those of the compilation. Diagnostics
+    of errors that a similar program cannot avoid stay as they are."""
+    errors = [d for d in diagnostics if d.severity is Severity.ERROR]
+    avoidable = [has_ways_out(d) for d in errors]
+    if not any(avoidable) or (program is None and not all(avoidable)):
         return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # imported only for programs that do not fit
 
-    alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
+    alike = replace(options, price_all=False, unproved_is_error=True)
+    if program is not None:
+        alike = replace(alike, target=program.target)
 
     def attempt(source: Source, codes: Codes, level: int) -> Lowered | None:
         """Compile the similar program `source` up to its lowering (a way to compute the exposure),
@@ -64,11 +76,14 @@ def _with_ways_out(
         except Rejected:
             return None
 
-    ways = ways_out(program, attempt, options.level)
+    ways = ways_out(source, program, attempt, options.level)
     texts = tuple(way.text for way in ways)
     data = {key: value for way in ways for key, value in way.data.items()}
+    none = () if ways else ("no smaller program was found that fits; nscc looked no further",)
     return [
-        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d
+        replace(d, helps=(*d.helps, *none), ways_out=texts, data={**d.data, **data})
+        if has_ways_out(d)
+        else d
         for d in diagnostics
     ]
 

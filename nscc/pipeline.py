@@ -239,7 +239,7 @@ class ProgramKind:
     one_lowering_for = ""
     """The subject of "there is one lowering for ..."; empty if there are several."""
     has_simpler_programs = True
-    """Whether programs with simpler rules are suggested for one that does not fit."""
+    """Whether programs with other rules are suggested for one that does not fit."""
 
     def assemble(self, layout: Any, job: Job) -> tuple[Container, Found]:
         """Return the container (a compiled program) of `layout`, the value of the pass `schedule`,

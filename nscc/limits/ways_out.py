@@ -1,10 +1,10 @@
 """Alternatives for a program that does not fit: similar programs that were compiled and fit.
 
-A similar program keeps the target, the slot length and the user's limits. It does less: only the
-used codes, fewer codebook rows, fewer slots, one bump per pixel, or a codebook of few shutters. A
-program with senses gets the used codes, smaller states or fewer slots; one with images or planes
-only the used codes; several buckets only codebooks. The numbers of values, rows and slots are found
-by search. Codebooks that the user would have to provide are replaced by pseudo-random rows."""
+A similar program keeps the target, the slot lengths and the user's limits. It does less: only the
+used codes, smaller states, fewer slots, fewer codebook rows, one bump per pixel, or a codebook of
+few shutters. The last three replace the whole text, so that they are only for programs without
+senses, images and planes. The numbers of values, rows and slots are found by search. Codebooks that
+the user would have to provide are replaced by pseudo-random rows."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from nscc.limits.families import (
 )
 from nscc.lower.lowered import Lowered
 from nscc.pipeline import KINDS
-from nscc.program.limits import largest, largest_with
+from nscc.program.limits import largest_with
 from nscc.program.problems import counted
 from nscc.program.program import Codes, Program
 from nscc.source import Source
@@ -41,19 +41,15 @@ QUICK_LEVEL = 1
 """Highest optimisation level for alternatives, because one error message compiles several programs.
 
 Programs with fewer codebook rows use the full level."""
-_FRAME_TRIALS = 10
-"""Most compilations in a search for the largest number of slots."""
-_MOST_S = 15.0
-"""Processor seconds after which no further size is tried; the last attempt may take some more."""
-_ROW_TRIALS = 10
-"""Most compilations in a search for the largest number of codebook rows."""
+_MOST_S = 10.0
+"""Processor seconds for all attempts of one error message; the last one may take some more."""
+_GROWTH = 3
+"""A program of twice the size is assumed to take at most 2 ** _GROWTH times as long: random rows of
+4,096 slots do, all else takes less."""
 _BOOK_ROWS = 64
 """Rows of the codebook that is suggested instead of a larger shutter class."""
 _LONGEST_BOOK = 256
 """Most slots for which such a codebook is tried."""
-_MOST_DIGITS = 1 << 13
-"""Most digits of a codebook that is compiled for one error message."""
-
 
 Statements = tuple[tree.Statement, ...]
 
@@ -77,36 +73,87 @@ class WayOut:
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
-def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
+class _Trials:
+    """The compilations for one error message, which share `_MOST_S` of processor time."""
+
+    def __init__(self, attempt: Attempt) -> None:
+        """Begin to measure the time; `attempt` compiles a program."""
+        self.attempt, self._end = attempt, process_time() + _MOST_S
+
+    @property
+    def seconds_left(self) -> float:
+        """The processor time that is left, 0 if it is used up."""
+        return max(0.0, self._end - process_time())
+
+    def largest(
+        self, least: int, most: int, source: Callable[[int], Source], level: int
+    ) -> tuple[int, Lowered | None, str]:
+        """Return the largest size in `least`..`most` that fits, as (size, lowered program, remark);
+        (0, None, "") if none was found.
+
+        `source` returns the program text of a size, which is compiled at `level`. The size is
+        doubled while it fits, because small programs take little time; then it is found by
+        bisection. The remark names the size above that does not fit, or the sizes that were not
+        tried; it is empty for `most`."""
+        fit, lowered, above = 0, None, most + 1
+        size, seconds = least, 0.0
+        while fit < size < above:
+            if lowered is not None:
+                reach = (self.seconds_left / max(seconds, 0.01)) ** (1 / _GROWTH)
+                size = min(size, int(fit * reach))
+            if size <= fit or not self.seconds_left:
+                break
+            begin = process_time()
+            trial = self.attempt(source(size), "open", level)
+            if trial is not None:
+                fit, lowered, seconds = size, trial, process_time() - begin
+            elif lowered is not None:
+                above = size
+            elif size == most:
+                break
+            # A size below all that fit may be too small for the rule, so it is doubled as well.
+            size = min(2 * size, most) if above > most else (fit + above) // 2
+        if lowered is None or fit == most:
+            return fit, lowered, ""
+        if above == fit + 1:
+            return fit, lowered, f"; {above} does not fit"
+        return fit, lowered, f"; looked no further: {fit + 1} to {above - 1} would take long"
+
+
+def ways_out(source: Source, program: Program | None, attempt: Attempt, level: int) -> list[WayOut]:
     """Return at most `MOST_SHOWN` similar programs that were compiled and fit, smallest change
     first; none if nothing was found.
 
+    `program` is the program of the text `source`, None if its shutters are too many to list.
     `attempt` compiles a program, and `level` is the optimisation level of the program that does not
     fit. The text of each result names the level at which it was compiled."""
-    return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
+    return list(islice(_candidates(source, program, _Trials(attempt), level), MOST_SHOWN))
 
 
-def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOut]:
+def _candidates(
+    source: Source, program: Program | None, trials: _Trials, most: int
+) -> Iterator[WayOut]:
     """Yield similar programs that fit, in the order in which the error lists them.
 
-    `attempt` compiles a program; `most` is the user's optimisation level. All but programs with
-    fewer codebook rows are compiled at `QUICK_LEVEL` or below. A change that does not fit, or does
-    not apply to the program, is left out."""
+    `source` and `program` are those of the error, `trials` compiles programs, and `most` is the
+    user's optimisation level. All but programs with fewer codebook rows are compiled at
+    `QUICK_LEVEL` or below. A change that does not fit, or does not apply to the program, is left
+    out."""
     level = min(most, QUICK_LEVEL)
-    if program.mode == "open" and program.pixel_codes is not None:
-        lowered = attempt(program.source, "fixed", level)
+    if program is not None and program.mode == "open" and program.pixel_codes is not None:
+        lowered = trials.attempt(source, "fixed", level)
         if lowered is not None:
             in_use = counted(len(lowered.program.table.shutters), "shutter")
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
-    if program.machine.looks:
-        yield from _smaller_states(program, attempt, level)
-    if not KINDS.of(program).has_simpler_programs:
+    smaller = list(_smaller_states(source, trials, level))
+    yield from smaller
+    if not smaller:
+        yield from _fewer_slots(source, program, trials, level)
+    if program is None or not KINDS.of(program).has_simpler_programs:
         return
-    yield from _fewer_rows(program, attempt, most)
-    if len(program.buckets) == 1:
-        yield from _fewer_slots(program, attempt, level)
-    for source, change, why in _of_other_classes(program):
-        lowered = attempt(source, "open", level)
+    yield from _fewer_rows(program, trials, most)
+    for other, change, why in _of_other_classes(program):
+        lowered = trials.attempt(other, "open", level) if trials.seconds_left else None
         if lowered is not None:
             yield _way_out(change, why, lowered, level)
 
@@ -135,108 +182,80 @@ def _book(program: Program, shutters: Bools) -> Source:
     return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
 
 
-def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
+def _fewer_rows(program: Program, trials: _Trials, level: int) -> Iterator[WayOut]:
     """Yield the program with the largest codebook that fits: the first of the rows in use.
 
     Yield nothing for programs without a codebook, with further code fields, or if none fits.
-    `attempt` compiles a program, at the optimisation level `level`."""
+    `trials` compiles programs, at the optimisation level `level`."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
-    table, slots = program.table, len(program.frame.slot_us)
+    table = program.table
     rows = len(table.codes)
-    digits = slots * len(program.buckets)
     registers = len(program.target.digital_registers)
-    most = min(rows - 1, max(1, _MOST_DIGITS // digits))
-    untried = "" if most == rows - 1 else f" ({most} was the most tried)"
     # Every shutter needs a different content of the code registers, so more rows cannot fit. The
     # function counts the distinct shutters of the first rows.
     most = largest_with(
         lambda count: len(np.unique(table.shutter_of_code[:count])),
         1 << registers,
         least=1,
-        ceiling=most,
+        ceiling=rows - 1,
     )
 
     def of_first(count: int) -> Source:
         """Return the program with the first `count` rows of its codebook."""
         return _book(program, table.shutters[table.shutter_of_code[:count]])
 
-    count, lowered, remark = _largest(
-        least=1,
-        most=most,
-        source=of_first,
-        attempt=partial(attempt, level=level),
-        budget=_ROW_TRIALS,
-    )
+    count, lowered, remark = trials.largest(1, most, of_first, level)
     if lowered is None:
         return
     field, last = program.fields[0], table.codes[count - 1, 0]
     whose = "in use" if program.mode == "fixed" else "allowed"
     until = f"up to row {last}" if field.kind == "row" else f"up to {field.name} = {last}"
     why = f"the first {count} of the {rows} rows {whose}, {until}"
-    if count == most:
-        why += untried
     why += f", at most {max(lowered.words_per_boundary)} words in a slot{remark}"
     yield _way_out(f"K = {count}", why, lowered, level, rows=count)
 
 
-def _largest(
-    least: int,
-    most: int,
-    source: Callable[[int], Source],
-    attempt: Callable[[Source, Codes], Lowered | None],
-    budget: int,
-) -> tuple[int, Lowered | None, str]:
-    """Return the largest size in `least`..`most` that fits, as (size, lowered program, remark).
-
-    `source` returns the program text of a size, `attempt` compiles it, and `budget` limits the
-    number of compilations. If none fits, the result is (0, None, ""). The remark tells if the time
-    `_MOST_S` ended before all sizes were tried, else it is empty."""
-    built: dict[int, Lowered | None] = {}
-    begin, remark = process_time(), ""
-
-    def fits(size: int) -> bool:
-        """Compile the size and store the result in `built`; return whether it fits.
-
-        Once a size fits and the time is used up, further sizes count as not fitting, and `remark`
-        says so."""
-        nonlocal remark
-        # Small sizes take little time, so that some size is found even if the time is used up.
-        if process_time() > begin + _MOST_S and any(built.values()):
-            remark = f"; looked no further after {_MOST_S:g} s"
-        built[size] = None if remark else attempt(source(size), "open")
-        return built[size] is not None
-
-    size = largest(least, most, fits, budget)
-    return (0, None, "") if size is None else (size, built[size], remark)
-
-
-def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
+def _fewer_slots(
+    source: Source, program: Program | None, trials: _Trials, level: int
+) -> Iterator[WayOut]:
     """Yield the program with the most slots that fit, if that is fewer than the frame has.
 
-    `attempt` compiles a program, at the optimisation level `level`. The rule is kept as it is
+    `trials` compiles programs, at the optimisation level `level`. The rule is kept as it is
     written; N in it follows the frame. Yield nothing for codebooks, whose rows have the length of
-    the frame, and for frames that list the lengths of slots."""
-    slots = len(program.frame.slot_us)
-    statements = parse(program.source)[0].statements
-    build = partial(_with_slots, program, statements)
-    if program.class_name != "codebook" and build(2).text != build(3).text:
-        quick = partial(attempt, level=level)
-        count, lowered, remark = _largest(2, slots - 1, build, quick, _FRAME_TRIALS)
-        if lowered is not None:
-            fewer = counted(slots - count, "slot")
-            why = f"{fewer} fewer, every shutter still possible{remark}"
-            yield _way_out(f"frame {count} slots", why, lowered, level)
+    the frame."""
+    if program is not None and program.class_name == "codebook":
+        return
+    statements = parse(source)[0].statements
+    frames = [s for s in statements if isinstance(s, tree.EqualSlots | tree.ListedSlots)]
+    slots = _slot_count(frames[0]) if program is None else len(program.frame.slot_us)
+    build = partial(_with_slots, source, statements)
+    count, lowered, remark = trials.largest(2, slots - 1, build, level)
+    if lowered is not None:
+        why = f"{counted(slots - count, 'slot')} fewer{remark}"
+        yield _way_out(f"frame {count} slots", why, lowered, level)
 
 
-def _smaller_states(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
+def _slot_count(frame: tree.EqualSlots | tree.ListedSlots) -> int:
+    """Return the number of slots that a statement `frame` writes as a number or as a list, else
+    0."""
+    if isinstance(frame, tree.ListedSlots):
+        return len(frame.lengths)
+    return frame.count.value if isinstance(frame.count, tree.Int) else 0
+
+
+def _smaller_states(source: Source, trials: _Trials, level: int) -> Iterator[WayOut]:
     """Yield the program whose largest state has the most values that fit. The number that ends its
-    range is replaced in the statements that name the state; without such a number, the program with
-    the most slots that fit.
+    range is replaced in the statements that name the state; without such a number, yield nothing.
 
-    `attempt` compiles a program, at the optimisation level `level`."""
-    most, name = max((int(state.high), state.name) for state in program.machine.states)
-    statements = parse(program.source)[0].statements
+    `trials` compiles programs, at the optimisation level `level`."""
+    statements = parse(source)[0].statements
+    ends = [
+        (statement.high.value, statement.name.text)
+        for statement in statements
+        if isinstance(statement, tree.StateRange) and isinstance(statement.high, tree.Int)
+    ]
+    most, name = max(ends, default=(0, ""))
 
     def with_values(high: int) -> Source:
         """Return the program text with `high` instead of `most`."""
@@ -247,40 +266,39 @@ def _smaller_states(program: Program, attempt: Attempt, level: int) -> Iterator[
                 return text
             return re.sub(rf"\b{most}\b", str(high), text)
 
-        return _rewritten(program, statements, changed)
+        return _rewritten(source, statements, changed)
 
-    if most < 2 or with_values(1).text == program.source.text:
-        yield from _fewer_slots(program, attempt, level)
-        return
-    quick = partial(attempt, level=level)
-    high, lowered, remark = _largest(1, most - 1, with_values, quick, _FRAME_TRIALS)
+    high, lowered, remark = trials.largest(1, most - 1, with_values, level)
     if lowered is not None:
-        why = f"the largest value of `{name}` that fits{remark}"
+        why = f"a smaller range of `{name}`{remark}"
         yield _way_out(f"{high} instead of {most}", why, lowered, level)
 
 
-def _with_slots(program: Program, statements: Statements, slots: int) -> Source:
-    """Return the program text with `slots` slots and without the codes of pixels, which may need
-    more. The number of slots stays if the frame lists their lengths. `statements` are those of the
-    program."""
+def _with_slots(source: Source, statements: Statements, slots: int) -> Source:
+    """Return the program text with `slots` slots, at most as many as it lists, and without the
+    codes of pixels, which may need more. `statements` are those of the text."""
 
     def changed(statement: tree.Statement, text: str) -> str:
         """Return the new text of a statement."""
         if isinstance(statement, tree.PixelsExpr | tree.PixelsTile | tree.PixelsFromFile):
             return ""
+        start = statement.span.start
         if isinstance(statement, tree.EqualSlots):
-            return re.sub(r"\d+(?=\s+slots?\b)", str(slots), text, count=1)
+            count = statement.count.span
+            return text[: count.start - start] + str(slots) + text[count.end - start :]
+        if isinstance(statement, tree.ListedSlots):
+            return text[: statement.lengths[slots - 1].span.end - start] + "]"
         return text
 
-    return _rewritten(program, statements, changed)
+    return _rewritten(source, statements, changed)
 
 
 def _rewritten(
-    program: Program, statements: Statements, changed: Callable[[tree.Statement, str], str]
+    source: Source, statements: Statements, changed: Callable[[tree.Statement, str], str]
 ) -> Source:
-    """Return the text of the program with `changed(statement, text)` for the text of each of its
+    """Return the text `source` with `changed(statement, text)` for the text of each of its
     `statements`."""
-    text = program.source.text
+    text = source.text
     for statement in reversed(statements):
         span = statement.span
         new = changed(statement, text[span.start : span.end])

@@ -210,7 +210,7 @@ def has_ways_out(diagnostic: Diagnostic) -> bool:
     short_of = diagnostic.data.get("resource")
     if short_of in ("slot_us", "words_per_slot"):
         return only_search_can_tell(diagnostic)
-    return short_of in ("store_words", "digital registers")
+    return short_of in ("store_words", "words in the store", "digital registers", "proof")
 
 
 def only_search_can_tell(diagnostic: Diagnostic) -> bool:
@@ -228,7 +228,10 @@ def as_note(diagnostic: Diagnostic) -> Diagnostic:
         message=f"a short search found no way to fit this: {diagnostic.message}",
         severity=Severity.NOTE,
         related=(),
-        helps=("`nscc build` searches longer, and decides whether it fits",),
+        helps=(
+            "`nscc build` searches longer, decides whether this fits, and looks for the largest "
+            "size that does",
+        ),
     )
 
 

@@ -13,6 +13,7 @@ from marks import slow
 from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
+from nscc.limits import ways_out
 from nscc.pipeline import Options
 from nscc.source import Source
 
@@ -259,8 +260,57 @@ def test_suggestions_keep_all_buckets_and_planes_of_the_program(version, text):
     """The help suggests neither a single bump for two buckets, nor bumps for planes."""
     found = fault("frame 9 slots of 1ms\n" + text, version=version)
     assert found.data["resource"] == "digital registers"
-    assert all(way.startswith("`code id : row of book`") for way in found.ways_out)
-    assert len(found.ways_out) == (version == 1)
+    offered = [way[:24].strip() for way in found.ways_out]
+    assert offered == ["frame 6 slots", "`code id : row of book`"] * (version == 1)
+    assert ("nscc looked no further" in " ".join(found.helps)) == (version == 3)
+
+
+FREE = "code b : bit[N]\nopen when b[n]"
+TWO = "frame {0} slots of 1ms\ncode a : bit[N] code b : bit[N]\nbucket one open when "
+PLANE = "plane p = exposure > 5% read p"
+KEPT = "plane p = exposure > 5% state c : 0..{0} = 0 kept next c = min(c + 1, {0}) when p read c"
+
+
+@pytest.mark.parametrize(
+    ("version", "text", "size", "code", "change", "most"),
+    [
+        (1, TWO + "a[n] bucket two open when b[n]", 9, "NS0412", "frame {} slots", 6),
+        (1, "frame slots [{1}]\n" + FREE, 16, "NS0412", "frame {} slots", 13),
+        (3, "frame {0} slots of 1ms\n" + FREE + "\n" + PLANE, 13, "NS0535", "frame {} slots", 10),
+        (4, "frame 64 slots of 1ms\n" + STOPS + "\n" + KEPT, 255, "NS0535", "{} instead of 255", 1),
+        (
+            1,
+            "frame {0} slots of 1ms\ncode b : bit[N]\nrequire b[0]\nopen when b[n]",
+            23,
+            "NS0450",
+            "frame {} slots",
+            14,
+        ),
+    ],
+)
+def test_the_largest_size_that_fits_is_named(version, text, size, code, change, most):
+    """For several buckets, slots of different lengths, planes, kept states, and codes that are too
+    many to list. The next larger size does not compile."""
+
+    def written(count):
+        return text.format(count, ", ".join(f"{1000 + i}us" for i in range(count)))
+
+    found = fault(written(size), version=version)
+    assert found.code == code
+    assert found.ways_out[0].startswith(change.format(most) + " ")
+    assert f"; {most + 1} does not fit" in found.ways_out[0]
+    assert compiled(written(most), version=version, level=1).proof.holds
+    with pytest.raises(Rejected):
+        compiled(written(most + 1), version=version, level=1)
+
+
+def test_the_search_for_a_size_ends_with_its_time(monkeypatch):
+    """The error for 40 stops that do not fit names a size, and the sizes that were not tried."""
+    clock = iter(range(0, 10**6, 2))
+    monkeypatch.setattr(ways_out, "process_time", lambda: next(clock))
+    tiny = replace(load_target("scamp5", Path()), store_words=20)
+    found = fault(f"frame 40 slots of 1ms\n{STOPS}", target=tiny)
+    assert "; looked no further: 3 to 39 would take long" in found.ways_out[0]
 
 
 @pytest.mark.parametrize(("slot_s", "readout_s", "buckets"), [(2, 0, 1), (0, 2, 1), (0, 0.7, 2)])
