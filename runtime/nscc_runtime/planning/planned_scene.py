@@ -253,10 +253,10 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     `repeats`: number of frames with other noise; None for more than one for small samples, else
     one. For programs with kept states, further frames begin with the states that earlier ones left,
     until hardly any new states occur or there are `_MOST_FRAMES`."""
-    full_well_e, full = scene.sensor.full_well_e, everything()
+    full, sensor, frame_s = everything(), scene.sensor, float(scene.container.slot_s.sum())
     near = scene.near_pixels(full)
-    chance = drawing_chances(scene.light, near, full_well_e)
-    sample = draw_sample(near, full_well_e, count, chance)
+    chance = drawing_chances(scene.light, near, sensor, scene.device_seed, frame_s)
+    sample = draw_sample(near, sensor.full_well_e, count, chance)
     repeats = repeats or min(-(-_ENOUGH // len(sample.places)), _MOST_REPEATS)
     container, expose = scene.container, _sampled(scene, sample, full)
     loaded = container.planes() if scene.looks else {}

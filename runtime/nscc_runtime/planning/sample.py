@@ -14,6 +14,10 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats, Floats32, Ints
 from nscc_runtime.caches import Recent
+from nscc_runtime.effects import everything
+from nscc_runtime.effects.parts import CountedDark, Leak
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import whole_device
 from nscc_runtime.execution.near_saturation import NearSaturation
 from nscc_runtime.light import Light
 
@@ -34,6 +38,9 @@ _SIGMAS = 3.0
 """A mean within this number of standard errors of 0 is shown as 0."""
 _MOST_E = 1e15
 """More light than this counts as this, in electrons."""
+_HEAVY = 6.0
+"""If the mean fourth power of a fixed pattern is more than this times its squared mean square, a
+sample of even draws knows its mean square to about a tenth at most."""
 _MOST_MEANS = 64
 """Number of sets of means of a sample's light that are cached: one for each set of effects that
 changes them."""
@@ -234,20 +241,23 @@ def _drawn(chance: Floats, count: int) -> tuple[Places, Floats]:
     return drawn, np.where(sure, 1.0, weight * scale)
 
 
-def drawing_chances(light: Light, near: NearSaturation, full_well_e: float) -> Floats:
+def drawing_chances(
+    light: Light, near: NearSaturation, sensor: Sensor, device_seed: int, frame_s: float
+) -> Floats:
     """Return the relative probability of drawing each pixel of a scene, (rows * cols,), above 0 for
-    all; pixels near saturation and the others are drawn apart. `full_well_e`: full well in
-    electrons.
+    all; pixels near saturation and the others are drawn apart. `device_seed`: seed of the chip's
+    fixed patterns. `frame_s`: length of the frame in seconds.
 
     Of eight draws, four are even, two are proportional to the contrast of light up to the full
     well, and one to the squared contrast of all light: neighbours of lamps may cause most of the
     mean square error. The last is proportional to the contrast of the change from frame to frame: a
-    flash gives its neighbours charge in the slots in which they are open."""
+    flash gives its neighbours charge in the slots in which they are open. Dark charge and leakage
+    have a share each if few pixels of the chip have most of it."""
     source = light.motion or light
     total_e = np.minimum(np.nan_to_num(source.sum_e), _MOST_E).astype(np.float32)
     contrast = within_well = _contrast(total_e)
-    if total_e.max(initial=0.0) > full_well_e:
-        within_well = _contrast(np.minimum(total_e, np.float32(full_well_e)))
+    if total_e.max(initial=0.0) > sensor.full_well_e:
+        within_well = _contrast(np.minimum(total_e, np.float32(sensor.full_well_e)))
     scores = [(4.0, np.ones(total_e.shape, np.float32)), (2.0, within_well), (1.0, contrast**2)]
     if len(source.frames) > 1:
         change = np.zeros_like(total_e)
@@ -256,6 +266,7 @@ def drawing_chances(light: Light, near: NearSaturation, full_well_e: float) -> F
             for before, after in pairwise(frames):
                 change[rows.start : rows.stop] += np.abs(after - before)
         scores.append((1.0, _contrast(change)))
+    scores += [(1.0, score) for score in _fixed_scores(total_e, frame_s, sensor, device_seed)]
     chance = np.zeros(total_e.size)
     for share, score in scores:
         # Each stratum has its own sum: lamps that saturate must not hide the pixels beside them.
@@ -264,6 +275,22 @@ def drawing_chances(light: Light, near: NearSaturation, full_well_e: float) -> F
         chance += far * (share / max(float(far.sum(dtype=np.float64)), 1e-30))
         chance[near.places] += near_score * (share / max(float(near_score.sum()), 1e-30))
     return chance
+
+
+def _fixed_scores(
+    total_e: Floats32, frame_s: float, sensor: Sensor, device_seed: int
+) -> list[Floats32]:
+    """Return the square contrasts (rows, cols) of the dark charge and of the leaked charge of a
+    frame with the light `total_e`, in square electrons; only of a pattern that few pixels have."""
+    device, effects = whole_device(sensor, device_seed, total_e.size), everything()
+    found = []
+    for part, light_e in ((CountedDark, np.ones_like(total_e)), (Leak, total_e)):
+        # A spread of a normal distribution needs no draws of its own.
+        pattern = device.fixed(effects.require_part(part).per_s) * frame_s
+        if (pattern**4).mean() > _HEAVY * (pattern**2).mean() ** 2:
+            charge = pattern if part is CountedDark else -np.expm1(-pattern)
+            found.append(_contrast(light_e * charge.reshape(total_e.shape).astype(np.float32)) ** 2)
+    return found
 
 
 def _contrast(light_e: Floats32) -> Floats32:

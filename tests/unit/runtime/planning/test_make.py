@@ -7,11 +7,12 @@ import pytest
 from plan_cases import CASES, case, measured_plan
 from promise import Outcome, full_frames, outcome, scene
 from random_sensors import promises, rare_pixels
-from reference_programs import sensor_of
+from reference_programs import program, sensor_of
 
 import nscc_runtime
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import Saturates
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
 from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import PlanRequest
@@ -55,6 +56,33 @@ def test_few_pixels_with_most_of_the_error_are_measured(seed: int) -> None:
     """Nine of 30008 pixels saturate, and only in frames with much noise."""
     draw = rare_pixels(seed)
     assert draw.found.kept, draw.said
+
+
+@pytest.mark.parametrize(
+    ("light_e", "values"),
+    [
+        (50.0, {"dark_spread_fraction": 5.0, "dark_current_e_per_s": 300.0}),
+        (50.0, {"dark_spread_fraction": 10.0, "dark_current_e_per_s": 300.0}),
+        (500.0, {"leakage_spread_fraction": 10.0}),
+    ],
+)
+def test_few_pixels_of_a_chip_with_most_of_the_error_are_measured(
+    light_e: float, values: dict[str, float]
+) -> None:
+    """The promise is kept where few pixels have most of the dark charge or of the leakage."""
+    stops = "code stop : 1..N open when n < stop pixels stop = tile [[4, 16], [8, 12]]"
+    container = program(f"nsl 1 frame 16 slots of 1ms {stops}", "auto", 256, 256)
+    sensor = sensor_of(container, **values)
+    light = Light.of_clip(np.full((16, 256, 256), light_e, np.float32))
+    planned = PlannedScene(container, sensor, light)
+    plan = make_plan(planned, PlanRequest(selected("auto"), "20e", figures=True))
+    every = np.arange(256 * 256)
+    kept_e, all_e = (
+        expose_pixels(prepare_pixels(container, sensor, light, effects, every, 0), 9, 0).exposure_e
+        for effects in (plan.kept, everything())
+    )
+    assert plan.names("dropped")
+    assert np.sqrt(((kept_e - all_e) ** 2).mean(axis=1)).max() <= 1.1 * 20.0
 
 
 @pytest.mark.parametrize("tolerance", ["0.01e", "1e6e"])

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from nscc.chips.load import load_target
+from nscc_runtime.effects.dark import current_e_per_s
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation
 from nscc_runtime.light import Light
 from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
 from nscc_runtime.scenes.timing import with_motion
+from nscc_runtime.sensor.file import completed
 
-WELL_E, COUNT = 30_000.0, 4000
+WELL_E, COUNT, FRAME_S = 30_000.0, 4000, 0.016
+SENSOR = completed({"full_well_e": WELL_E}, load_target("scamp5", Path()))
 
 
 def near_at(places: np.ndarray) -> NearSaturation:
@@ -36,7 +42,7 @@ def light(kind: str, rows: int = 128, cols: int = 160) -> Light:
 
 
 def sample(scene: Light, near: NearSaturation = NO_PIXELS, count: int = COUNT) -> Sample:
-    return draw_sample(near, WELL_E, count, drawing_chances(scene, near, WELL_E))
+    return draw_sample(near, WELL_E, count, drawing_chances(scene, near, SENSOR, 0, FRAME_S))
 
 
 @pytest.mark.parametrize("kind", ["noise", "edges", "dark", "lamp"])
@@ -55,6 +61,23 @@ def test_means_over_the_sample_are_those_of_the_array(kind: str, near_count: int
     assert (found.unseen_share > 0) == (near_count > found.near.sum())
     mean = (total[found.places] * found.weight).sum() / total.size
     assert mean == pytest.approx(total.mean(), rel=0.02)
+
+
+@pytest.mark.parametrize("device_seed", range(6))
+def test_the_sample_has_the_mean_square_of_dark_charge_that_few_pixels_have(
+    device_seed: int,
+) -> None:
+    """The mean square of a widely spread dark current over the sample is that of the array; without
+    dark current the sample is as with the default one."""
+    scene, target = light("noise"), load_target("scamp5", Path())
+    hot = completed({"dark_current_e_per_s": 300.0, "dark_spread_fraction": 10.0}, target)
+    chance = drawing_chances(scene, NO_PIXELS, hot, device_seed, FRAME_S)
+    found = draw_sample(NO_PIXELS, WELL_E, 1000, chance)
+    square = current_e_per_s(hot, device_seed, np.arange(128 * 160)) ** 2
+    assert square[found.places] @ found.weight == pytest.approx(square.sum(), rel=0.1)
+    cold = completed({"dark_current_e_per_s": 0.0}, target)
+    default = drawing_chances(scene, NO_PIXELS, completed({}, target), device_seed, FRAME_S)
+    assert (default == drawing_chances(scene, NO_PIXELS, cold, device_seed, FRAME_S)).all()
 
 
 @given(st.integers(0, 127), st.integers(0, 159))
