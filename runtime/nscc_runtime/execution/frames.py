@@ -187,8 +187,10 @@ def frame_source(
     # Sums of light expose all pixels. Pixels that may saturate or leak unlike most also run their
     # words, whose results replace the sums. `program.recent` stores the search by light: planning
     # made it for all effects (`Work.of`).
-    near = near_saturation(program, light, device_seed, effects).places
-    near = np.union1d(near, on_chip(program, effects, device_seed).uneven)
+    by_words = np.zeros(program.lane.size, np.bool_)
+    by_words[near_saturation(program, light, device_seed, effects).places] = True
+    by_words[on_chip(program, effects, device_seed).uneven] = True
+    near = np.flatnonzero(by_words)
     moments = scene_moments(program, light, effects, device_seed, count)
     block = None
     if len(near):
