@@ -39,8 +39,8 @@ _FEW = 8
 
 
 @inlined
-def _exp_minus(x: float) -> float:
-    """Return exp(-x) for x in [0, 16], to 2e-16, without branches, so that LLVM vectorises it."""
+def exp_minus(x: float) -> float:
+    """Return exp(-x) for x in [0, 700], to 2e-16, without branches, so that LLVM vectorises it."""
     n = np.floor(0.5 - x * 1.4426950408889634)
     r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
     p = 1.0 / 6227020800.0
@@ -82,7 +82,7 @@ def _searched(
     are `pending_rates` and `places`. All pixels advance together; finished pixels are removed in
     between."""
     for j in range(count):
-        start = _exp_minus(pending_rates[j])
+        start = exp_minus(pending_rates[j])
         scratch[mass_at + j] = start
         scratch[remainder_at + j] -= start
         scratch[count_at + j] = 0.0
@@ -148,14 +148,16 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
 
 
 @inlined
-def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
-    """Set out[i], for i below `count`, to the standard normal number of the random key `stream` at
-    places[first + i]. The two steps are separate loops, because a single loop runs out of processor
-    registers."""
+def drawn_normals(
+    stream: np.uint64, places: Ints, first: int, count: int, out: Floats, at: int
+) -> None:
+    """Set out[at + i], for i below `count`, to the standard normal number of the random key
+    `stream` at places[first + i]. The two steps are separate loops, because a single loop runs out
+    of processor registers."""
     for i in range(count):
-        out[i] = uniform(stream, places[first + i])
+        out[at + i] = uniform(stream, places[first + i])
     for i in range(count):
-        out[i] = float(normal_fast(out[i]))
+        out[at + i] = float(normal_fast(out[at + i]))
 
 
 @compiled
@@ -186,7 +188,7 @@ def counted(
         middle += 1 if values[i] >= FORMULA_FROM and values[i] < SETTLED_ABOVE else 0
         high += 1 if values[i] >= SEARCH_BELOW else 0
     if not low:
-        drawn_normals(stream, places, first, count, scratch)
+        drawn_normals(stream, places, first, count, scratch, 0)
         for i in range(count):
             x = np.floor(quantile(scratch[i], values[i]))
             values[i] = x if x > 0.0 else 0.0

@@ -13,7 +13,9 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from nscc.arrays import Bytes, Floats, Ints, Ints32
+from nscc_runtime.execution.block_draws import drawn_normals
 from nscc_runtime.execution.layout import (
+    ROW,
     WORD_BLOCK,
     FixedPatterns,
     LoopProgram,
@@ -27,9 +29,7 @@ from nscc_runtime.execution.layout import (
 )
 from nscc_runtime.execution.word_loop import add, begin, compare, fill, read_out, reset, write
 from nscc_runtime.loop import Words, Written, compiled, inlined, loop, record
-from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.keys import bits
-from nscc_runtime.noise.noise_loops import uniform
 
 
 @record
@@ -63,30 +63,14 @@ class BlockScratch(NamedTuple):
     """Working memory of a block.
 
     `head`: the first pixel that waits before each segment (a part of a path between two
-    comparisons), -1 if none. `behind`: the next waiting pixel after each pixel, -1 if none.
-    `reached`: the stretch (slots between two reads or resets of PIX) that each pixel has reached.
-    `fallen_fraction`: the fraction of this stretch that is collected. All but `head` have
-    `WORD_BLOCK` numbers, and pixels are numbered from the first of the block. `keys`: for each
-    word, the random key of its read or reset, then those of its comparison or destinations (1 +
-    `numbered` keys)."""
+    comparisons), -1 if none. `behind`: the next waiting pixel after each of the `WORD_BLOCK`
+    pixels, which are numbered from the first of the block; -1 if none. `keys`: for each word, the
+    random key of its read or reset, then those of its comparison or destinations (1 + `numbered`
+    keys)."""
 
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
-    reached: Written[Ints]
-    fallen_fraction: Written[Floats]
     keys: Written[Words]
-
-
-@inlined
-def _drawn(
-    key: np.uint64, places: Ints, first: int, running: Ints, count: int, normals: Floats, at: int
-) -> None:
-    """Set normals[at + j], for j below `count`, to the standard normal number of `key` at the place
-    of pixel running[j] of the block whose first pixel is `first`."""
-    for j in range(count):
-        normals[at + j] = uniform(key, places[first + running[j]])
-    for j in range(count):
-        normals[at + j] = float(normal_fast(normals[at + j]))
 
 
 @compiled
@@ -111,27 +95,24 @@ def _draw(
     numbers: Numbers,
     word: LoopWord,
     w: int,
-    places: Ints,
-    first: int,
     count: int,
     state: PixelState,
     block: BlockScratch,
 ) -> None:
-    """Draw standard normal numbers for word number `w` in the `count` pixels state.running of the
-    block that begins with pixel `first`.
+    """Draw standard normal numbers for word number `w` in the first `count` pixels at the places
+    state.place.
 
     state.normals gets them in rows of `WORD_BLOCK` numbers: row 0 for its read or reset, row 1 for
     its comparison, or row 1 + d for its destination d. Rows of effects that are off keep their old
-    numbers. The numbers depend on `block.keys` and `places` only."""
-    running, normals, at = state.running, state.normals, w * (1 + sizes.numbered)
+    numbers. The numbers depend on `block.keys` and the places only."""
+    places, normals, at = state.place, state.normals, w * (1 + sizes.numbered)
     if (word.resets and switches.reset_errors) or (word.reads_pix and switches.read_errors):
-        _drawn(block.keys[at], places, first, running, count, normals, 0)
+        drawn_normals(block.keys[at], places, 0, count, normals, 0)
     if word.compares and switches.compares_noisy:
-        _drawn(block.keys[at + 1], places, first, running, count, normals, WORD_BLOCK)
+        drawn_normals(block.keys[at + 1], places, 0, count, normals, WORD_BLOCK)
     is_noisy = switches.word_errors and (word.adds or numbers.move_error)
     for d in range(word.destinations if is_noisy else 0):
-        key = block.keys[at + 1 + d]
-        _drawn(key, places, first, running, count, normals, (1 + d) * WORD_BLOCK)
+        drawn_normals(block.keys[at + 1 + d], places, 0, count, normals, (1 + d) * WORD_BLOCK)
 
 
 @compiled
@@ -145,31 +126,58 @@ def _fall(
     count: int,
     charge: Charge,
     state: PixelState,
-    block: BlockScratch,
+    base: int,
 ) -> None:
     """Add to PIX (the photodiode) the charge that the pixels state.running[:count] collect until
     `word` ends.
 
     `word` runs at the start of stretch number `stretch`; the charge of all stretches from the one
     that a pixel has reached up to this falls, and with slow words a part of this one. Pixels count
-    from `first`, the first of the block. Note in `block.reached` and `block.fallen_fraction` how
+    from `first`, the first of the block. Note in `state.reached` and `state.fallen_fraction` how
     far each pixel is. A stretch is the slots between two reads or resets of PIX, the photodiode."""
-    pixels = sizes.charged
+    running, total, pixels = state.running, state.total, sizes.charged
+    fallen, reached, least = state.fallen_fraction, state.reached, stretch
     for j in range(count):
-        i = state.running[j]
-        at = switches.registers * WORD_BLOCK + i
-        for k in range(block.reached[i], stretch):
-            charge_e = charge.electrons[k * pixels + first + i] * (1.0 - block.fallen_fraction[i])
-            fill(switches, numbers, state, at, charge_e)
-            block.fallen_fraction[i] = 0.0
-        block.reached[i] = stretch
-        if switches.slow_words:
-            # After the last slot the light goes on as in that slot.
-            k = stretch - 1 if word.last else stretch
-            now = word.end_us * charge.pace[stretch * pixels + first + i]
-            charge_e = charge.electrons[k * pixels + first + i] * (now - block.fallen_fraction[i])
-            fill(switches, numbers, state, at, charge_e)
-            block.fallen_fraction[i] = now
+        least = min(least, reached[base + j])
+    for k in range(least, stretch):
+        for j in range(count):
+            total[j] = charge.electrons[k * pixels + first + running[j]]
+        for j in range(count):
+            falls_now = reached[base + j] <= k
+            total[j] = total[j] * (1.0 - fallen[base + j]) if falls_now else 0.0
+            fallen[base + j] = 0.0 if falls_now else fallen[base + j]
+        fill(switches, numbers, count, state, base)
+    for j in range(count):
+        reached[base + j] = stretch
+    if switches.slow_words:
+        # After the last slot the light goes on as in that slot.
+        k = stretch - 1 if word.last else stretch
+        for j in range(count):
+            at = first + running[j]
+            now = word.end_us * charge.pace[stretch * pixels + at]
+            total[j] = charge.electrons[k * pixels + at] * (now - fallen[base + j])
+            fallen[base + j] = now
+        fill(switches, numbers, count, state, base)
+
+
+@compiled
+def _copy(switches: Switches, count: int, state: PixelState, to_spare: int) -> None:
+    """Copy the state of the pixels state.running[:count] to the second half of each row, or with
+    `to_spare` 0 what words change of it back."""
+    for row in range(switches.registers + 1):
+        for j in range(count):
+            own, spare = row * ROW + state.running[j], row * ROW + WORD_BLOCK + j
+            to, source = (spare, own) if to_spare else (own, spare)
+            state.value[to], state.since_s[to] = state.value[source], state.since_s[source]
+            state.lost_e[to], state.full[to] = state.lost_e[source], state.full[source]
+    for j in range(count):
+        own, spare = state.running[j], WORD_BLOCK + j
+        to, source = (spare, own) if to_spare else (own, spare)
+        state.level[to], state.reached[to] = state.level[source], state.reached[source]
+        state.fallen_fraction[to] = state.fallen_fraction[source]
+        if to_spare:
+            state.pattern[to], state.leak[to] = state.pattern[source], state.leak[source]
+            state.offset[to] = state.offset[source]
 
 
 @inlined
@@ -208,32 +216,40 @@ def _along(
     updated. A segment is the part of a path between two comparisons."""
     count, i, running = 0, block.head[segment], state.running
     block.head[segment] = -1
-    # The pixels that wait form a linked list; they are copied to `running`, so that loops are
-    # simple.
+    # The pixels that wait form a linked list, ascending unless they come from several segments.
+    together = True
     while i >= 0:
         running[count] = i
+        state.place[count] = places[first + i]
+        together = together and i == running[0] + count
         count += 1
         i = block.behind[i]
+    base = running[0] if together else WORD_BLOCK
+    if not together:
+        _copy(switches, count, state, 1)
     asks = False
     for e in range(segments.start[segment], segments.start[segment + 1]):
         w = segments.word[e]
         word = program.words[w]
         if word.resets or word.reads_pix:
             stretch = segments.stretch[e]
-            _fall(switches, sizes, numbers, word, stretch, first, count, charge, state, block)
-        _draw(switches, sizes, numbers, word, w, places, first, count, state, block)
+            _fall(switches, sizes, numbers, word, stretch, first, count, charge, state, base)
+        _draw(switches, sizes, numbers, word, w, count, state, block)
         if word.resets:
-            reset(switches, numbers, word, count, state)
+            reset(switches, numbers, word, count, state, base)
             continue
-        add(switches, numbers, word, count, program, state)
+        add(switches, numbers, word, count, program, state, base)
         if word.compares:
             asks = True
-            compare(switches, numbers, count, state, WORD_BLOCK)
+            compare(switches, numbers, count, state, base, WORD_BLOCK)
             continue
-        write(switches, numbers, word, count, program, state, WORD_BLOCK)
+        write(switches, numbers, word, count, program, state, base, WORD_BLOCK)
+    if not together:
+        _copy(switches, count, state, 0)
     ended = count
-    # Without a comparison, all pixels go on as if the answer were 0.
-    for j in range(count):
+    # Without a comparison, all pixels go on as if the answer were 0. The last comes first, so that
+    # the lists of waiting pixels ascend.
+    for j in range(count - 1, -1, -1):
         answer = 1 if asks and state.total[j] > 0.0 else 0
         at = chosen[first + running[j]]
         ended -= _hand_on(segments.following[2 * segment + answer], at, running[j], block, ends)
@@ -272,14 +288,13 @@ def run_blocks(
     _set_keys(sizes, keys, program, block)
     for first in range(sizes.first, sizes.end, WORD_BLOCK):
         count = min(WORD_BLOCK, sizes.end - first)
+        begin(switches, state, count)
         for i in range(count):
-            block.reached[i], block.fallen_fraction[i] = 0, 0.0
-            begin(switches, state, i)
             state.pattern[i] = patterns.error_e[first + i]
             state.leak[i] = patterns.leak_per_s[first + i]
             state.offset[i] = patterns.offset_e[first + i]
         waiting, segment = 0, sizes.segments
-        for i in range(count):
+        for i in range(count - 1, -1, -1):
             waiting += _hand_on(begins[first + i], chosen[first + i], i, block, ends)
             if 0 <= begins[first + i] < segment:
                 segment = begins[first + i]

@@ -493,8 +493,6 @@ def _run_words(
             block=BlockScratch(
                 head=np.full(segments, -1, np.int64),
                 behind=np.empty(WORD_BLOCK, np.int64),
-                reached=np.empty(WORD_BLOCK, np.int64),
-                fallen_fraction=np.empty(WORD_BLOCK),
                 keys=np.empty(words * (1 + program.numbered), np.uint64),
             ),
             state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),

@@ -106,7 +106,7 @@ def add_up(
             for i in range(stop - first):
                 total[at + i] += expected[pixel_start + i]
         for draw in range(adding.error_draws):
-            drawn_normals(noise_keys[draw], places, first, stop - first, drawn)
+            drawn_normals(noise_keys[draw], places, first, stop - first, drawn, 0)
             for bucket in range(adding.buckets):
                 at = bucket * DRAW_BLOCK
                 size = (draw * adding.buckets + bucket) * adding.lane_count

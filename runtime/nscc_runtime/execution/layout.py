@@ -11,6 +11,9 @@ from nscc_runtime.loop import Written, record
 
 WORD_BLOCK = 256
 """Number of pixels that run through their words together."""
+ROW = 2 * WORD_BLOCK
+"""Numbers of a row of `PixelState`: those of all pixels of a block, then those of pixels that run
+together without being neighbours, copied there so that loops over them can be vectorised."""
 
 
 @record
@@ -153,28 +156,33 @@ class FixedPatterns(NamedTuple):
 
 
 class PixelState(NamedTuple):
-    """The state of the pixels of a block while words run. Register r of pixel i of the block is at
-    index r * `WORD_BLOCK` + i.
+    """The state of the pixels of a block while words run, in rows of `ROW` numbers. The pixels that
+    run a word are neighbours in each row, from the index `base` on.
 
-    `pattern`, `leak`, `offset`: see `FixedPatterns`.
+    `pattern`, `leak`, `offset`: see `FixedPatterns`. `level`: the reset level of PIX (the
+    photodiode). `reached`: the stretch (slots between two reads or resets of PIX) that each pixel
+    has reached. `fallen_fraction`: the fraction of this stretch that is collected.
 
-    Contents of the registers, then of PIX (the photodiode) and IN (the level sent to all pixels).
-    `value`: electrons. `since_s`: the time of writing. `lost_e`: electrons lost by saturation.
-    `full`: PIX flags (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX.
+    Contents of the registers, then of PIX, a row each. `value`: electrons. `since_s`: the time of
+    writing. `lost_e`: electrons lost by saturation. `full`: PIX flags
+    (`nscc_runtime.execution.word_loop`).
 
-    `running`: the pixels that run a word. `total`: the sum of its sources in each of them, with the
-    electrons lost by saturation (`total_lost_e`) and the PIX flags (`total_full`).
-    `normals`: the normal numbers of a word, by draw."""
+    `running`: the pixels that run a word, and `place` their places on the chip. `total`: the sum of
+    its sources in each of them, with the electrons lost by saturation (`total_lost_e`) and the PIX
+    flags (`total_full`). `normals`: the normal numbers of a word, by draw."""
 
     pattern: Written[Floats]
     leak: Written[Floats]
     offset: Written[Floats]
+    level: Written[Floats]
+    reached: Written[Ints]
+    fallen_fraction: Written[Floats]
     value: Written[Floats]
     since_s: Written[Floats]
     lost_e: Written[Floats]
     full: Written[Ints]
-    level: Written[Floats]
     running: Written[Ints]
+    place: Written[Ints]
     total: Written[Floats]
     total_lost_e: Written[Floats]
     total_full: Written[Ints]
@@ -182,25 +190,31 @@ class PixelState(NamedTuple):
 
     @classmethod
     def of(cls, registers: int, draws: int) -> PixelState:
-        """Allocate the arrays for a block of pixels; most contents are arbitrary. `registers`:
+        """Allocate the arrays for a block of pixels; the contents are arbitrary. `registers`:
         number of analog registers. `draws`: largest number of draws of a word."""
 
-        def floats(count: int = 1) -> Floats:
-            return np.empty(count * WORD_BLOCK)
+        def floats(count: int = ROW) -> Floats:
+            return np.empty(count)
 
-        rows = registers + 2  # PIX and IN follow the registers
+        def ints(count: int = WORD_BLOCK) -> Ints:
+            return np.empty(count, np.int64)
+
+        rows = (registers + 1) * ROW  # PIX follows the registers
         return cls(
             pattern=floats(),
             leak=floats(),
             offset=floats(),
+            level=floats(),
+            reached=ints(ROW),
+            fallen_fraction=floats(),
             value=floats(rows),
             since_s=floats(rows),
             lost_e=floats(rows),
-            full=np.empty(rows * WORD_BLOCK, np.int64),
-            level=floats(),
-            running=np.zeros(WORD_BLOCK, np.int64),
-            total=floats(),
-            total_lost_e=floats(),
-            total_full=np.empty(WORD_BLOCK, np.int64),
-            normals=floats(draws),
+            full=ints(rows),
+            running=ints(),
+            place=ints(),
+            total=floats(WORD_BLOCK),
+            total_lost_e=floats(WORD_BLOCK),
+            total_full=ints(),
+            normals=floats(draws * WORD_BLOCK),
         )

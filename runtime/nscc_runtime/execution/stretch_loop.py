@@ -422,7 +422,7 @@ def exchange_counts(
             if c == 0.0:
                 continue
             key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
-            drawn_normals(key, sites.place, first, count, drawn)
+            drawn_normals(key, sites.place, first, count, drawn, 0)
             for i in range(count):
                 charge[own + i] += c * math.sqrt(missing_e2[own + i]) * drawn[i]
         # Without crosstalk the range is empty.
