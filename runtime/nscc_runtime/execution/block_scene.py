@@ -199,8 +199,8 @@ def prepare_pixels(
     # 16-bit numbers are sorted by radix, ten times as fast as others.
     few = lane.astype(np.uint16) if program.lane.max() < 1 << 16 else lane
     order = np.argsort(few, kind="stable")
-    # The means are up to five arrays of float64 with a row for each stretch.
-    bytes_ = 8 * 5 * (program.most_stretches + 1) * max(len(places), 1)
+    # The means are up to four arrays of float64 with a row for each stretch.
+    bytes_ = 8 * 4 * (program.most_stretches + 1) * max(len(places), 1)
     parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
     scene = BlockScene(
         container,
@@ -240,7 +240,6 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     count, rows = len(sites.place), program.most_stretches
     lit, dark = effects.having(CountedLight), effects.having(CountedDark)
     slow = effects.find_part(SlowWords) is not None
-    is_counted = bool(lit or dark) and exchanged > 0
 
     def zeros(wanted: bool, rows: int, columns: int) -> Floats:
         """Return an array of zeros (rows, columns); (1, 1) if it is not wanted, because compiled
@@ -252,7 +251,6 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         dark=zeros(bool(dark), rows, count),
         charge=zeros(True, rows, pixels),
         pace=zeros(slow, rows + 1, pixels),
-        missing_e2=zeros(is_counted, rows, pixels),
     )
     sizes: NamedValues = {
         "sites": count,
@@ -343,7 +341,7 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
     `beside` has the index of the sites above, below, left and right of each pixel of `places`, -1
     beyond the border; without exchange, only -1."""
     effects, sensor, (rows, cols) = scene.effects, scene.sensor, scene.program.lane.shape
-    beside = np.full((len(places), NEIGHBOURS), -1, np.int32)
+    beside = np.full((NEIGHBOURS, len(places)), -1, np.int32)
     every, count = places, np.zeros(1, np.int64)
     if exchanges:
         every = np.empty(rows * cols, np.int64)
@@ -433,13 +431,15 @@ def _charge_of_frame(
                 frame=frame,
                 exchanged=charge.exchanged,
                 missing=missing,
+                counts_light=bool(scene.effects.having(CountedLight)),
+                counts_dark=bool(scene.effects.having(CountedDark)),
             ),
             stretches=scene.program.stretches,
             sites=charge.sites,
-            mean_e=charge.means.charge,
-            missing_e2=charge.means.missing_e2,
+            means=charge.means,
             away=away,
             drawn=np.empty(WORD_BLOCK),
+            missing_e2=np.empty((len(charge_e), WORD_BLOCK)),
             charge=charge_e,
         )
 

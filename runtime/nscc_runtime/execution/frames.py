@@ -187,10 +187,10 @@ def frame_source(
     # Sums of light expose all pixels. Pixels that may saturate or leak unlike most also run their
     # words, whose results replace the sums. `program.recent` stores the search by light: planning
     # made it for all effects (`Work.of`).
-    by_words = np.zeros(program.lane.size, np.bool_)
-    by_words[near_saturation(program, light, device_seed, effects).places] = True
-    by_words[on_chip(program, effects, device_seed).uneven] = True
-    near = np.flatnonzero(by_words)
+    has_words = np.zeros(program.lane.size, np.bool_)
+    has_words[near_saturation(program, light, device_seed, effects).places] = True
+    has_words[on_chip(program, effects, device_seed).uneven] = True
+    near = np.flatnonzero(has_words)
     moments = scene_moments(program, light, effects, device_seed, count)
     block = None
     if len(near):

@@ -59,7 +59,7 @@ class Sites(NamedTuple):
     lane: Annotated[Ints32, "sites"]
     factor: Annotated[Floats, "sites"]
     dark_e_per_s: Annotated[Floats, "sites"]
-    beside: Annotated[Ints32, "own 4"]
+    beside: Annotated[Ints32, "4 own"]
 
 
 @record
@@ -91,7 +91,7 @@ def find_sites(
     own_places: Annotated[Ints, "own"],
     number: Written[Annotated[Ints32, "pixels"]],
     place: Written[Annotated[Ints, "pixels"]],
-    beside: Written[Annotated[Ints32, "own 4"]],
+    beside: Written[Annotated[Ints32, "4 own"]],
     count: Written[Ints],
 ) -> None:
     """Number the sites (pixels whose charge is computed), and set count[0] to how many there are,
@@ -116,7 +116,7 @@ def find_sites(
     for i in range(sizes.own):
         for side in range(NEIGHBOURS):
             other = _beside(sizes, own_places[i], side)
-            beside[NEIGHBOURS * i + side] = number[other] if other != NONE else NONE
+            beside[side * sizes.own + i] = number[other] if other != NONE else NONE
 
 
 class StretchMeans(NamedTuple):
@@ -126,15 +126,12 @@ class StretchMeans(NamedTuple):
     `lit`, `dark` (stretches, sites): counted charge of the sites (pixels whose charge is computed).
     `charge` (stretches, pixels): charge of the pixels after crosstalk. `pace` (stretches + 1,
     pixels): the fraction of it that is collected per microsecond of the stretch's first slot, then,
-    after the pixel's last stretch, of the last slot. `missing_e2` (stretches, pixels): the variance
-    (e^2) of neighbours' counts that the counts of their own stretches do not determine. An array
-    that is not needed is (1, 1)."""
+    after the pixel's last stretch, of the last slot. An array that is not needed is (1, 1)."""
 
     lit: Written[Floats]
     dark: Written[Floats]
     charge: Written[Floats]
     pace: Written[Floats]
-    missing_e2: Written[Floats]
 
 
 @record
@@ -186,7 +183,7 @@ def _exchanged(
     the border neither gives nor takes, and light of a neighbour that is NaN counts as 0."""
     flow = 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
-        other = sites.beside[NEIGHBOURS * i + side]
+        other = sites.beside[side * sizes.own + i]
         if other >= 0:
             given = _light_of_slot(sizes, light, sites, start, stop, other)
             flow += (given if given >= 0.0 else 0.0) - own
@@ -265,32 +262,6 @@ def light_means(
                         means.pace[(reached[j] + 1) * sizes.own + i] = total
 
 
-@compiled
-def _add_missing(
-    sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans, i: int, other: int
-) -> None:
-    """Add a variance to `means.missing_e2` of pixel i, for each of its stretches. It is the
-    variance of the neighbour's electron counts in that stretch that the counts of the neighbour's
-    own stretches do not determine. The neighbour is the site `other`. A stretch is the slots
-    between two reads or resets of PIX, the photodiode. A site is a pixel whose charge is computed.
-    """
-    boundary, times, at_s = stretches.boundary, stretches.start_s, 0.0
-    first, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
-    e, end, first_of_other = first, stretches.start[sites.lane[i] + 1] - 1, k
-    while e < end:
-        high = min(boundary[e + 1], boundary[k + 1])
-        share = (times[high] - at_s) / (times[boundary[k + 1]] - times[boundary[k]])
-        # Given the neighbour's count, a part of its time contains a binomial number of it.
-        if share < 1.0:
-            at = (k - first_of_other) * sizes.sites + other
-            mean = means.lit[at] if sizes.counts_light else 0.0
-            mean += means.dark[at] if sizes.counts_dark else 0.0
-            means.missing_e2[(e - first) * sizes.own + i] += share * (1.0 - share) * mean
-        at_s = times[high]
-        k += boundary[k + 1] == high
-        e += boundary[e + 1] == high
-
-
 @loop
 def dark_means(
     sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
@@ -311,13 +282,12 @@ def charge_means(
     sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
 ) -> None:
     """Complete the means of the pixels begin to end - 1, which contain light (`light_means`): add
-    dark charge to `charge`, convert `pace` from electrons to fractions per microsecond, and add up
-    `missing_e2`."""
+    dark charge to `charge`, and convert `pace` from electrons to fractions per microsecond."""
     times = stretches.start_s
     for i in range(sizes.begin, sizes.end):
         flow = 0.0
         for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
-            other = sites.beside[NEIGHBOURS * i + side]
+            other = sites.beside[side * sizes.own + i]
             flow += sites.dark_e_per_s[other] - sites.dark_e_per_s[i] if other >= 0 else 0.0
         dark_e_per_s = sites.dark_e_per_s[i] + sizes.exchanged * flow
         first = stretches.start[sites.lane[i]]
@@ -335,11 +305,6 @@ def charge_means(
                 # Without charge, the fraction of the time.
                 part = slot_e / charge if charge > 0.0 else slot_s / seconds
                 means.pace[at] = part / (1e6 * slot_s)
-        counts = sizes.exchanged > 0.0 and (sizes.counts_light or sizes.counts_dark)
-        for side in range(NEIGHBOURS if counts else 0):
-            other = sites.beside[NEIGHBOURS * i + side]
-            if other >= 0:
-                _add_missing(sizes, stretches, sites, means, i, other)
 
 
 @record
@@ -353,10 +318,19 @@ class Exchanging:
     rows: int
     sites: int
     pixels: int
+    counts_light: int
+    counts_dark: int
     frame: int
     exchanged: float
     missing: np.uint64
     """First half of the random key of the part of neighbours' counts that is not known."""
+
+
+@inlined
+def _lane_beside(sites: Sites, at: int) -> int:
+    """Return the lane of the site sites.beside[at], NONE beyond the border."""
+    other = sites.beside[at]
+    return sites.lane[other] if other >= 0 else NONE
 
 
 @compiled
@@ -364,33 +338,50 @@ def _receive(
     exchanging: Exchanging,
     stretches: Stretches,
     sites: Sites,
+    means: StretchMeans,
     away: Floats,
-    i: int,
-    other: int,
+    side_at: int,
+    first: int,
+    stop: int,
+    block: int,
     charge: Floats,
+    missing_e2: Floats,
 ) -> None:
-    """Add to the charge of pixel i in each of its stretches what it receives from its neighbour,
-    the site `other`: a fraction of the deviations `away` (stretches, sites) of the neighbour's
-    counts, which are spread evenly over the time of the neighbour's own stretches. A stretch is the
-    slots between two reads or resets of PIX, the photodiode. A site is a pixel whose charge is
-    computed."""
-    boundary, times, at_s, c = stretches.boundary, stretches.start_s, 0.0, exchanging.exchanged
-    e, k = stretches.start[sites.lane[i]], stretches.start[sites.lane[other]]
-    end, own, theirs = stretches.start[sites.lane[i] + 1] - 1, i, other
-    per_s = c * away[theirs] * stretches.per_s[k]
-    while e < end:
+    """Exchange the counts of the pixels `first` to `stop` - 1, which have one lane, with their
+    neighbours on one side, which have one lane, too. `side_at`: where this side begins in
+    sites.beside.
+
+    Each pixel gives and receives a fraction of the deviations `away` (stretches, sites). Those of
+    the neighbour are spread evenly over the time of its own stretches. `missing_e2` (stretches,
+    `WORD_BLOCK`) gets the variance that they do not determine: given the neighbour's count, a part
+    of its time contains a binomial number of it. `block`: the first pixel of `missing_e2`."""
+    boundary, times, beside = stretches.boundary, stretches.start_s, sites.beside
+    lane, lane_beside = sites.lane[first], _lane_beside(sites, side_at + first)
+    c, begin, theirs, unknown_at = exchanging.exchanged, 0, 0, -block
+    e, k, own = stretches.start[lane], stretches.start[lane_beside], 0
+    last = stretches.start[lane + 1] - 2
+    while e <= last:
         own_end, their_end = boundary[e + 1], boundary[k + 1]
-        high_s = times[min(own_end, their_end)]
-        charge[own] += per_s * (high_s - at_s)
-        at_s = high_s
-        if own_end <= their_end:
-            e += 1
-            own += exchanging.pixels
-        # After the last stretch there is no next one to read.
-        if their_end <= own_end and e < end:
-            k += 1
-            theirs += exchanging.sites
-            per_s = c * away[theirs] * stretches.per_s[k]
+        end = min(own_end, their_end)
+        share = (times[end] - times[begin]) * stretches.per_s[k]
+        is_known = end - begin == their_end - boundary[k]
+        unknown = 0.0 if is_known else c * c * share * (1.0 - share)
+        for i in range(first, stop):
+            charge[own + i] += c * share * away[theirs + beside[side_at + i]]
+        for i in range(first, stop if unknown and exchanging.counts_light else first):
+            lit_e = means.lit[theirs + beside[side_at + i]]
+            missing_e2[unknown_at + i] += unknown * lit_e
+        for i in range(first, stop if unknown and exchanging.counts_dark else first):
+            dark_e = means.dark[theirs + beside[side_at + i]]
+            missing_e2[unknown_at + i] += unknown * dark_e
+        begin = end
+        if end == own_end:
+            for i in range(first, stop):
+                given_at = own // exchanging.pixels * exchanging.sites + i
+                charge[own + i] -= c * away[given_at]
+            e, own, unknown_at = e + 1, own + exchanging.pixels, unknown_at + WORD_BLOCK
+        if end == their_end:
+            k, theirs = k + 1, theirs + exchanging.sites
 
 
 @loop
@@ -398,41 +389,62 @@ def exchange_counts(
     exchanging: Exchanging,
     stretches: Stretches,
     sites: Sites,
-    mean_e: Floats,
-    missing_e2: Floats,
+    means: StretchMeans,
     away: Floats,
     drawn: Written[Floats],
+    missing_e2: Written[Floats],
     charge: Written[Floats],
 ) -> None:
     """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame. The
-    charge is the sum of the means `mean_e` and the deviations `away` (stretches, sites) of Poisson
-    counts from their means, after crosstalk.
+    charge is the sum of the `means` and the deviations `away` (stretches, sites) of Poisson counts
+    from their means, after crosstalk.
 
-    `missing_e2` (stretches, pixels): the variance of what pixels receive that the neighbours'
-    counts do not determine; it is drawn here. `drawn` is working memory for `WORD_BLOCK` pixels. A
-    stretch is the slots between two reads or resets of PIX, the photodiode. A site is a pixel whose
-    charge is computed."""
-    pixels, c = exchanging.pixels, exchanging.exchanged
+    What pixels receive that the neighbours' counts do not determine is drawn here. `drawn` and
+    `missing_e2` are working memory for `WORD_BLOCK` pixels, the latter for each stretch. A stretch
+    is the slots between two reads or resets of PIX, the photodiode. A site is a pixel whose charge
+    is computed."""
+    pixels = exchanging.pixels
     for first in range(exchanging.begin, exchanging.end, WORD_BLOCK):
         count = min(WORD_BLOCK, exchanging.end - first)
         for e in range(exchanging.rows):
             own, theirs = e * pixels + first, e * exchanging.sites + first
             for i in range(count):
-                charge[own + i] = mean_e[own + i] + away[theirs + i]
-            if c == 0.0:
-                continue
-            key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
-            drawn_normals(key, sites.place, first, count, drawn, 0)
+                charge[own + i] = means.charge[own + i] + away[theirs + i]
+                missing_e2[e * WORD_BLOCK + i] = 0.0
+        # Neighbours in these arrays usually have one lane, and so have those beside them.
+        for side in range(NEIGHBOURS if exchanging.exchanged > 0.0 else 0):
+            begin, side_at = first, side * pixels
+            while begin < first + count:
+                lane, beside, end = (
+                    sites.lane[begin],
+                    _lane_beside(sites, side_at + begin),
+                    begin + 1,
+                )
+                while end < first + count and sites.lane[end] == lane:
+                    if _lane_beside(sites, side_at + end) != beside:
+                        break
+                    end += 1
+                if beside != NONE:
+                    _receive(
+                        exchanging,
+                        stretches,
+                        sites,
+                        means,
+                        away,
+                        side_at,
+                        begin,
+                        end,
+                        first,
+                        charge,
+                        missing_e2,
+                    )
+                begin = end
+        for e in range(exchanging.rows):
+            own, missing, any_missing = e * pixels + first, e * WORD_BLOCK, 0
             for i in range(count):
-                charge[own + i] += c * math.sqrt(missing_e2[own + i]) * drawn[i]
-        # Without crosstalk the range is empty.
-        for i in range(first, first + count if c > 0.0 else first):
-            neighbours = 0
-            for side in range(NEIGHBOURS):
-                other = sites.beside[NEIGHBOURS * i + side]
-                if other >= 0:
-                    neighbours += 1
-                    _receive(exchanging, stretches, sites, away, i, other, charge)
-            lane = sites.lane[i]
-            for e in range(stretches.start[lane + 1] - stretches.start[lane] - 1):
-                charge[e * pixels + i] -= c * neighbours * away[e * exchanging.sites + i]
+                any_missing += missing_e2[missing + i] > 0.0
+            if any_missing:
+                key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
+                drawn_normals(key, sites.place, first, count, drawn, 0)
+                for i in range(count):
+                    charge[own + i] += math.sqrt(missing_e2[missing + i]) * drawn[i]
