@@ -108,14 +108,13 @@ def read_out(
     sensor = sensor or default_sensor(target)
     check_adc(target)
     (codes_of,) = everything().at("codes")
-    codes = codes_of(sensor, exposure.exposure_e, noise_lsb, target.top_code)
-    unknown = np.isnan(exposure.exposure_e)
-    codes[unknown] = 0.0
-    frame = codes.astype(np.uint8)
+    exposure_e = exposure.exposure_e
+    codes = codes_of(sensor, exposure_e, noise_lsb, target.top_code)
+    frame = np.fmax(codes, 0.0, out=codes).astype(np.uint8)  # NaN becomes 0
     saturated_by = last_codes(frame, target)
     if exposure.saturated_by is not None:
         saturated_by |= exposure.saturated_by
-    return Frame(frame, exposure.exposure_e, exposure.valid & ~unknown, saturated_by)
+    return Frame(frame, exposure_e, exposure.valid & (exposure_e == exposure_e), saturated_by)
 
 
 def last_codes(frame: Bytes, target: Target) -> Bytes:

@@ -236,10 +236,12 @@ class Light:
         if isinstance(self.frames, DrawnFrames):
             return self
         frames = self.frames.reshape(len(self.frames), -1)
+        pixels = frames[0]
         with np.errstate(all="ignore"):
-            # The roots of 1, 2, .. tell frames apart that change places.
-            pixels = np.sqrt(np.arange(1, len(frames) + 1, dtype=np.float32)) @ frames
-        digest = zlib.crc32(pixels.tobytes())
+            if len(frames) > 1:
+                # The roots of 1, 2, .. tell frames apart that change places.
+                pixels = np.sqrt(np.arange(1, len(frames) + 1, dtype=np.float32)) @ frames
+        digest = zlib.crc32(np.ascontiguousarray(pixels).data)
         if "digest" not in vars(self):
             self._forget_sums()
         if vars(self).setdefault("digest", digest) == digest:
@@ -386,6 +388,11 @@ class Light:
         frames instead of slots; `total_e` is more exact and slower."""
         return self._summed[0]
 
+    @property
+    def most_e(self) -> float:
+        """The largest sum of all slots of a pixel; NaN if a pixel has light that is NaN."""
+        return self._summed[1]
+
     @cached_property
     def is_nan(self) -> Bools:
         """Which pixels (rows, cols) have light that is NaN in some slot."""
@@ -403,9 +410,10 @@ class Light:
         )
 
     @cached_property
-    def _summed(self) -> tuple[Floats, bool]:
-        """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and
-        whether a pixel exceeded that or is NaN. Frames that fall into no slot do not count."""
+    def _summed(self) -> tuple[Floats, float]:
+        """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and the
+        largest sum before the limit, NaN if one is NaN. Frames that fall into no slot do not
+        count."""
         used = slice(None) if self.frame_weight.all() else np.flatnonzero(self.frame_weight)
         weight = self.frame_weight[used]
         with np.errstate(over="ignore", invalid="ignore"):
@@ -418,9 +426,10 @@ class Light:
             else:
                 sums = [np.einsum("t,trc->rc", weight, frames) for frames in strips]
         total = np.ascontiguousarray(sums[0] if len(sums) == 1 else np.concatenate(sums))
-        if total.max() <= _MOST_E:  # False if a pixel is NaN
-            return total, False
-        return np.minimum(total, _MOST_E), True
+        largest = float(total.max())
+        if largest <= _MOST_E:  # False if a pixel is NaN
+            return total, largest
+        return np.minimum(total, _MOST_E), largest
 
     def on_frames(self, slots: Floats) -> Floats:
         """Convert weights of slots to weights of frames.
@@ -447,7 +456,7 @@ class Light:
         """The frames (T, rows, cols) in memory, with 0 for NaN and 1e30 for infinite light, so
         that closed slots contribute 0; the frames themselves without light that needs this."""
         frames = np.asarray(self.frames)
-        if self.frame_weight.min() > 0 and not self._summed[1]:
+        if self.frame_weight.min() > 0 and self.most_e <= _MOST_E:
             return frames
         if np.isfinite(frames.max(initial=0)):
             return frames

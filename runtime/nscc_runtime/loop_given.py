@@ -16,6 +16,9 @@ WRITTEN = object()
 _DATA = object.__basicsize__
 """Offset of the data address in an array object: in numpy's C interface it is the first field after
 the object header. Other ways to get the address take four times as long."""
+_address_at = ctypes.c_void_p.from_address
+_IN_ROWS = 0x101
+"""Flags of an array that is contiguous row after row (1), and aligned (0x100)."""
 
 
 @dataclass(frozen=True)
@@ -74,10 +77,12 @@ class LoopParameter:
                 if axes.setdefault(name, length) != length:
                     raise self._unequal(name, length, axes)
             return (ctypes.addressof(value),)
-        if not isinstance(value, np.ndarray) or value.dtype != self.kind:
+        # One number has all flags, and equal types are usually one object: this check runs for
+        # each array of each call.
+        kind, flags = getattr(value, "dtype", None), getattr(value, "flags", None)
+        if (kind is not self.kind and kind != self.kind) or not isinstance(value, np.ndarray):
             raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
-        flags = value.flags
-        if not (flags.c_contiguous and flags.aligned):
+        if flags.num & _IN_ROWS != _IN_ROWS:
             raise TypeError(f"{self.name} does not lie in one piece, row after row")
         if self.written and not flags.writeable:
             raise TypeError(f"{self.name} is to be written, and is read-only")
@@ -88,7 +93,7 @@ class LoopParameter:
             for length, (axis, extra) in zip(shape, self.axes):  # noqa: B905  # as long: checked
                 if axes.setdefault(axis, length - extra) != length - extra:
                     raise self._unequal(axis, length - extra, axes)
-        return (ctypes.c_void_p.from_address(id(value) + _DATA).value or 0,)
+        return (_address_at(id(value) + _DATA).value or 0,)
 
     def widened(self, value: Any) -> Any:
         """Return the argument `value`; an array of numpy's indices as int64 if the parameter is of

@@ -53,9 +53,10 @@ def _codes(sensor: Sensor, exposure: Floats, noise: Floats | float, top: int) ->
     codes = np.asarray(exposure / ELECTRONS_PER_LSB(sensor))
     codes += noise
     np.rint(codes, out=codes)
-    codes += OFFSET(sensor)  # may be a fraction, so the sum is rounded again
+    offset = OFFSET(sensor)
+    codes += offset
     np.clip(codes, 0, top, out=codes)
-    return np.rint(codes, out=codes)
+    return codes if offset.is_integer() else np.rint(codes, out=codes)
 
 
 ADC = Effect(

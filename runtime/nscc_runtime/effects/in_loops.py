@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import lru_cache
 
 import numpy as np
 
@@ -16,7 +17,8 @@ from nscc_runtime.effects.views import Device, Places
 from nscc_runtime.noise.keys import base
 
 
-def switches(effects: Selection) -> dict[str, int]:
+@lru_cache(64)
+def switches(effects: Selection) -> Mapping[str, int]:
     """Return the switches of the compiled loop by field of `Switches`: 1 if the effect to which it
     belongs is among `effects`, else 0."""
     return {
@@ -26,7 +28,8 @@ def switches(effects: Selection) -> dict[str, int]:
     }
 
 
-def figures(sensor: Sensor, effects: Selection) -> dict[str, float]:
+@lru_cache(64)
+def figures(sensor: Sensor, effects: Selection) -> Mapping[str, float]:
     """Return the numbers of effects that the compiled loop takes, by field of `Numbers`, with the
     values of `sensor`; 0 for effects that are not in `effects`."""
     return {

@@ -107,13 +107,13 @@ class Selection:
     def without(self, *names: str) -> Selection:
         """Return the selection without the effects called `names`; names that are not on change
         nothing. Equal calls return the same object, because selections cache their parts."""
-        return _without(self, frozenset(names))
+        return selection_of(self.on.difference(names), self.forced, self.auto)
 
 
 @lru_cache(4096)
-def _without(selection: Selection, names: frozenset[str]) -> Selection:
-    """Return the selection without the named effects; cached."""
-    return Selection(selection.on - names, selection.forced, selection.auto)
+def selection_of(on: frozenset[str], forced: frozenset[str], auto: bool = False) -> Selection:
+    """Return the `Selection` of these fields, the same object for equal fields."""
+    return Selection(on, forced, auto)
 
 
 def everything() -> Selection:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -79,7 +80,7 @@ class BlockProgram:
     first_segment: Ints
     numbered: int
 
-    @property
+    @cached_property
     def most_stretches(self) -> int:
         """The largest number of stretches (groups of slots between reads or resets of PIX) of a
         lane (the pixels of one distinct shutter)."""

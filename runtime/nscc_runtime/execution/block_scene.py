@@ -201,7 +201,7 @@ def prepare_pixels(
     order = np.argsort(few, kind="stable")
     # The means are up to four arrays of float64 with a row for each stretch.
     bytes_ = 8 * 4 * (program.most_stretches + 1) * max(len(places), 1)
-    parts = np.array_split(order, max(1, -(-bytes_ // _MOST_BYTES)))
+    parts = np.array_split(order, -(-bytes_ // _MOST_BYTES)) if bytes_ > _MOST_BYTES else [order]
     scene = BlockScene(
         container,
         program,

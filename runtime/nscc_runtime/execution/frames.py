@@ -83,7 +83,8 @@ class FrameSource:
             exposure_e[:, self.near] = pixels.exposure_e
             saturated_by[:, self.near] = pixels.saturated_by
         whole = exposure_e.reshape(-1, *self.light.shape)
-        whole[:, self.light.is_nan] = np.nan
+        if not self.light.most_e >= 0.0:  # NaN
+            whole[:, self.light.is_nan] = np.nan
         return Exposure(whole, np.isfinite(whole), saturated_by.reshape(whole.shape))
 
     def without_draws(self) -> FrameSource:

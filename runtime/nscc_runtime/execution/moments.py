@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -141,6 +142,16 @@ class _ChipMoments:
     error_e: Floats
     lane: Ints32
     uneven: Ints
+
+    @cached_property
+    def most_factor(self) -> float:
+        """The largest factor on the light of a pixel."""
+        return float(self.factor.max())
+
+    @cached_property
+    def most_dark_e(self) -> float:
+        """The largest dark charge of a frame of a pixel, in electrons."""
+        return float(self.dark_e.max())
 
 
 def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:

@@ -93,10 +93,10 @@ def _search(
     exchanged, pixels = exchanged_fraction(effects, program), program.lanes.size
     most_part = limits.weights.of_frames(light).most_part
     # In dim light a bound for the brightest pixel excludes all; NaN does not compare as less.
-    brightest_e = float(light.sum_e.max() * chip.factor.max())
-    if (most_part.max() + 4.0 * exchanged) * brightest_e + chip.dark_e.max() < limits.mean_e.min():
+    brightest_e = light.most_e * chip.most_factor
+    if (most_part.max() + 4.0 * exchanged) * brightest_e + chip.most_dark_e < limits.mean_e.min():
         return NO_PIXELS
-    gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.uint8)
+    gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.bool_)
     find_candidates(
         sizes=Bounding(
             rows=light.shape[0],
@@ -110,7 +110,7 @@ def _search(
         most_part=most_part,
         mean_e=limits.mean_e,
         gained_e=gained_e,
-        may_saturate=may_saturate,
+        may_saturate=may_saturate.view(np.uint8),
     )
     places = np.flatnonzero(may_saturate)
     if not len(places):

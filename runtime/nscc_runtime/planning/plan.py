@@ -13,6 +13,7 @@ from nscc.columns import columns
 from nscc.mappings import JsonObject
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.effect import MOST_E
+from nscc_runtime.effects.selection import selection_of
 from nscc_runtime.planning.tolerance import DEFAULT, LEAST_E, Tolerance, ToleranceInput
 
 Choice = Literal["kept", "dropped", "absent"]
@@ -169,7 +170,7 @@ class Plan:
         """The effects that are simulated: all but the dropped ones; those that change nothing here
         ("absent") are on, too."""
         forced = frozenset(decision.name for decision in self.decisions if decision.forced)
-        return Selection(everything().on.difference(self.names("dropped")), forced)
+        return selection_of(everything().on.difference(self.names("dropped")), forced)
 
     @property
     def requested_effects(self) -> Selection:
