@@ -109,8 +109,7 @@ def read_out(
     check_adc(target)
     (codes_of,) = everything().at("codes")
     exposure_e = exposure.exposure_e
-    codes = codes_of(sensor, exposure_e, noise_lsb, target.top_code)
-    frame = np.fmax(codes, 0.0, out=codes).astype(np.uint8)  # NaN becomes 0
+    frame = codes_of(sensor, exposure_e, noise_lsb, target.top_code)
     saturated_by = last_codes(frame, target)
     if exposure.saturated_by is not None:
         saturated_by |= exposure.saturated_by

@@ -48,20 +48,23 @@ class ReadoutNoise:
 
         errors = np.empty((buckets, *self.pattern_lsb.shape))
         for bucket, errors_of_bucket in enumerate(errors):
-            noise, common = (key(seed, s, frame=frame, group=bucket) for s in self.streams)
+            noise, shared = (key(seed, s, frame=frame, group=bucket) for s in self.streams)
+            common = 0.0
+            if self.common_lsb:
+                common = self.common_lsb * float(normals(shared, np.zeros(1, np.int64))[0])
             if self.sigma_lsb:
                 rows, cols = self.pattern_lsb.shape
                 add_noise(
-                    sizes=NoiseSizes(rows=rows, cols=cols, weights=WEIGHTS, key=noise),
+                    sizes=NoiseSizes(
+                        rows=rows, cols=cols, weights=WEIGHTS, key=noise, common=common
+                    ),
                     weights=self.sigma_lsb * self.weights,
                     pattern=self.pattern_lsb,
                     drawn=np.empty((WEIGHTS, cols)),
                     out=errors_of_bucket,
                 )
             else:
-                errors_of_bucket[:] = self.pattern_lsb
-            if self.common_lsb:
-                errors_of_bucket += self.common_lsb * normals(common, np.zeros(1, np.int64))
+                errors_of_bucket[:] = self.pattern_lsb + common
         return errors
 
 

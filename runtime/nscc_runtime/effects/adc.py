@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from nscc.arrays import Floats
+from nscc.arrays import Bytes, Floats
 from nscc.chips.target import Target
 from nscc_runtime.effects.effect import MOST_E, TARGET, Effect, InLoop, Mark, parameter
 from nscc_runtime.effects.parts import Codes
@@ -46,17 +46,24 @@ OFFSET = parameter(
 )
 
 
-def _codes(sensor: Sensor, exposure: Floats, noise: Floats | float, top: int) -> Floats:
-    """Return converter codes, whole numbers 0..`top` as float64, of exposures in electrons. NaN
-    stays NaN. `noise`: codes added before rounding, an array like `exposure` or one number."""
-    # In place, because new arrays take most of the time.
-    codes = np.asarray(exposure / ELECTRONS_PER_LSB(sensor))
-    codes += noise
-    np.rint(codes, out=codes)
-    offset = OFFSET(sensor)
-    codes += offset
-    np.clip(codes, 0, top, out=codes)
-    return codes if offset.is_integer() else np.rint(codes, out=codes)
+def _codes(sensor: Sensor, exposure: Floats, noise: Floats | float, top: int) -> Bytes:
+    """Return converter codes 0..`top`, at most 255, of exposures in electrons; 0 for NaN. `noise`:
+    codes added before rounding, an array like `exposure` or one number."""
+    from nscc_runtime.readout_loop import Converting, convert
+
+    codes = np.empty(exposure.shape, np.uint8)
+    convert(
+        converting=Converting(
+            count=exposure.size,
+            electrons_per_lsb=ELECTRONS_PER_LSB(sensor),
+            offset=OFFSET(sensor),
+            top=top,
+        ),
+        exposure=np.ascontiguousarray(exposure),
+        noise=np.ascontiguousarray(np.broadcast_to(noise, exposure.shape)),
+        codes=codes,
+    )
+    return codes
 
 
 ADC = Effect(

@@ -163,7 +163,7 @@ STAGES = {
     "common": "(sensor) -> codes, the standard deviation of an error of all codes of a readout",
     "columns": "(sensor) -> six weights of the converter's noise of a pixel and of the five below "
     "it in its column; their squares add up to 1",
-    "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
+    "codes": "(sensor, exposure, noise, top) -> uint8 codes of exposures, `noise` codes off",
 }
 """The stages of a frame in order, and the function of an effect at each stage.
 `nscc_runtime.effects.views` defines `slots`, `pixels` and `word`."""

@@ -124,20 +124,21 @@ class _ChipMoments:
     dark charge of a frame. `electron_weights` (buckets, pixels): a count of draw b weighs as much
     as an electron in bucket b, averaged over its open time, so exposures of dim light are multiples
     of it. `own_weights`: see `Moments`; None if it depends on the light. `unknown` (4, buckets,
-    pixels): parts of neighbours' charge in a frame whose counts do not follow from their draws.
+    pixels): the variance for each electron of light of a neighbour in a frame that does not follow
+    from the neighbour's draws; that of dark charge is in `dark_e2`.
     `neighbour_weights`, `error_e`, `lane`: see `Moments`. `uneven` (count,): places of the pixels
     that leak too unlike most for sums, ascending."""
 
     leak_rates: tuple[float, ...]
-    rate_weights: Floats
+    rate_weights: Floats32
     factor: Floats
     factor_32: Floats32
-    fixed_e: Floats
-    dark_e2: Floats
+    fixed_e: Floats32
+    dark_e2: Floats32
     dark_e: Floats
-    electron_weights: Floats
+    electron_weights: Floats32
     own_weights: Floats32 | None
-    unknown: Floats
+    unknown: Floats32
     neighbour_weights: Floats32
     error_e: Floats
     lane: Ints32
@@ -166,10 +167,17 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
         rate_weights = _rate_weights(effects, device, rates)
         factor, lanes = light_factor(effects, device), program.lanes
         electron_weights = _electron_weights(program, model).take(lanes, axis=1)
-        buckets = len(electron_weights)
+        buckets, exchanged = len(electron_weights), exchanged_fraction(effects, program)
+        dark_e = dark_e_per_s(effects, device) * program.slot_s.sum()
+        dark_e2 = _dark_covariances(program, effects, device)
         beside, unknown = np.zeros(1, np.float32), np.zeros((4, buckets, lanes.size))
-        if exchanged_fraction(effects, program) and effects.names(Counted):
+        if exchanged and effects.names(Counted):
             beside, unknown = _neighbour_weights(program, model)
+            unknown = exchanged**2 * unknown
+            # Buckets share no charge whose count is unknown: it adds to variances only.
+            for bucket in range(buckets if len(dark_e2) else 0):
+                of_dark = _at_neighbours(unknown, dark_e, program.lane.shape)[:, bucket]
+                dark_e2[bucket * (bucket + 3) // 2] += of_dark.sum(axis=0)
         # The weights of a pixel's own counts: none without counts, or fixed if buckets never
         # overlap.
         own_weights = None
@@ -181,15 +189,15 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
         fixed_e = _fixed_e(program, effects, device, rates, rate_weights)
         return _ChipMoments(
             rates,
-            rate_weights,
+            rate_weights.astype(np.float32),
             factor,
             factor.astype(np.float32),
-            fixed_e,
-            _dark_covariances(program, effects, device),
-            dark_e_per_s(effects, device) * program.slot_s.sum(),
-            electron_weights,
+            fixed_e.astype(np.float32),
+            dark_e2.astype(np.float32),
+            dark_e,
+            electron_weights.astype(np.float32),
             own_weights,
-            unknown,
+            unknown.astype(np.float32),
             beside,
             _word_errors(program, effects),
             program.lane,
@@ -236,7 +244,7 @@ def _completed(
                 rates=len(chip.leak_rates),
                 light_pairs=light_pairs,
                 dark_pairs=len(chip.dark_e2),
-                exchanged=exchanged,
+                exchanges=exchanged > 0.0,
                 overlaps=chip.own_weights is None,
             ),
             sums=sums,
@@ -244,11 +252,11 @@ def _completed(
             fixed_e=chip.fixed_e,
             dark_e2=chip.dark_e2,
             sum_e=light.sum_e,
-            factor=chip.factor,
-            dark_e=chip.dark_e,
+            factor=chip.factor_32,
             unknown=chip.unknown,
             electron_weights=chip.electron_weights,
             covariance_e2=np.empty(buckets * (buckets + 1) // 2 * light.shape[1]),
+            light_e=np.empty(3 * light.shape[1]),
             mean_e=mean_e,
             count_means=count_means,
             own_weights=own_weights,
