@@ -26,7 +26,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
@@ -47,7 +47,13 @@ from numpy.typing import NDArray
 
 from nscc.lazy import named_extra
 from nscc_runtime import machine_code
-from nscc_runtime.loop_given import WRITTEN, ArrayGroup, LoopParameter, parameter_of
+from nscc_runtime.loop_given import (
+    WRITTEN,
+    ArrayGroup,
+    LoopParameter,
+    parameter_of,
+    quick_addresses,
+)
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -132,11 +138,15 @@ class Loop(Generic[_P]):
             raise TypeError(f"{self.name} takes what it is given by name")
         if values.keys() != self.parameters.keys():
             raise TypeError(f"{self.name}: {_unlike(self.parameters, values)}")
-        axes: dict[str, int] = {}
         if machine_code.IN_WEB:
             values.update({n: p.widened(values[n]) for n, p in self.parameters.items()})
-        # Arrays that share names of axes are checked against each other by way of `axes`.
-        self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
+        addresses = self.quick_addresses(values)
+        if addresses is None:
+            # Arrays that share names of axes are checked against each other by way of `axes`.
+            axes: dict[str, int] = {}
+            given = self.parameters.items()
+            addresses = [a for n, p in given for a in p.addresses(values[n], axes)]
+        self.entry(*addresses)
 
     def is_compiled(self) -> bool:
         """Return whether the machine code exists; otherwise the first use takes some seconds."""
@@ -176,6 +186,11 @@ class Loop(Generic[_P]):
             for name, _ in array.axes or ()
         }
         return {parameter.name: parameter.sized(axes) for parameter in parameters}
+
+    @cached_property
+    def quick_addresses(self) -> Callable[[Mapping[str, Any]], list[int] | None]:
+        """The function that checks arguments, see `nscc_runtime.loop_given.quick_addresses`."""
+        return quick_addresses(self.parameters)
 
     @cached_property
     def entry(self) -> Callable[..., None]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
@@ -16,9 +17,9 @@ WRITTEN = object()
 _DATA = object.__basicsize__
 """Offset of the data address in an array object: in numpy's C interface it is the first field after
 the object header. Other ways to get the address take four times as long."""
-_address_at = ctypes.c_void_p.from_address
-_IN_ROWS = 0x101
-"""Flags of an array that is contiguous row after row (1), and aligned (0x100)."""
+_IN_ROWS, _WRITEABLE = 0x101, 0x400
+"""Flags of an array that is contiguous row after row and aligned, and of one that may be written.
+"""
 
 
 @dataclass(frozen=True)
@@ -77,12 +78,10 @@ class LoopParameter:
                 if axes.setdefault(name, length) != length:
                     raise self._unequal(name, length, axes)
             return (ctypes.addressof(value),)
-        # One number has all flags, and equal types are usually one object: this check runs for
-        # each array of each call.
-        kind, flags = getattr(value, "dtype", None), getattr(value, "flags", None)
-        if (kind is not self.kind and kind != self.kind) or not isinstance(value, np.ndarray):
+        if not isinstance(value, np.ndarray) or value.dtype != self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
-        if flags.num & _IN_ROWS != _IN_ROWS:
+        flags = value.flags
+        if not (flags.c_contiguous and flags.aligned):
             raise TypeError(f"{self.name} does not lie in one piece, row after row")
         if self.written and not flags.writeable:
             raise TypeError(f"{self.name} is to be written, and is read-only")
@@ -93,7 +92,7 @@ class LoopParameter:
             for length, (axis, extra) in zip(shape, self.axes):  # noqa: B905  # as long: checked
                 if axes.setdefault(axis, length - extra) != length - extra:
                     raise self._unequal(axis, length - extra, axes)
-        return (_address_at(id(value) + _DATA).value or 0,)
+        return (ctypes.c_void_p.from_address(id(value) + _DATA).value or 0,)
 
     def widened(self, value: Any) -> Any:
         """Return the argument `value`; an array of numpy's indices as int64 if the parameter is of
@@ -151,6 +150,57 @@ def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
     return ArrayGroup(
         name, hint, tuple(LoopParameter.of(f"{name}.{n}", field_hint) for n, field_hint in fields)
     )
+
+
+def quick_addresses(
+    parameters: Mapping[str, LoopParameter | ArrayGroup],
+) -> Callable[[Mapping[str, Any]], list[int] | None]:
+    """Return a function of the arguments by name that returns the addresses of all `parameters`, as
+    their `addresses` do, or None if an argument has to be looked at more closely.
+
+    A loop has up to 50 arrays, so the checks are one function made for it, without calls."""
+    lines, addresses, known = ["def addresses(values):"], list[str](), set[str]()
+    names: dict[str, Any] = {"Array": np.ndarray, "at": ctypes.c_void_p.from_address}
+    names["of"] = ctypes.addressof
+
+    def check(wrong: str) -> None:
+        lines.append(f"    if {wrong}: return None")
+
+    def axis(name: str, length: str) -> None:
+        if name in known:
+            check(f"x{name} != {length}")
+        known.add(name)
+        lines.append(f"    x{name} = {length}")
+
+    for number, (name, parameter) in enumerate(parameters.items()):
+        value = f"v{number}"
+        arrays = [f"{value}_{k}" for k in range(len(parameter.arrays))]
+        lines.append(f"    {value} = values[{name!r}]")
+        group = parameter.kind if isinstance(parameter, ArrayGroup) else parameter.record
+        names[f"T{number}"] = group or np.ndarray
+        check(f"type({value}) is not T{number}")
+        if isinstance(parameter, LoopParameter) and parameter.record is not None:
+            for length in parameter.lengths:
+                axis(length, f"{value}.{length}")
+            addresses.append(f"of({value})")
+            continue
+        lines.append(f"    {', '.join(arrays)}, = {value if group else value + ','}")
+        for array, of_array in zip(arrays, parameter.arrays, strict=True):
+            names[f"K{array}"] = of_array.kind
+            flags = _IN_ROWS | _WRITEABLE if of_array.written else _IN_ROWS
+            check(f"type({array}) is not Array")
+            # Equal types are usually one object.
+            check(f"{array}.dtype is not K{array} and {array}.dtype != K{array}")
+            check(f"{array}.flags.num & {flags} != {flags}")
+            if of_array.axes is not None:
+                check(f"{array}.ndim != {len(of_array.axes)}")
+            for index, (axis_name, extra) in enumerate(of_array.axes or ()):
+                axis(axis_name, f"{array}.shape[{index}] - {extra}")
+            addresses.append(f"at(id({array}) + {_DATA}).value or 0")
+    lines.append(f"    return [{', '.join(addresses)}]")
+    exec("\n".join(lines), names)  # the text is made here
+    made: Callable[[Mapping[str, Any]], list[int] | None] = names["addresses"]
+    return made
 
 
 def _axis(text: str) -> tuple[str, int]:

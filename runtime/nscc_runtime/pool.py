@@ -54,14 +54,13 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
     from a thread of a pool itself, that thread runs all as one part. `run` must not wait for such
     threads. Before Python 3.12, threads wait for each other's `cached_property` of one object, so
     compute those that use `in_parts` before."""
-    from concurrent.futures import wait
-
-    name = threading.current_thread().name
     blocks = -(-count // multiple)
     threads = min(threads, blocks)
-    if threads <= 1 or name.startswith(THREADS):
+    if threads <= 1 or threading.current_thread().name.startswith(THREADS):
         run(0, count)
         return
+    from concurrent.futures import wait
+
     cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]
     # This thread runs one part, so one thread less has to wake up.
     futures = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]

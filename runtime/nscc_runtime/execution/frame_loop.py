@@ -106,7 +106,7 @@ def _counted(
             for side in range(4 if adding.exchanges else 0):
                 step, begin, end = on_side(row, adding.rows, cols, side)
                 there = here + step
-                if side == UP or side == DOWN:
+                if side in (UP, DOWN):
                     there = at + (row + (2 if side == UP else 1)) % RING * cols
                 beside = ((draw * 4 + side) * adding.buckets + bucket) * pixels
                 for p in range(begin, end):

@@ -103,7 +103,7 @@ def complete_moments(
     sums: Annotated[Floats, "sums pixels"],
     rate_weights: Annotated[Floats32, "rates pixels"],
     fixed_e: Annotated[Floats32, "buckets pixels"],
-    dark_e2: Annotated[Floats32, "dark_pairs pixels"],
+    dark_e2: Annotated[Floats, "dark_pairs pixels"],
     sum_e: Annotated[Floats, "rows cols"],
     factor: Annotated[Floats32, "pixels"],
     unknown: Annotated[Floats32, "4 buckets pixels"],

@@ -134,7 +134,7 @@ class _ChipMoments:
     factor: Floats
     factor_32: Floats32
     fixed_e: Floats32
-    dark_e2: Floats32
+    dark_e2: Floats
     dark_e: Floats
     electron_weights: Floats32
     own_weights: Floats32 | None
@@ -193,7 +193,7 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
             factor,
             factor.astype(np.float32),
             fixed_e.astype(np.float32),
-            dark_e2.astype(np.float32),
+            dark_e2,
             dark_e,
             electron_weights.astype(np.float32),
             own_weights,

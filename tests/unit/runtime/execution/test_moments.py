@@ -154,16 +154,17 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
     below = [(a, b) for b in range(buckets) for a in range(b + 1)]
     dark_e2 = np.array([0.25 * wanted[a, b] for a, b in below])
     light_e2 = np.array([0.75 * wanted[a, b] for a, b in below])
-    charge_e, unknown = 10.0 * rng.random(pixels), rng.random((4, buckets, pixels))
-    dark_e = 0.3 * charge_e
+    light_e = 10.0 * rng.random(pixels)
+    unknown = 0.01 * rng.random((4, buckets, pixels), np.float32)
     unknown[:, :, ::3] = 0.0
-    padded = np.pad(charge_e.reshape(rows, cols), 1)
+    padded = np.pad(light_e.reshape(rows, cols), 1)
     sides = padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]
     received = sum(part * side.reshape(-1) for part, side in zip(unknown, sides, strict=True))
     for b in range(buckets):
-        wanted[b, b] += 0.1**2 * np.asarray(received)[b]
-    weights, rate_weights = rng.uniform(0.5, 2.0, (buckets, pixels)), rng.random((3, pixels))
-    by_rate, fixed_e = rng.random((buckets, 3, pixels)), rng.random((buckets, pixels))
+        wanted[b, b] += np.asarray(received)[b]
+    weights = rng.uniform(0.5, 2.0, (buckets, pixels)).astype(np.float32)
+    rate_weights, by_rate = rng.random((3, pixels), np.float32), rng.random((buckets, 3, pixels))
+    fixed_e = rng.random((buckets, pixels), np.float32)
     mean_e, count_means = np.empty((buckets, pixels)), np.empty((buckets, pixels))
     own_weights = np.empty((buckets, buckets, pixels), np.float32)
     complete_moments(
@@ -177,19 +178,19 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
             rates=3,
             light_pairs=pairs,
             dark_pairs=pairs,
-            exchanged=0.1,
+            exchanges=1,
             overlaps=1,
         ),
         sums=np.concatenate([light_e2, by_rate.reshape(-1, pixels)]),
         rate_weights=rate_weights,
         fixed_e=fixed_e,
         dark_e2=dark_e2,
-        sum_e=(charge_e - dark_e).reshape(rows, cols) / 2.0,
-        factor=np.full(pixels, 2.0),
-        dark_e=dark_e,
+        sum_e=light_e.reshape(rows, cols) / 2.0,
+        factor=np.full(pixels, 2.0, np.float32),
         unknown=unknown,
         electron_weights=weights,
         covariance_e2=np.empty(pairs * cols),
+        light_e=np.empty(3 * cols),
         mean_e=mean_e,
         count_means=count_means,
         own_weights=own_weights,
