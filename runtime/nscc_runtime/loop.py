@@ -51,8 +51,8 @@ from nscc_runtime.loop_given import (
     WRITTEN,
     ArrayGroup,
     LoopParameter,
+    checks_of,
     parameter_of,
-    quick_addresses,
 )
 
 _P = ParamSpec("_P")
@@ -140,13 +140,7 @@ class Loop(Generic[_P]):
             raise TypeError(f"{self.name}: {_unlike(self.parameters, values)}")
         if machine_code.IN_WEB:
             values.update({n: p.widened(values[n]) for n, p in self.parameters.items()})
-        addresses = self.quick_addresses(values)
-        if addresses is None:
-            # Arrays that share names of axes are checked against each other by way of `axes`.
-            axes: dict[str, int] = {}
-            given = self.parameters.items()
-            addresses = [a for n, p in given for a in p.addresses(values[n], axes)]
-        self.entry(*addresses)
+        self.entry(*self.checks(values))
 
     def is_compiled(self) -> bool:
         """Return whether the machine code exists; otherwise the first use takes some seconds."""
@@ -188,9 +182,9 @@ class Loop(Generic[_P]):
         return {parameter.name: parameter.sized(axes) for parameter in parameters}
 
     @cached_property
-    def quick_addresses(self) -> Callable[[Mapping[str, Any]], list[int] | None]:
-        """The function that checks arguments, see `nscc_runtime.loop_given.quick_addresses`."""
-        return quick_addresses(self.parameters)
+    def checks(self) -> Callable[[Mapping[str, Any]], list[int]]:
+        """The function that checks arguments and returns their addresses (`checks_of`)."""
+        return checks_of(self.parameters)
 
     @cached_property
     def entry(self) -> Callable[..., None]:

@@ -64,48 +64,13 @@ class LoopParameter:
         axes of all arrays of the loop, contains."""
         return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
 
-    def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
-        """Return the address of the argument `value`, as the only member of a tuple.
-
-        `axes`: the lengths of axes known so far, by name; those of this argument are added. Raises
-        TypeError for another type, an array that is not contiguous or may not be written but is to
-        be, and for other numbers or lengths of axes."""
-        if self.record is not None:
-            if type(value) is not self.record:
-                raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
-            for name in self.lengths:
-                length = getattr(value, name)
-                if axes.setdefault(name, length) != length:
-                    raise self._unequal(name, length, axes)
-            return (ctypes.addressof(value),)
-        if not isinstance(value, np.ndarray) or value.dtype != self.kind:
-            raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
-        flags = value.flags
-        if not (flags.c_contiguous and flags.aligned):
-            raise TypeError(f"{self.name} does not lie in one piece, row after row")
-        if self.written and not flags.writeable:
-            raise TypeError(f"{self.name} is to be written, and is read-only")
-        if self.axes is not None:
-            shape = value.shape
-            if len(shape) != len(self.axes):
-                raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
-            for length, (axis, extra) in zip(shape, self.axes):  # noqa: B905  # as long: checked
-                if axes.setdefault(axis, length - extra) != length - extra:
-                    raise self._unequal(axis, length - extra, axes)
-        return (ctypes.c_void_p.from_address(id(value) + _DATA).value or 0,)
-
     def widened(self, value: Any) -> Any:
         """Return the argument `value`; an array of numpy's indices as int64 if the parameter is of
         this type, because they have 32 bits in WebAssembly. An array that the loop modifies is not
-        copied, so `addresses` refuses it."""
+        copied, so `checks_of` refuses it."""
         is_index = isinstance(value, np.ndarray) and value.dtype == np.intp
         wide = is_index and self.kind == np.int64 and not self.written
         return value.astype(np.int64, copy=False) if wide else value
-
-    def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
-        """Return the error, for the caller to raise, for an argument whose `axis` has the `length`,
-        but another one, axes[axis], in an earlier argument."""
-        return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
 
 
 @dataclass(frozen=True)
@@ -127,19 +92,6 @@ class ArrayGroup:
         arrays = zip(self.arrays, value, strict=True)
         return self.kind(*(parameter.widened(array) for parameter, array in arrays))
 
-    def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
-        """Return the addresses of all arrays of the NamedTuple `value`, in order.
-
-        `axes`: the lengths of axes known so far, by name; those of these arrays are added. Raises
-        TypeError for an object of another class, or an array that does not match."""
-        if type(value) is not self.kind:
-            raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
-        return [
-            address
-            for parameter, array in zip(self.arrays, value, strict=True)
-            for address in parameter.addresses(array, axes)
-        ]
-
 
 def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
     """Return the parameter `name` that the annotation `hint` declares: an array or a record, or a
@@ -152,55 +104,85 @@ def parameter_of(name: str, hint: Any) -> LoopParameter | ArrayGroup:
     )
 
 
-def quick_addresses(
+def checks_of(
     parameters: Mapping[str, LoopParameter | ArrayGroup],
-) -> Callable[[Mapping[str, Any]], list[int] | None]:
-    """Return a function of the arguments by name that returns the addresses of all `parameters`, as
-    their `addresses` do, or None if an argument has to be looked at more closely.
+) -> Callable[[Mapping[str, Any]], list[int]]:
+    """Return a function that checks the arguments of `parameters`, both by name, and returns the
+    addresses of all arrays and records in order.
 
-    A loop has up to 50 arrays, so the checks are one function made for it, without calls."""
+    It raises TypeError for another type, an array that is not contiguous or may not be written but
+    is to be, and for other numbers or lengths of axes. A loop has up to 50 arrays, so the checks
+    are one function without calls, made for the loop."""
     lines, addresses, known = ["def addresses(values):"], list[str](), set[str]()
-    names: dict[str, Any] = {"Array": np.ndarray, "at": ctypes.c_void_p.from_address}
-    names["of"] = ctypes.addressof
+    names: dict[str, Any] = {
+        "Array": np.ndarray,
+        "at": ctypes.c_void_p.from_address,
+        "of": ctypes.addressof,
+        "kind": _kind,
+    }
 
-    def check(wrong: str) -> None:
-        lines.append(f"    if {wrong}: return None")
+    def refuse(wrong: str, message: str) -> None:
+        """Add a check that raises a TypeError with `message`, the inside of an f-string, if the
+        condition `wrong` is true."""
+        lines.append(f'    if {wrong}: raise TypeError(f"{message}")')
 
-    def axis(name: str, length: str) -> None:
-        if name in known:
-            check(f"x{name} != {length}")
-        known.add(name)
-        lines.append(f"    x{name} = {length}")
+    def have_length(name: str, axis: str, length: str) -> None:
+        """Add a check that the expression `length` equals other lengths of `axis`."""
+        lines.append(f"    length = {length}")
+        if axis in known:
+            unequal = f"{name} has {{length}} {axis}, others have {{x{axis}}}"
+            refuse(f"x{axis} != length", unequal)
+        else:
+            known.add(axis)
+            lines.append(f"    x{axis} = length")
+
+    def have_type(name: str, value: str, kind: type) -> None:
+        """Add a check that the variable `value` is exactly of the type `kind`."""
+        names[f"T{value}"] = kind
+        refuse(
+            f"type({value}) is not T{value}", f"{name} is {{kind({value})}}, not {kind.__name__}"
+        )
+
+    def lie_in_memory(array: LoopParameter, value: str) -> None:
+        """Add the checks of the variable `value` as an array, and its address."""
+        name, names[f"K{value}"] = array.name, array.kind
+        # Equal types are usually one object.
+        other = f"{value}.dtype is not K{value} and {value}.dtype != K{value}"
+        unlike = f"{name} is {{kind({value})}}, not an array of {{K{value}}}"
+        refuse(f"not isinstance({value}, Array) or ({other})", unlike)
+        lines.append(f"    flags = {value}.flags.num")
+        refuse(
+            f"flags & {_IN_ROWS} != {_IN_ROWS}", f"{name} does not lie in one piece, row after row"
+        )
+        if array.written:
+            refuse(f"not flags & {_WRITEABLE}", f"{name} is to be written, and is read-only")
+        if array.axes is not None:
+            axes = len(array.axes)
+            refuse(f"{value}.ndim != {axes}", f"{name} has {{{value}.ndim}} axes, not {axes}")
+        for index, (axis, extra) in enumerate(array.axes or ()):
+            have_length(name, axis, f"{value}.shape[{index}] - {extra}")
+        addresses.append(f"at(id({value}) + {_DATA}).value or 0")
 
     for number, (name, parameter) in enumerate(parameters.items()):
         value = f"v{number}"
-        arrays = [f"{value}_{k}" for k in range(len(parameter.arrays))]
         lines.append(f"    {value} = values[{name!r}]")
-        group = parameter.kind if isinstance(parameter, ArrayGroup) else parameter.record
-        names[f"T{number}"] = group or np.ndarray
-        check(f"type({value}) is not T{number}")
-        if isinstance(parameter, LoopParameter) and parameter.record is not None:
-            for length in parameter.lengths:
-                axis(length, f"{value}.{length}")
+        if isinstance(parameter, ArrayGroup):
+            have_type(name, value, parameter.kind)
+            arrays = [f"{value}_{index}" for index in range(len(parameter.arrays))]
+            lines.append(f"    {', '.join(arrays)}, = {value}")
+            for array, variable in zip(parameter.arrays, arrays, strict=True):
+                lie_in_memory(array, variable)
+        elif parameter.record is None:
+            lie_in_memory(parameter, value)
+        else:
+            have_type(name, value, parameter.record)
+            for axis in parameter.lengths:
+                have_length(name, axis, f"{value}.{axis}")
             addresses.append(f"of({value})")
-            continue
-        lines.append(f"    {', '.join(arrays)}, = {value if group else value + ','}")
-        for array, of_array in zip(arrays, parameter.arrays, strict=True):
-            names[f"K{array}"] = of_array.kind
-            flags = _IN_ROWS | _WRITEABLE if of_array.written else _IN_ROWS
-            check(f"type({array}) is not Array")
-            # Equal types are usually one object.
-            check(f"{array}.dtype is not K{array} and {array}.dtype != K{array}")
-            check(f"{array}.flags.num & {flags} != {flags}")
-            if of_array.axes is not None:
-                check(f"{array}.ndim != {len(of_array.axes)}")
-            for index, (axis_name, extra) in enumerate(of_array.axes or ()):
-                axis(axis_name, f"{array}.shape[{index}] - {extra}")
-            addresses.append(f"at(id({array}) + {_DATA}).value or 0")
     lines.append(f"    return [{', '.join(addresses)}]")
-    exec("\n".join(lines), names)  # the text is made here
-    made: Callable[[Mapping[str, Any]], list[int] | None] = names["addresses"]
-    return made
+    exec("\n".join(lines), names)
+    checks: Callable[[Mapping[str, Any]], list[int]] = names["addresses"]
+    return checks
 
 
 def _axis(text: str) -> tuple[str, int]:

@@ -63,10 +63,9 @@ class WebLoops:
 
     def call(self, loop: Loop[Any], **values: Any) -> None:
         """As `Loop.__call__`, checks included."""
-        axes: dict[str, int] = {}
         arguments = []
+        loop.checks(values)
         for name, parameter in loop.parameters.items():
-            parameter.addresses(values[name], axes)
             value = values[name]
             arguments += zip(
                 parameter.arrays,
