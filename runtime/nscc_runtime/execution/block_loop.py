@@ -1,7 +1,7 @@
 """The compiled loop that runs pixels through their words, in blocks.
 
 It computes the same as `nscc_runtime.reference`, event by event instead of slot by slot: the charge
-of a stretch of slots between two words is one number. All pixels of a block that are in one segment
+of a stretch of slots between two words is one number. Neighbours in a block that are in one segment
 run each of its words together. The answer of the comparison at its end selects the next segment; a
 code of fixed shutters is one segment. `nscc_runtime.execution.block_scene` prepares the
 arguments."""
@@ -15,7 +15,6 @@ import numpy as np
 from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc_runtime.execution.block_draws import drawn_normals
 from nscc_runtime.execution.layout import (
-    ROW,
     WORD_BLOCK,
     FixedPatterns,
     LoopProgram,
@@ -62,14 +61,13 @@ class Charge(NamedTuple):
 class BlockScratch(NamedTuple):
     """Working memory of a block.
 
-    `head`: the first pixel that waits before each segment (a part of a path between two
-    comparisons), -1 if none. `behind`: the next waiting pixel after each of the `WORD_BLOCK`
-    pixels, which are numbered from the first of the block; -1 if none. `keys`: for each word, the
-    random key of its read or reset, then those of its comparison or destinations (1 + `numbered`
-    keys)."""
+    `waiting`: the number of pixels that wait before each segment (a part of a path between two
+    comparisons). `segment`: the segment before which each of the `WORD_BLOCK` pixels waits, -1 if
+    it has reached an ending. `keys`: for each word, the random key of its read or reset, then those
+    of its comparison or destinations (1 + `numbered` keys)."""
 
-    head: Written[Annotated[Ints, "segments"]]
-    behind: Written[Ints]
+    waiting: Written[Annotated[Ints, "segments"]]
+    segment: Written[Ints]
     keys: Written[Words]
 
 
@@ -95,24 +93,25 @@ def _draw(
     numbers: Numbers,
     word: LoopWord,
     w: int,
+    places: Ints,
+    first: int,
     count: int,
     state: PixelState,
     block: BlockScratch,
 ) -> None:
-    """Draw standard normal numbers for word number `w` in the first `count` pixels at the places
-    state.place.
+    """Draw standard normal numbers for word number `w` in `count` pixels from number `first` on.
 
     state.normals gets them in rows of `WORD_BLOCK` numbers: row 0 for its read or reset, row 1 for
     its comparison, or row 1 + d for its destination d. Rows of effects that are off keep their old
-    numbers. The numbers depend on `block.keys` and the places only."""
-    places, normals, at = state.place, state.normals, w * (1 + sizes.numbered)
+    numbers. The numbers depend on `block.keys` and `places` only."""
+    normals, at = state.normals, w * (1 + sizes.numbered)
     if (word.resets and switches.reset_errors) or (word.reads_pix and switches.read_errors):
-        drawn_normals(block.keys[at], places, 0, count, normals, 0)
+        drawn_normals(block.keys[at], places, first, count, normals, 0)
     if word.compares and switches.compares_noisy:
-        drawn_normals(block.keys[at + 1], places, 0, count, normals, WORD_BLOCK)
+        drawn_normals(block.keys[at + 1], places, first, count, normals, WORD_BLOCK)
     is_noisy = switches.word_errors and (word.adds or numbers.move_error)
     for d in range(word.destinations if is_noisy else 0):
-        drawn_normals(block.keys[at + 1 + d], places, 0, count, normals, (1 + d) * WORD_BLOCK)
+        drawn_normals(block.keys[at + 1 + d], places, first, count, normals, (1 + d) * WORD_BLOCK)
 
 
 @compiled
@@ -128,23 +127,21 @@ def _fall(
     state: PixelState,
     base: int,
 ) -> None:
-    """Add to PIX (the photodiode) the charge that the pixels state.running[:count] collect until
-    `word` ends.
+    """Add to PIX (the photodiode) the charge that `count` pixels from number `first` on collect
+    until `word` ends.
 
     `word` runs at the start of stretch number `stretch`; the charge of all stretches from the one
-    that a pixel has reached up to this falls, and with slow words a part of this one. Pixels count
-    from `first`, the first of the block. Note in `state.reached` and `state.fallen_fraction` how
+    that a pixel has reached up to this falls, and with slow words a part of this one. Note in `state.reached` and `state.fallen_fraction` how
     far each pixel is. A stretch is the slots between two reads or resets of PIX, the photodiode."""
-    running, total, pixels = state.running, state.total, sizes.charged
+    total, pixels = state.total, sizes.charged
     fallen, reached, least = state.fallen_fraction, state.reached, stretch
     for j in range(count):
         least = min(least, reached[base + j])
     for k in range(least, stretch):
         for j in range(count):
-            total[j] = charge.electrons[k * pixels + first + running[j]]
-        for j in range(count):
             falls_now = reached[base + j] <= k
-            total[j] = total[j] * (1.0 - fallen[base + j]) if falls_now else 0.0
+            charge_e = charge.electrons[k * pixels + first + j] * (1.0 - fallen[base + j])
+            total[j] = charge_e if falls_now else 0.0
             fallen[base + j] = 0.0 if falls_now else fallen[base + j]
         fill(switches, numbers, count, state, base)
     for j in range(count):
@@ -153,31 +150,11 @@ def _fall(
         # After the last slot the light goes on as in that slot.
         k = stretch - 1 if word.last else stretch
         for j in range(count):
-            at = first + running[j]
+            at = first + j
             now = word.end_us * charge.pace[stretch * pixels + at]
             total[j] = charge.electrons[k * pixels + at] * (now - fallen[base + j])
             fallen[base + j] = now
         fill(switches, numbers, count, state, base)
-
-
-@compiled
-def _copy(switches: Switches, count: int, state: PixelState, to_spare: int) -> None:
-    """Copy the state of the pixels state.running[:count] to the second half of each row, or with
-    `to_spare` 0 what words change of it back."""
-    for row in range(switches.registers + 1):
-        for j in range(count):
-            own, spare = row * ROW + state.running[j], row * ROW + WORD_BLOCK + j
-            to, source = (spare, own) if to_spare else (own, spare)
-            state.value[to], state.since_s[to] = state.value[source], state.since_s[source]
-            state.lost_e[to], state.full[to] = state.lost_e[source], state.full[source]
-    for j in range(count):
-        own, spare = state.running[j], WORD_BLOCK + j
-        to, source = (spare, own) if to_spare else (own, spare)
-        state.level[to], state.reached[to] = state.level[source], state.reached[source]
-        state.fallen_fraction[to] = state.fallen_fraction[source]
-        if to_spare:
-            state.pattern[to], state.leak[to] = state.pattern[source], state.leak[source]
-            state.offset[to] = state.offset[source]
 
 
 @inlined
@@ -185,10 +162,10 @@ def _hand_on(segment: int, at: int, i: int, block: BlockScratch, ends: Ints32) -
     """Queue pixel i of a block for `segment`, and return 1. If `segment` is -1 - e, the pixel has
     reached ending e: store e in ends[at], and return 0. `at` is the pixel's index in the result."""
     if segment < 0:
-        ends[at] = -1 - segment
+        block.segment[i], ends[at] = -1, -1 - segment
         return 0
-    block.behind[i] = block.head[segment]
-    block.head[segment] = i
+    block.segment[i] = segment
+    block.waiting[segment] += 1
     return 1
 
 
@@ -199,6 +176,8 @@ def _along(
     numbers: Numbers,
     segment: int,
     first: int,
+    base: int,
+    count: int,
     places: Ints,
     chosen: Ints,
     program: LoopProgram,
@@ -208,25 +187,12 @@ def _along(
     state: PixelState,
     ends: Ints32,
 ) -> int:
-    """Run the words of `segment` in all pixels of a block that wait for it, queue each for its next
-    segment, and return the number of pixels that have reached an ending.
+    """Run the words of `segment` in `count` pixels from number `base` of a block on, queue each for
+    its next segment, and return the number of pixels that have reached an ending.
 
-    `first`: the first pixel of the block. `places`: places of the charged pixels on the chip.
-    `chosen`: their indices in the result, where `ends` gets their endings. `block` and `state` are
-    updated. A segment is the part of a path between two comparisons."""
-    count, i, running = 0, block.head[segment], state.running
-    block.head[segment] = -1
-    # The pixels that wait form a linked list, ascending unless they come from several segments.
-    together = True
-    while i >= 0:
-        running[count] = i
-        state.place[count] = places[first + i]
-        together = together and i == running[0] + count
-        count += 1
-        i = block.behind[i]
-    base = running[0] if together else WORD_BLOCK
-    if not together:
-        _copy(switches, count, state, 1)
+    `first`: number of the first of these pixels among the charged pixels. `places`: places of those
+    on the chip. `chosen`: their indices in the result, where `ends` gets their endings. `block` and
+    `state` are updated. A segment is the part of a path between two comparisons."""
     asks = False
     for e in range(segments.start[segment], segments.start[segment + 1]):
         w = segments.word[e]
@@ -234,7 +200,7 @@ def _along(
         if word.resets or word.reads_pix:
             stretch = segments.stretch[e]
             _fall(switches, sizes, numbers, word, stretch, first, count, charge, state, base)
-        _draw(switches, sizes, numbers, word, w, count, state, block)
+        _draw(switches, sizes, numbers, word, w, places, first, count, state, block)
         if word.resets:
             reset(switches, numbers, word, count, state, base)
             continue
@@ -244,15 +210,13 @@ def _along(
             compare(switches, numbers, count, state, base, WORD_BLOCK)
             continue
         write(switches, numbers, word, count, program, state, base, WORD_BLOCK)
-    if not together:
-        _copy(switches, count, state, 0)
     ended = count
-    # Without a comparison, all pixels go on as if the answer were 0. The last comes first, so that
-    # the lists of waiting pixels ascend.
-    for j in range(count - 1, -1, -1):
+    # Without a comparison, all pixels go on as if the answer were 0.
+    for j in range(count):
         answer = 1 if asks and state.total[j] > 0.0 else 0
-        at = chosen[first + running[j]]
-        ended -= _hand_on(segments.following[2 * segment + answer], at, running[j], block, ends)
+        following = segments.following[2 * segment + answer]
+        ended -= _hand_on(following, chosen[first + j], base + j, block, ends)
+    block.waiting[segment] -= count
     return ended
 
 
@@ -294,19 +258,29 @@ def run_blocks(
             state.leak[i] = patterns.leak_per_s[first + i]
             state.offset[i] = patterns.offset_e[first + i]
         waiting, segment = 0, sizes.segments
-        for i in range(count - 1, -1, -1):
+        for i in range(count):
             waiting += _hand_on(begins[first + i], chosen[first + i], i, block, ends)
             if 0 <= begins[first + i] < segment:
                 segment = begins[first + i]
         # Answers lead only to later segments, so one pass in ascending order meets all of them.
         while waiting > 0:
-            if block.head[segment] >= 0:
+            base, end = 0, 0
+            while block.waiting[segment] > 0:
+                # The next neighbours that wait for this segment.
+                base = end
+                while block.segment[base] != segment:
+                    base += 1
+                end = base
+                while end < count and block.segment[end] == segment:
+                    end += 1
                 waiting -= _along(
                     switches,
                     sizes,
                     numbers,
                     segment,
-                    first,
+                    first + base,
+                    base,
+                    end - base,
                     places,
                     chosen,
                     program,

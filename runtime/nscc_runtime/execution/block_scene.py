@@ -491,8 +491,8 @@ def _run_words(
                 frame=frame,
             ),
             block=BlockScratch(
-                head=np.full(segments, -1, np.int64),
-                behind=np.empty(WORD_BLOCK, np.int64),
+                waiting=np.zeros(segments, np.int64),
+                segment=np.empty(WORD_BLOCK, np.int64),
                 keys=np.empty(words * (1 + program.numbered), np.uint64),
             ),
             state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),

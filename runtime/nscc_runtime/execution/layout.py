@@ -11,9 +11,6 @@ from nscc_runtime.loop import Written, record
 
 WORD_BLOCK = 256
 """Number of pixels that run through their words together."""
-ROW = 2 * WORD_BLOCK
-"""Numbers of a row of `PixelState`: those of all pixels of a block, then those of pixels that run
-together without being neighbours, copied there so that loops over them can be vectorised."""
 
 
 @record
@@ -156,8 +153,9 @@ class FixedPatterns(NamedTuple):
 
 
 class PixelState(NamedTuple):
-    """The state of the pixels of a block while words run, in rows of `ROW` numbers. The pixels that
-    run a word are neighbours in each row, from the index `base` on.
+    """The state of the pixels of a block while words run, in rows of `WORD_BLOCK` numbers. The
+    pixels that run a word are neighbours in each row, from the index `base` on, so that loops over
+    them can be vectorised.
 
     `pattern`, `leak`, `offset`: see `FixedPatterns`. `level`: the reset level of PIX (the
     photodiode). `reached`: the stretch (slots between two reads or resets of PIX) that each pixel
@@ -167,9 +165,9 @@ class PixelState(NamedTuple):
     writing. `lost_e`: electrons lost by saturation. `full`: PIX flags
     (`nscc_runtime.execution.word_loop`).
 
-    `running`: the pixels that run a word, and `place` their places on the chip. `total`: the sum of
-    its sources in each of them, with the electrons lost by saturation (`total_lost_e`) and the PIX
-    flags (`total_full`). `normals`: the normal numbers of a word, by draw."""
+    `total`: the sum of a word's sources in each pixel that runs it, with the electrons lost by
+    saturation (`total_lost_e`) and the PIX flags (`total_full`). `normals`: the normal numbers of a
+    word, by draw."""
 
     pattern: Written[Floats]
     leak: Written[Floats]
@@ -181,8 +179,6 @@ class PixelState(NamedTuple):
     since_s: Written[Floats]
     lost_e: Written[Floats]
     full: Written[Ints]
-    running: Written[Ints]
-    place: Written[Ints]
     total: Written[Floats]
     total_lost_e: Written[Floats]
     total_full: Written[Ints]
@@ -193,28 +189,26 @@ class PixelState(NamedTuple):
         """Allocate the arrays for a block of pixels; the contents are arbitrary. `registers`:
         number of analog registers. `draws`: largest number of draws of a word."""
 
-        def floats(count: int = ROW) -> Floats:
-            return np.empty(count)
+        def floats(rows: int = 1) -> Floats:
+            return np.empty(rows * WORD_BLOCK)
 
-        def ints(count: int = WORD_BLOCK) -> Ints:
-            return np.empty(count, np.int64)
+        def ints(rows: int = 1) -> Ints:
+            return np.empty(rows * WORD_BLOCK, np.int64)
 
-        rows = (registers + 1) * ROW  # PIX follows the registers
+        rows = registers + 1  # PIX follows the registers
         return cls(
             pattern=floats(),
             leak=floats(),
             offset=floats(),
             level=floats(),
-            reached=ints(ROW),
+            reached=ints(),
             fallen_fraction=floats(),
             value=floats(rows),
             since_s=floats(rows),
             lost_e=floats(rows),
             full=ints(rows),
-            running=ints(),
-            place=ints(),
-            total=floats(WORD_BLOCK),
-            total_lost_e=floats(WORD_BLOCK),
+            total=floats(),
+            total_lost_e=floats(),
             total_full=ints(),
-            normals=floats(draws * WORD_BLOCK),
+            normals=floats(draws),
         )

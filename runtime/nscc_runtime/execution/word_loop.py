@@ -2,7 +2,7 @@
 
 `nscc_runtime.execution.block_loop` adds charge to PIX and draws the normal numbers of a word before
 it calls these functions. `count` pixels run the word; register r of the first of them is at index
-r * `ROW` + `base`, and the others follow. Loops are short, because LLVM vectorises only loops over
+r * `WORD_BLOCK` + `base`, and the others follow. Loops are short, because LLVM vectorises only loops over
 few arrays."""
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from nscc.arrays import Bytes, Floats, Ints
 from nscc_runtime.effects.spread import soft_in_loop
 from nscc_runtime.execution.block_draws import exp_minus
 from nscc_runtime.execution.layout import (
-    ROW,
     WORD_BLOCK,
     LoopProgram,
     LoopWord,
@@ -39,7 +38,7 @@ def begin(switches: Switches, state: PixelState, count: int) -> None:
     for register in range(switches.registers + 1):
         # PIX was reset before the frame: words at time 0 must not see a fresh reset.
         since_s = -1.0 if register == switches.registers else 0.0
-        for at in range(register * ROW, register * ROW + count):
+        for at in range(register * WORD_BLOCK, register * WORD_BLOCK + count):
             state.value[at], state.since_s[at] = 0.0, since_s
             state.lost_e[at], state.full[at] = 0.0, 0
     for i in range(count):
@@ -50,14 +49,13 @@ def begin(switches: Switches, state: PixelState, count: int) -> None:
 def fill(switches: Switches, numbers: Numbers, count: int, state: PixelState, base: int) -> None:
     """Add state.total, in electrons, to PIX (the photodiode) of the pixels; NaN makes it NaN. If
     the effect of the full well is on, PIX stops at the full well and is marked as full."""
-    pix = switches.registers * ROW + base
+    pix = switches.registers * WORD_BLOCK + base
     for j in range(count):
         state.value[pix + j] += state.total[j]
-    if switches.well_clips:
-        for j in range(count):
-            is_full = state.value[pix + j] > numbers.well
-            state.full[pix + j] = ADDED if is_full else state.full[pix + j]
-            state.value[pix + j] = numbers.well if is_full else state.value[pix + j]
+    for j in range(count if switches.well_clips else 0):
+        is_full = state.value[pix + j] > numbers.well
+        state.full[pix + j] = ADDED if is_full else state.full[pix + j]
+        state.value[pix + j] = numbers.well if is_full else state.value[pix + j]
 
 
 @inlined
@@ -67,36 +65,12 @@ def reset(
     """Run the reset word `word` in the pixels: empty PIX, clear its marks, note the time, and set
     the reset level to its error, that of pixel number j from state.normals[j], or to 0 without
     reset errors. PIX is the photodiode."""
-    pix = switches.registers * ROW + base
+    pix = switches.registers * WORD_BLOCK + base
     for j in range(count):
         state.value[pix + j], state.full[pix + j] = 0.0, 0
         state.since_s[pix + j], state.level[base + j] = word.time_s, 0.0
-    if switches.reset_errors:
-        for j in range(count):
-            state.level[base + j] = numbers.reset_error * state.normals[j]
-
-
-@inlined
-def _add_pix(
-    switches: Switches, numbers: Numbers, word: LoopWord, count: int, state: PixelState, base: int
-) -> None:
-    """Add PIX (the photodiode) with its reset level and an error of the read, made from
-    state.normals[j], to the sum of a word.
-
-    Directly after a reset at the same boundary, PIX reads without its charge, unless light is let
-    into the level."""
-    total, pix = state.total, switches.registers * ROW + base
-    for j in range(count):
-        is_read = switches.lit_level or state.since_s[pix + j] != word.time_s
-        total[j] += (state.value[pix + j] if is_read else 0.0) + state.level[base + j]
-    if switches.read_errors:
-        for j in range(count):
-            total[j] += numbers.read_error * state.normals[j]
-    if switches.well_clips:
-        for j in range(count):
-            full = state.full[pix + j]
-            of_level = full | LEVEL if switches.lit_level and full else 0
-            state.total_full[j] |= of_level if state.since_s[pix + j] == word.time_s else full
+    for j in range(count if switches.reset_errors else 0):
+        state.level[base + j] = numbers.reset_error * state.normals[j]
 
 
 @inlined
@@ -110,15 +84,27 @@ def add(
     base: int,
 ) -> None:
     """Set state.total, total_lost_e and total_full to the sum of a word's sources, of their lost
-    electrons, and to the OR of their marks, for the pixels. Registers leak until the word."""
+    electrons, and to the OR of their marks, for the pixels. Registers leak until the word.
+
+    A read of PIX (the photodiode) adds its reset level and an error made from state.normals[j].
+    Directly after a reset at the same boundary, PIX reads without its charge, unless light is let
+    into the level."""
     total = state.total
     for j in range(count):
         total[j], state.total_lost_e[j], state.total_full[j] = 0.0, 0.0, 0
     for s in range(word.sources):
         source = program.operands[word.operands + s]
-        at = source * ROW + base
+        at = source * WORD_BLOCK + base
         if source == switches.registers:
-            _add_pix(switches, numbers, word, count, state, base)
+            for j in range(count):
+                is_read = switches.lit_level or state.since_s[at + j] != word.time_s
+                total[j] += (state.value[at + j] if is_read else 0.0) + state.level[base + j]
+            for j in range(count if switches.read_errors else 0):
+                total[j] += numbers.read_error * state.normals[j]
+            for j in range(count if switches.well_clips else 0):
+                full = state.full[at + j]
+                of_level = full | LEVEL if switches.lit_level and full else 0
+                state.total_full[j] |= of_level if state.since_s[at + j] == word.time_s else full
         elif source > switches.registers:
             for j in range(count):
                 total[j] += word.in_e
@@ -130,12 +116,10 @@ def add(
             else:
                 for j in range(count):
                     total[j] += state.value[at + j]
-            if switches.well_clips:
-                for j in range(count):
-                    state.total_full[j] |= state.full[at + j]
-            if switches.registers_bend:
-                for j in range(count):
-                    state.total_lost_e[j] += state.lost_e[at + j]
+            for j in range(count if switches.well_clips else 0):
+                state.total_full[j] |= state.full[at + j]
+            for j in range(count if switches.registers_bend else 0):
+                state.total_lost_e[j] += state.lost_e[at + j]
 
 
 @inlined
@@ -145,26 +129,10 @@ def compare(
     """Add the comparator's offset and noise to state.total[:count], as far as these effects are on;
     the noise of pixel number j is made from state.normals[normals + j]. The caller compares with
     0."""
-    if switches.compares_off:
-        for j in range(count):
-            state.total[j] += state.offset[base + j]
-    if switches.compares_noisy:
-        for j in range(count):
-            state.total[j] += numbers.compare_noise * state.normals[normals + j]
-
-
-@inlined
-def _bend(numbers: Numbers, count: int, state: PixelState, at: int) -> None:
-    """Bend the contents of the pixels' register at index `at` of state.value into its range, and
-    add what it loses to state.lost_e."""
-    low, high, beyond = numbers.knee * numbers.lowest, numbers.knee * numbers.highest, 0
-    for j in range(count):
-        beyond += state.value[at + j] < low or state.value[at + j] > high
-    for j in range(count if beyond else 0):
-        value = state.value[at + j]
-        bent = soft_in_loop(value, numbers.lowest, numbers.highest, numbers.knee)
-        state.lost_e[at + j] += abs(value - bent)
-        state.value[at + j] = bent
+    for j in range(count if switches.compares_off else 0):
+        state.total[j] += state.offset[base + j]
+    for j in range(count if switches.compares_noisy else 0):
+        state.total[j] += numbers.compare_noise * state.normals[normals + j]
 
 
 @inlined
@@ -197,7 +165,11 @@ def write(
         sigma = numbers.word_error if word.adds else numbers.move_error
     for d in range(word.destinations):
         register = program.operands[word.operands + word.sources + d]
-        at, drawn, sign = register * ROW + base, normals + d * WORD_BLOCK, program.signs[register]
+        at, drawn, sign = (
+            register * WORD_BLOCK + base,
+            normals + d * WORD_BLOCK,
+            program.signs[register],
+        )
         for j in range(count):
             error = sign * (fixed * state.pattern[base + j])
             state.value[at + j] = gain * (state.total[j] / -word.divisor) + error
@@ -207,8 +179,14 @@ def write(
             state.since_s[at + j] = word.time_s
             state.lost_e[at + j] = state.total_lost_e[j] / word.divisor
             state.full[at + j] = state.total_full[j]
-        if switches.registers_bend:
-            _bend(numbers, count, state, at)
+        low, high, beyond = numbers.knee * numbers.lowest, numbers.knee * numbers.highest, 0
+        for j in range(count if switches.registers_bend else 0):
+            beyond += state.value[at + j] < low or state.value[at + j] > high
+        for j in range(count if beyond else 0):
+            value = state.value[at + j]
+            bent = soft_in_loop(value, numbers.lowest, numbers.highest, numbers.knee)
+            state.lost_e[at + j] += abs(value - bent)
+            state.value[at + j] = bent
 
 
 @inlined
@@ -229,16 +207,15 @@ def read_out(
     `pixels` pixels there. Registers leak until their readout."""
     total, marks = state.total, state.total_full
     for bucket in range(switches.buckets):
-        gain, at = readouts.gain[bucket], readouts.register[bucket] * ROW
+        gain, at = readouts.gain[bucket], readouts.register[bucket] * WORD_BLOCK
         added_bit = switches.subtracted_bit if gain < 0.0 else switches.well_bit
         subtracted_bit = switches.well_bit if gain < 0.0 else switches.subtracted_bit
         when_s = numbers.frame_s + readouts.wait_s[bucket]
         for i in range(count):
             total[i] = state.value[at + i] * gain
-        if switches.leaks:
-            for i in range(count):
-                decay = state.leak[i] * (when_s - state.since_s[at + i])
-                total[i] *= exp_minus(min(decay, _MOST_DECAY))
+        for i in range(count if switches.leaks else 0):
+            decay = state.leak[i] * (when_s - state.since_s[at + i])
+            total[i] *= exp_minus(min(decay, _MOST_DECAY))
         for i in range(count):
             full = state.full[at + i]
             mark = switches.registers_bit if state.lost_e[at + i] > numbers.least_lost else 0
