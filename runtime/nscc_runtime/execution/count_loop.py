@@ -9,7 +9,7 @@ import numpy as np
 
 from nscc.arrays import Floats, Ints
 from nscc_runtime.execution.block_draws import DRAW_BLOCK, ROOM, counted
-from nscc_runtime.loop import Words, Written, compiled, loop, record
+from nscc_runtime.loop import Words, Written, loop, record
 from nscc_runtime.noise import RATE_CAP, keys
 from nscc_runtime.pool import in_parts
 
@@ -25,33 +25,6 @@ class Counting:
     pixels: int
     groups: int
     accumulates: int
-
-
-@compiled
-def add_deviations(
-    stream: np.uint64,
-    places: Ints,
-    first: int,
-    stop: int,
-    rates: Floats,
-    at: int,
-    values: Floats,
-    scratch: Floats,
-    pending_rates: Floats,
-    pending_pixels: Ints,
-    away: Floats,
-    out: int,
-) -> None:
-    """Draw Poisson counts of the means rates[at + i] with the random key `stream` at the places
-    places[first + i], for i from 0 to stop - first - 1, and add the counts minus the means to
-    away[out + i]. At most `DRAW_BLOCK` pixels; the other arrays are working memory."""
-    for i in range(stop - first):
-        values[i] = rates[at + i]
-    counted(stream, places, first, stop, values, scratch, pending_rates, pending_pixels)
-    for i in range(stop - first):
-        # Counts are clipped to the cap, but sums contain the light: no deviation there.
-        mean = rates[at + i] if rates[at + i] < RATE_CAP else values[i]
-        away[out + i] += values[i] - mean
 
 
 @loop
@@ -76,22 +49,23 @@ def draw_counts(
         stop = min(first + DRAW_BLOCK, counting.end)
         for group in range(counting.groups):
             at = group * counting.pixels + first
-            for i in range(0 if counting.accumulates else stop - first):
-                away[at + i] = 0.0
-            add_deviations(
+            for i in range(stop - first):
+                values[i] = rates[at + i]
+            counted(
                 keys[group],
                 places,
                 first,
                 stop,
-                rates,
-                at,
                 values,
                 scratch,
                 pending_rates,
                 pending_pixels,
-                away,
-                at,
             )
+            for i in range(stop - first):
+                # Counts are clipped to the cap, but sums contain the light: no deviation there.
+                mean = rates[at + i] if rates[at + i] < RATE_CAP else values[i]
+                before = away[at + i] if counting.accumulates else 0.0
+                away[at + i] = before + (values[i] - mean)
 
 
 def draw_deviations(

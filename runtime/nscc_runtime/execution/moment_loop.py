@@ -106,10 +106,11 @@ def complete_moments(
     dark_e2: Annotated[Floats, "dark_pairs pixels"],
     sum_e: Annotated[Floats, "rows cols"],
     factor: Annotated[Floats32, "pixels"],
+    dark_e: Annotated[Floats, "pixels"],
     unknown: Annotated[Floats32, "4 buckets pixels"],
     electron_weights: Annotated[Floats32, "buckets pixels"],
     covariance_e2: Written[Floats],
-    light_e: Written[Floats],
+    frame_e: Written[Floats],
     mean_e: Written[Annotated[Floats, "buckets pixels"]],
     count_means: Written[Annotated[Floats, "count_draws pixels"]],
     own_weights: Written[Floats32],
@@ -119,14 +120,14 @@ def complete_moments(
 
     `sums`: covariances (e^2) that counts of light cause in pairs of buckets, then exposures (e) for
     each bucket and rate of leakage, which `rate_weights` interpolate. `fixed_e`, `dark_e2`: means
-    and covariances that do not depend on the light. `factor` * `sum_e`: the light of each pixel in
-    the frame; of the light of the neighbour on each side, the part `unknown` is a variance that
-    does not follow from its counts. `electron_weights`: electrons in a bucket for one count.
+    and covariances that do not depend on the light. `factor` * `sum_e` and `dark_e`: the charge of
+    each pixel in the frame; of that of the neighbour on each side, the part `unknown` is a variance
+    that does not follow from its counts. `electron_weights`: electrons in a bucket for one count.
 
     Results: `mean_e`, the means `count_means`, and `own_weights` (draws, buckets, pixels), which is
     set only if buckets overlap. Without counts only `mean_e` is set. `covariance_e2` is working
     memory for a row: (pairs, cols), flat, where pair a * (a + 1) / 2 + b is that of the buckets a
-    >= b; values above `RATE_CAP` are set to it. `light_e` is that for three rows."""
+    >= b; values above `RATE_CAP` are set to it. `frame_e` is that for three rows."""
     pixels, cols = sizes.pixels, sizes.cols
     for row in range(sizes.begin, sizes.end):
         first, stop = row * cols, (row + 1) * cols
@@ -146,16 +147,17 @@ def complete_moments(
                 covariance_e2[here + p] = light_e2 + (dark_e2[at + p] if sizes.dark_pairs else 0.0)
         # Buckets share no charge whose count is unknown: it adds to variances only.
         above, below = max(row - 1, 0) * cols, min(row + 2, sizes.rows) * cols
-        for p in range(above, below if sizes.exchanges and sizes.light_pairs else above):
-            lit_e = factor[p] * sum_e[p]
-            light_e[p - above] = min(lit_e, RATE_CAP) if lit_e >= 0.0 else 0.0  # 0 for NaN
-        for bucket in range(sizes.buckets if sizes.exchanges and sizes.light_pairs else 0):
+        for p in range(above, below if sizes.exchanges else above):
+            light_e = factor[p] * sum_e[p] if sizes.light_pairs else 0.0
+            light_e = min(light_e, RATE_CAP) if light_e >= 0.0 else 0.0  # 0 for NaN
+            frame_e[p - above] = dark_e[p] + light_e
+        for bucket in range(sizes.buckets if sizes.exchanges else 0):
             here = bucket * (bucket + 3) // 2 * cols - first
             for side in range(4):
                 step, begin, end = on_side(row, sizes.rows, cols, side)
                 of_side = (side * sizes.buckets + bucket) * pixels
                 for p in range(begin, end):
-                    covariance_e2[here + p] += unknown[of_side + p] * light_e[p + step - above]
+                    covariance_e2[here + p] += unknown[of_side + p] * frame_e[p + step - above]
         for i in range(sizes.buckets * (sizes.buckets + 1) // 2 * cols):
             covariance_e2[i] = RATE_CAP if covariance_e2[i] > RATE_CAP else covariance_e2[i]
         _separate(sizes, first, covariance_e2, electron_weights, count_means, own_weights)

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 import numpy as np
 
@@ -124,8 +123,8 @@ class _ChipMoments:
     dark charge of a frame. `electron_weights` (buckets, pixels): a count of draw b weighs as much
     as an electron in bucket b, averaged over its open time, so exposures of dim light are multiples
     of it. `own_weights`: see `Moments`; None if it depends on the light. `unknown` (4, buckets,
-    pixels): the variance for each electron of light of a neighbour in a frame that does not follow
-    from the neighbour's draws; that of dark charge is in `dark_e2`.
+    pixels): the variance for each electron of a neighbour in a frame that does not follow from the
+    neighbour's draws.
     `neighbour_weights`, `error_e`, `lane`: see `Moments`. `uneven` (count,): places of the pixels
     that leak too unlike most for sums, ascending."""
 
@@ -144,16 +143,6 @@ class _ChipMoments:
     lane: Ints32
     uneven: Ints
 
-    @cached_property
-    def most_factor(self) -> float:
-        """The largest factor on the light of a pixel."""
-        return float(self.factor.max())
-
-    @cached_property
-    def most_dark_e(self) -> float:
-        """The largest dark charge of a frame of a pixel, in electrons."""
-        return float(self.dark_e.max())
-
 
 def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
     """Return the moments that all scenes on a chip share, cached with the program by the effects
@@ -168,16 +157,9 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
         factor, lanes = light_factor(effects, device), program.lanes
         electron_weights = _electron_weights(program, model).take(lanes, axis=1)
         buckets, exchanged = len(electron_weights), exchanged_fraction(effects, program)
-        dark_e = dark_e_per_s(effects, device) * program.slot_s.sum()
-        dark_e2 = _dark_covariances(program, effects, device)
         beside, unknown = np.zeros(1, np.float32), np.zeros((4, buckets, lanes.size))
         if exchanged and effects.names(Counted):
             beside, unknown = _neighbour_weights(program, model)
-            unknown = exchanged**2 * unknown
-            # Buckets share no charge whose count is unknown: it adds to variances only.
-            for bucket in range(buckets if len(dark_e2) else 0):
-                of_dark = _at_neighbours(unknown, dark_e, program.lane.shape)[:, bucket]
-                dark_e2[bucket * (bucket + 3) // 2] += of_dark.sum(axis=0)
         # The weights of a pixel's own counts: none without counts, or fixed if buckets never
         # overlap.
         own_weights = None
@@ -193,11 +175,11 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
             factor,
             factor.astype(np.float32),
             fixed_e.astype(np.float32),
-            dark_e2,
-            dark_e,
+            _dark_covariances(program, effects, device),
+            dark_e_per_s(effects, device) * program.slot_s.sum(),
             electron_weights.astype(np.float32),
             own_weights,
-            unknown.astype(np.float32),
+            (exchanged**2 * unknown).astype(np.float32),
             beside,
             _word_errors(program, effects),
             program.lane,
@@ -253,10 +235,11 @@ def _completed(
             dark_e2=chip.dark_e2,
             sum_e=light.sum_e,
             factor=chip.factor_32,
+            dark_e=chip.dark_e,
             unknown=chip.unknown,
             electron_weights=chip.electron_weights,
             covariance_e2=np.empty(buckets * (buckets + 1) // 2 * light.shape[1]),
-            light_e=np.empty(3 * light.shape[1]),
+            frame_e=np.empty(3 * light.shape[1]),
             mean_e=mean_e,
             count_means=count_means,
             own_weights=own_weights,

@@ -93,8 +93,8 @@ def _search(
     exchanged, pixels = exchanged_fraction(effects, program), program.lanes.size
     most_part = limits.weights.of_frames(light).most_part
     # In dim light a bound for the brightest pixel excludes all; NaN does not compare as less.
-    brightest_e = light.most_e * chip.most_factor
-    if (most_part.max() + 4.0 * exchanged) * brightest_e + chip.most_dark_e < limits.mean_e.min():
+    brightest_e = light.most_e * chip.factor.max()
+    if (most_part.max() + 4.0 * exchanged) * brightest_e + chip.dark_e.max() < limits.mean_e.min():
         return NO_PIXELS
     gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.bool_)
     find_candidates(

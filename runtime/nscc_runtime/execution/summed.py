@@ -9,8 +9,9 @@ import numpy as np
 
 from nscc.arrays import Floats, Ints
 from nscc.mappings import NamedValues
-from nscc_runtime.execution.block_draws import DRAW_BLOCK, ROOM
-from nscc_runtime.execution.frame_loop import RING, Adding, FrameScratch, add_up
+from nscc_runtime.execution.block_draws import DRAW_BLOCK
+from nscc_runtime.execution.count_loop import draw_deviations
+from nscc_runtime.execution.frame_loop import Adding, add_up
 from nscc_runtime.execution.moments import Moments
 from nscc_runtime.noise import keys
 from nscc_runtime.pool import in_parts
@@ -32,9 +33,11 @@ def draw_exposures(moments: Moments, seed: int, number: int, threads: int) -> Fl
     `seed`: of the noise. Results do not depend on `threads`."""
     (rows, cols), (buckets, pixels) = moments.lane.shape, moments.mean_e.shape
     places = _places(pixels)
-    # Counts of photons and dark charge together; the loop spreads them over buckets and neighbours.
-    count_draws = len(moments.count_means)
-    count_keys = keys(seed, SUMS, COUNTS, number, count_draws)
+    # Deviations of photon and dark counts, which the loop spreads over buckets and neighbours.
+    away = np.empty((0, pixels))
+    if len(moments.count_means):
+        sources = [(SUMS, COUNTS, moments.count_means)]
+        away = draw_deviations(sources, places, seed, number, threads)
     # Errors of words are drawn for all words of a pixel together.
     error_draws, _, lanes = moments.error_e.shape
     noise_keys = keys(seed, SUMS, ERRORS, number, error_draws)
@@ -44,9 +47,9 @@ def draw_exposures(moments: Moments, seed: int, number: int, threads: int) -> Fl
         "pixels": pixels,
         "buckets": buckets,
         "lane_count": lanes,
-        "count_draws": count_draws,
+        "count_draws": len(away),
         "error_draws": error_draws,
-        "exchanges": moments.exchanged > 0 and count_draws > 0,
+        "exchanges": moments.exchanged > 0 and len(away) > 0,
         "fraction": moments.exchanged,
     }
     exposure = np.empty((buckets, pixels))
@@ -55,23 +58,16 @@ def draw_exposures(moments: Moments, seed: int, number: int, threads: int) -> Fl
         """Draw the exposures of the rows from `begin` up to before `end` into `exposure`."""
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
-            count_keys=count_keys,
             noise_keys=noise_keys,
             lanes=moments.lane.reshape(-1),
             places=places,
             expected=moments.mean_e,
-            count_means=moments.count_means,
+            away=away,
             own_weights=moments.own_weights,
             neighbour_weights=moments.neighbour_weights,
             sigma=moments.error_e,
-            work=FrameScratch(
-                away=np.empty(count_draws * RING * cols),
-                drawn=np.empty(cols),
-                values=np.empty(DRAW_BLOCK),
-                scratch=np.empty(ROOM),
-                pending_rates=np.empty(DRAW_BLOCK),
-                pending_pixels=np.empty(DRAW_BLOCK, np.int64),
-            ),
+            total=np.empty(DRAW_BLOCK * buckets),
+            drawn=np.empty(DRAW_BLOCK),
             exposure=exposure,
         )
 

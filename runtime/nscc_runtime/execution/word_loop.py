@@ -2,8 +2,8 @@
 
 `nscc_runtime.execution.block_loop` adds charge to PIX and draws the normal numbers of a word before
 it calls these functions. `count` pixels run the word; register r of the first of them is at index
-r * `WORD_BLOCK` + `base`, and the others follow. Loops are short, because LLVM vectorises only loops over
-few arrays."""
+r * `WORD_BLOCK` + `base`, and the others follow. Loops are short, because LLVM vectorises only
+loops over few arrays."""
 
 from __future__ import annotations
 

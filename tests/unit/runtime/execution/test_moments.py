@@ -154,10 +154,11 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
     below = [(a, b) for b in range(buckets) for a in range(b + 1)]
     dark_e2 = np.array([0.25 * wanted[a, b] for a, b in below])
     light_e2 = np.array([0.75 * wanted[a, b] for a, b in below])
-    light_e = 10.0 * rng.random(pixels)
+    charge_e = 10.0 * rng.random(pixels)
+    dark_e = 0.3 * charge_e
     unknown = 0.01 * rng.random((4, buckets, pixels), np.float32)
     unknown[:, :, ::3] = 0.0
-    padded = np.pad(light_e.reshape(rows, cols), 1)
+    padded = np.pad(charge_e.reshape(rows, cols), 1)
     sides = padded[:-2, 1:-1], padded[2:, 1:-1], padded[1:-1, :-2], padded[1:-1, 2:]
     received = sum(part * side.reshape(-1) for part, side in zip(unknown, sides, strict=True))
     for b in range(buckets):
@@ -185,12 +186,13 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
         rate_weights=rate_weights,
         fixed_e=fixed_e,
         dark_e2=dark_e2,
-        sum_e=light_e.reshape(rows, cols) / 2.0,
+        sum_e=(charge_e - dark_e).reshape(rows, cols) / 2.0,
         factor=np.full(pixels, 2.0, np.float32),
+        dark_e=dark_e,
         unknown=unknown,
         electron_weights=weights,
         covariance_e2=np.empty(pairs * cols),
-        light_e=np.empty(3 * cols),
+        frame_e=np.empty(3 * cols),
         mean_e=mean_e,
         count_means=count_means,
         own_weights=own_weights,
