@@ -9,6 +9,7 @@ from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import numpy as np
 
+from nscc.mappings import NamedValues
 from nscc.words.stored_arrays import number_type
 
 WRITTEN = object()
@@ -114,7 +115,7 @@ def checks_of(
     is to be, and for other numbers or lengths of axes. A loop has up to 50 arrays, so the checks
     are one function without calls, made for the loop."""
     lines, addresses, known = ["def addresses(values):"], list[str](), set[str]()
-    names: dict[str, Any] = {
+    names: NamedValues = {
         "Array": np.ndarray,
         "at": ctypes.c_void_p.from_address,
         "of": ctypes.addressof,
