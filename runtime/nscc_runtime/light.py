@@ -372,7 +372,7 @@ class Light:
         for alike in slots.values():
             slot = self.slot(alike[0])
             total += slot if len(alike) == 1 else slot.astype(np.float64) * len(alike)
-        total.flags.writeable = False
+        total.setflags(write=False)
         return total
 
     @cached_property
