@@ -16,7 +16,11 @@ from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.pool import in_parts
 
 SUM_BLOCK = 512
-"""Number of pixels whose sums stay in the processor cache for all frames."""
+"""Number of pixels of a row whose light is gathered together."""
+
+_PIXELS_A_LANE = 8
+"""Number of pixels for each lane (the pixels of one distinct shutter) whose sums stay in the
+processor cache for all frames: the table of weights, which may not fit, is read once for them."""
 
 FRAMES_TOGETHER = 4
 """Number of frames that are added in one pass over the sums."""
@@ -194,34 +198,37 @@ def scene_sums(
     and `gathered` are working memory for `FRAMES_TOGETHER` times `SUM_BLOCK` pixels and for
     `SUM_BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
-    for row in range(sizes.begin, sizes.end):
-        for first in range(row * cols, (row + 1) * cols, SUM_BLOCK):
-            stop = min(first + SUM_BLOCK, (row + 1) * cols)
-            for j in range(sizes.sums):
-                for p in range(first, stop):
-                    out[j * pixels + p] = 0.0
-            # Successive frames with equal weights are added together: `alike[k]` from frame k on.
-            k = 0
-            while k < count:
-                _add_alike(
-                    sizes,
-                    frames,
-                    share,
-                    k,
-                    alike[k],
-                    table,
-                    lit_sums,
-                    lanes,
-                    first,
-                    stop,
-                    lit,
-                    gathered,
-                    out,
-                )
-                k += alike[k]
-            for j in range(sizes.smeared):
-                for p in range(first, stop):
-                    out[j * pixels + p] *= scale[p]
+    begin, together = sizes.begin, max(SUM_BLOCK, _PIXELS_A_LANE * sizes.lane_count)
+    while begin < sizes.end:
+        end = min(begin + -(-together // cols), sizes.end)
+        for j in range(sizes.sums):
+            for p in range(begin * cols, end * cols):
+                out[j * pixels + p] = 0.0
+        # Successive frames with equal weights are added together: `alike[k]` from frame k on.
+        k = 0
+        while k < count:
+            for row in range(begin, end):
+                for first in range(row * cols, (row + 1) * cols, SUM_BLOCK):
+                    _add_alike(
+                        sizes,
+                        frames,
+                        share,
+                        k,
+                        alike[k],
+                        table,
+                        lit_sums,
+                        lanes,
+                        first,
+                        min(first + SUM_BLOCK, (row + 1) * cols),
+                        lit,
+                        gathered,
+                        out,
+                    )
+            k += alike[k]
+        for j in range(sizes.smeared):
+            for p in range(begin * cols, end * cols):
+                out[j * pixels + p] *= scale[p]
+        begin = end
 
 
 _MOST_ENTRIES = 1 << 23
