@@ -77,11 +77,11 @@ class PictureWords:
         all pixels) as it was, at first 0."""
         self._target, self._table, self.words = target, ArrayWords(target), words
         self.after_us = sum(word_us(op, target) for op, _ in words)
-        in_e, words_with_in = 0.0, list[tuple[Op, float]]()
-        for op, level in words:
-            in_e = in_e if level is None else level * target.electrons_per_step
-            words_with_in.append((op, in_e))
-        self._table.append(words_with_in)
+        steps = 0
+        self._table.append(
+            (op, (steps := steps if level is None else level) * target.electrons_per_step)
+            for op, level in words
+        )
         self._rows, self._operands = self._table.table
 
     def run(

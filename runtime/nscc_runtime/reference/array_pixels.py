@@ -43,14 +43,10 @@ class ArrayPixels(WordPixels):
         """Set the registers as the exposure leaves them; all others, analog and digital, hold
         arbitrary values of the device seed. IN (the level sent to all pixels) is 0, and no word has
         run."""
-        # Registers without an exposure have arbitrary contents: here equal in all registers.
-        arbitrary = self.arbitrary(0)
-        self.begin()
-        # Between 0 and half of a register's range, so that it does not saturate by itself.
-        left = arbitrary * (self.sensor.register_max_e / 2)
-        self.register = {**dict.fromkeys(self.target.analog_registers, left), **self.exposed}
+        super().__post_init__()
+        self.register.update(self.exposed)
         registers = (*self.target.digital_registers, "FLAG")
-        bits = {**dict.fromkeys(registers, arbitrary < 0.5), **self.code}
+        bits = {**dict.fromkeys(registers, self.arbitrary(0) < 0.5), **self.code}
         self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
         self.number, self.in_e = 0, 0.0
         uncut = np.zeros(len(self.places), np.uint8)
