@@ -154,7 +154,10 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
     or registers, their limits are infinite."""
     reach = reach_of(program)
     charge_weights = () if reach.charge_weights is None else reach.charge_weights
-    weights = np.stack([program.seen_slots, *charge_weights]).astype(np.float64)
+    # Words that run for a while collect light of slots that no other word reads from PIX.
+    collected = np.abs(program.weights(program.model(effects)).slots).max(axis=2)
+    seen = np.where(program.seen_slots, 1.0, collected)
+    weights = np.stack([seen, *charge_weights]).astype(np.float64)
     saturation_e = np.full((len(weights), len(program.container.encoding)), np.inf)
     well = effects.find_part(Well)
     if well is not None:
