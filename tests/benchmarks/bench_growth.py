@@ -32,7 +32,6 @@ ALLOWED = {
     ("and or not", 128, 256): "256 stops need 12 planes: no state fits, so numbers are compared",
     ("nested", 128, 256): "256 stops need 12 planes: no state fits, so numbers are compared",
     ("and bits", 256, 512): "512 stops need 12 planes: no state fits, so numbers are compared",
-    ("codebook of 16 slots", 32, 33): "33 rows need a sixth plane, and both polarities do not fit",
 }
 """Exceptions: (family, size, next size), with the reason."""
 
@@ -49,9 +48,13 @@ def book(rows: int, slots: int) -> str:
     return frame(slots, f"shutters book [{lines}] code id : row of book open when book[id]")
 
 
-def kernel(size: int) -> str:
-    """A program with a dense square kernel of random weights, of the next odd size."""
-    weights = np.random.default_rng(1).integers(-9, 10, (size | 1, size | 1))
+def kernel(size: int, is_product: bool = False) -> str:
+    """A program with a dense square kernel of random weights, of the next odd size; with
+    `is_product`, those of a column times those of a row."""
+    generator, side = np.random.default_rng(1), size | 1
+    weights = generator.integers(-9, 10, (side, side))
+    if is_product:
+        weights = np.outer(*generator.integers(1, 10, (2, side)))
     divisor = 1 << int(np.abs(weights).sum() - 1).bit_length()
     return (
         f"nsl 3 frame 16 slots of 125us open when true kernel k = {weights.tolist()} / {divisor} "
@@ -59,8 +62,9 @@ def kernel(size: int) -> str:
     )
 
 
-def chain(kind: str, count: int) -> str:
-    """A program with `count` planes or images, each of which is read once after all of them."""
+def chain(kind: str, count: int, is_read_twice: bool = False) -> str:
+    """A program with `count` planes or images, each of which is read once after all of them, or
+    twice, the second time in reverse."""
     head = "nsl 3 frame 1 slots of 1ms open when true "
     if kind == "planes":
         items = "".join(f"plane v{i} = exposure > {90 * i // count + 5}% " for i in range(count))
@@ -72,7 +76,11 @@ def chain(kind: str, count: int) -> str:
         )
         total, join = "image t", f" / {1 << (count - 1).bit_length()} + "
     last = join.partition("+")[0].rstrip() if kind == "images" else ""
-    return f"{head}{items}{total} = {join.join(f'v{i}' for i in range(count))}{last} read t"
+    names = [f"v{i}" for i in range(count)]
+    text = f"{head}{items}{total} = {join.join(names)}{last} "
+    if is_read_twice:
+        return f"{text}{total[:-1]}u = {join.join(reversed(names))}{last} read t, u"
+    return f"{text}read t"
 
 
 def counter(values: int) -> str:
@@ -120,8 +128,11 @@ FAMILIES: dict[str, tuple[Callable[[int], str], int]] = {
               "next seen = looks when bright and seen == 0 open when seen == 0 read seen", 32),
     "states": (counter, 256),
     "kernel": (kernel, 9),
+    "product kernel": (lambda n: kernel(n, is_product=True), 9),
     "planes": (lambda n: chain("planes", n), 32),
+    "planes read twice": (lambda n: chain("planes", n, is_read_twice=True), 32),
     "images": (lambda n: chain("images", n), 32),
+    "images read twice": (lambda n: chain("images", n, is_read_twice=True), 32),
 }  # fmt: skip
 """For each family the text of a program of a size, and the largest size."""
 
