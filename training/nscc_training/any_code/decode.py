@@ -111,7 +111,9 @@ def _coded_clip(measured: Measured[Tensor], count: int, first: int, progress: Pr
                 number,
             )
             if number + 1 >= first:
-                mean = mean + clip / (count + 1 - first)
+                # In place, because clips are the largest part of the memory.
+                mean = (clip / (count + 1 - first)).add_(mean)
+        del clip
         return led(measured, mean)
 
 
