@@ -6,7 +6,7 @@ code. Pixels that look have a segment for every answer (`nscc_runtime.looking.pa
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -25,6 +25,7 @@ from nscc_runtime.execution.layout import (
     Segments,
     Switches,
 )
+from nscc_runtime.execution.overlap import NEIGHBOURS
 from nscc_runtime.execution.stretch_loop import Stretches
 from nscc_runtime.looking.paths import Paths, paths_of
 from nscc_runtime.reference.trace import (
@@ -64,6 +65,9 @@ class BlockProgram:
         The stretches of slots of each lane.
     lane : int32, shape (rows, cols)
         The number of the lane whose stretches each pixel has; 0 for all pixels that look.
+    counted : int32, shape (rows, cols)
+        The number of the lane in whose stretches the electrons of each pixel are counted; usually
+        `lane` itself.
     first_segment : int64, shape (rows, cols)
         The segment with which each pixel starts, or -1 - e for ending e of a pixel that looks.
     numbered : int
@@ -77,6 +81,7 @@ class BlockProgram:
     readouts: Readouts
     stretches: Stretches
     lane: Ints32
+    counted: Ints32
     first_segment: Ints
     numbered: int
 
@@ -103,17 +108,21 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
 
 
 @OfContainer
-def block_program(container: Container, kept_us: float, every_slot: bool = False) -> BlockProgram:
+def block_program(
+    container: Container, kept_us: float, every_slot: bool = False, jointly: bool = False
+) -> BlockProgram:
     """Return a program for the block loop; cached with the container (a compiled program).
 
     `kept_us`: how long digital registers keep values, in microseconds. `every_slot`: whether each
     slot of a program that looks is a stretch of its own, so that light is added in the order in
-    which exposures are defined; ignored for fixed shutters. Raises Rejected if a word is no
-    operation of the chip (`nscc_runtime.reference.trace.analog_words`), and ValueError if pixels
-    look and their paths cannot be listed. A stretch is the slots whose charge is counted as one
-    number: for fixed shutters, those between two reads or resets of PIX, the photodiode."""
+    which exposures are defined; ignored for fixed shutters. `jointly`: whether electrons are
+    counted in the stretches that a pixel or any of its neighbours distinguishes. Raises Rejected if
+    a word is no operation of the chip (`nscc_runtime.reference.trace.analog_words`), and ValueError
+    if pixels look and their paths cannot be listed. A stretch is the slots whose charge is counted
+    as one number: for fixed shutters, those between two reads or resets of PIX, the photodiode."""
     if KINDS.of(container).open_times_known:
-        return _of_codes(container, analog_words(container, kept_us))
+        program = _of_codes(container, analog_words(container, kept_us))
+        return _counting_jointly(program) if jointly else program
     paths = paths_of(container, kept_us)
     if isinstance(paths, str):
         raise ValueError(paths)
@@ -149,15 +158,41 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
         lane_start, (known % (slots + 1)).astype(np.int32), _start_s(container)
     )
     pixel_lane = container.table.shutter_of_code[container.pixel_codes]
+    lane_of_pixel = np.require(pixel_lane, np.int32, ["C"])
     return BlockProgram(
         table,
         segments,
         readouts_of(container),
         stretches,
-        np.require(pixel_lane, np.int32, ["C"]),
+        lane_of_pixel,
+        lane_of_pixel,
         np.require(pixel_lane, np.int64, ["C"]),
         most_destinations(container.target),
     )
+
+
+def _counting_jointly(program: BlockProgram) -> BlockProgram:
+    """Return the program with stretches of slots for the counts of electrons: those of each pixel
+    begin at all boundaries of its own lane and of its neighbours', so that what it gives to each
+    stretch of a neighbour is counted. A lane is the pixels of one distinct shutter."""
+    stretches, lane = program.stretches, program.lane
+    lanes, slots = len(stretches.start) - 1, len(stretches.start_s) - 1
+    begins = np.zeros((lanes, slots + 1), np.bool_)
+    begins[np.repeat(np.arange(lanes), np.diff(stretches.start)), stretches.boundary] = True
+    packed = np.packbits(begins, axis=1)
+    joint = packed[lane]
+    for to, source in NEIGHBOURS:
+        joint[to] |= packed[lane[source]]
+    distinct, number = np.unique(joint.reshape(lane.size, -1), axis=0, return_inverse=True)
+    of_joint, boundary = np.nonzero(np.unpackbits(distinct, axis=1, count=slots + 1))
+    start = len(stretches.boundary) + np.cumsum(np.bincount(of_joint))
+    counted = Stretches.of(
+        np.concatenate([stretches.start, start]),
+        np.concatenate([stretches.boundary, boundary.astype(np.int32)]),
+        stretches.start_s,
+    )
+    counted_lane = (lanes + number.reshape(lane.shape)).astype(np.int32)
+    return replace(program, stretches=counted, counted=counted_lane)
 
 
 def _in_use(
@@ -200,12 +235,14 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
         np.array([0, len(boundaries)], np.int64), boundaries.astype(np.int32), _start_s(container)
     )
     loaded = {name: plane.astype(np.bool_) for name, plane in container.planes().items()}
+    lane = np.zeros(shape, np.int32)
     return BlockProgram(
         program_of(container, paths.words),
         segments,
         readouts_of(container),
         stretches,
-        np.zeros(shape, np.int32),
+        lane,
+        lane,
         np.ascontiguousarray(paths.begins(loaded, shape)),
         most_destinations(container.target),
     )

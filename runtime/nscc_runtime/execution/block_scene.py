@@ -20,7 +20,7 @@ from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc.mappings import NamedValues
 from nscc.words.container import Container
 from nscc_runtime.caches import Recent
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.in_loops import draws_keys, patterns
 from nscc_runtime.effects.parts import (
     CountedDark,
@@ -50,10 +50,12 @@ from nscc_runtime.execution.layout import (
     Switches,
     WordKeys,
 )
+from nscc_runtime.execution.overlap import MOST_EXCHANGED
 from nscc_runtime.execution.program import light_under
 from nscc_runtime.execution.stretch_loop import (
     NEIGHBOURS,
     NONE,
+    OWN,
     STRETCH_BLOCK,
     Exchanging,
     Sites,
@@ -68,7 +70,6 @@ from nscc_runtime.execution.stretch_loop import (
 )
 from nscc_runtime.execution.sum_loop import drawn_at
 from nscc_runtime.light import DrawnFrames, Light
-from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import WORD_DRAWS
@@ -193,7 +194,11 @@ def prepare_pixels(
     reasons = lacks(container, sensor, effects)
     if reasons:
         raise ValueError("; ".join(reasons))
-    program = block_program(container, retention_us(effects, sensor), effects.without_effects)
+    # All sets of effects count in the same stretches, so that they have the same random numbers.
+    strongest = everything().find_part(Exchange)
+    jointly = strongest is not None and strongest.fraction(sensor) > MOST_EXCHANGED
+    kept_us = retention_us(effects, sensor)
+    program = block_program(container, kept_us, effects.without_effects, jointly)
     lane = program.lane.reshape(-1)[places]
     # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
     # 16-bit numbers are sorted by radix, ten times as fast as others.
@@ -259,7 +264,6 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         "pixels": program.lane.size,
         "even": scene.light.even,
         "counts_light": bool(lit),
-        "counts_dark": bool(dark),
         "slow_words": slow,
         "exchanged": exchanged,
     }
@@ -270,17 +274,23 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         means_loop(sizes=StretchSizes(begin=begin, end=end, **sizes), **shared)
 
     def with_light() -> list[Floats]:
-        """Add up the light in `means`, and return copies of those that contain it."""
-        _add_light(scene, sites, means, sizes, threads)
-        return [means.lit.copy(), means.charge.copy(), means.pace.copy()]
+        """Add up the light in `means`, and return those that contain it."""
+        separate = program.counted is not program.lane
+        charged = {**sizes, "counts_light": False} if separate else sizes
+        _add_light(scene, sites, means, charged, threads)
+        if separate and lit:
+            counts, beside = {**sizes, "own": 0}, np.empty((len(sites.beside), 0), np.int32)
+            at_counts = sites._replace(lane=sites.counted, beside=beside)
+            _add_light(scene, at_counts, means, counts, threads)
+        return [means.lit, means.charge, means.pace]
 
     if scene.known_means is None:
-        _add_light(scene, sites, means, sizes, threads)
+        with_light()
     else:
         key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
         for own, known in zip(
             (means.lit, means.charge, means.pace),
-            scene.known_means.of(key, with_light),
+            scene.known_means.of(key, lambda: [each.copy() for each in with_light()]),
             strict=True,
         ):
             np.copyto(own, known)
@@ -338,10 +348,10 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
     `exchanges` charge, those of their neighbours that are not in `places` follow in ascending
     order.
 
-    `beside` has the index of the sites above, below, left and right of each pixel of `places`, -1
-    beyond the border; without exchange, only -1."""
+    Without exchange, no pixel has a site beside it."""
     effects, sensor, (rows, cols) = scene.effects, scene.sensor, scene.program.lane.shape
-    beside = np.full((NEIGHBOURS, len(places)), -1, np.int32)
+    beside = np.full((NEIGHBOURS + 1, len(places)), NONE, np.int32)
+    beside[OWN] = np.arange(len(places))
     every, count = places, np.zeros(1, np.int64)
     if exchanges:
         every = np.empty(rows * cols, np.int64)
@@ -361,6 +371,7 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
     return Sites(
         place=np.require(every, np.int64, ["C"]),
         lane=np.require(scene.program.lane.reshape(-1)[every], np.int32, ["C"]),
+        counted=np.require(scene.program.counted.reshape(-1)[every], np.int32, ["C"]),
         factor=factor * device.fixed(response.factor)[every] if response else factor,
         dark_e_per_s=device.fixed(dark.per_s)[every] if dark else np.zeros(len(every)),
         beside=beside,
@@ -415,8 +426,6 @@ def _charge_of_frame(
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)
     charge_e = np.empty(charge.means.charge.shape)
-    exchange = scene.effects.having(Exchange)
-    missing = base(seed, exchange[0][0].stream) if exchange else np.uint64(0)
 
     def run(begin: int, end: int) -> None:
         """Exchange the random electron counts of the pixels `begin` to `end` - 1 with their
@@ -428,18 +437,13 @@ def _charge_of_frame(
                 rows=len(charge_e),
                 sites=away.shape[1],
                 pixels=charge.pixels,
-                frame=frame,
                 exchanged=charge.exchanged,
-                missing=missing,
-                counts_light=bool(scene.effects.having(CountedLight)),
-                counts_dark=bool(scene.effects.having(CountedDark)),
             ),
             stretches=scene.program.stretches,
             sites=charge.sites,
-            means=charge.means,
+            mean_e=charge.means.charge,
             away=away,
-            drawn=np.empty(WORD_BLOCK),
-            missing_e2=np.empty((len(charge_e), WORD_BLOCK)),
+            part=np.empty(WORD_BLOCK),
             charge=charge_e,
         )
 

@@ -4,9 +4,9 @@
     frames = source.frames(seed, count)
 
 An exposure without saturation is a weighted sum, so it is drawn from the moments of the scene
-(`nscc_runtime.execution.moments`). Pixels that may saturate run through their words instead
-(`nscc_runtime.execution.block_scene`). Frames agree with the reference in mean, variance and
-covariance; the random numbers are others."""
+(`nscc_runtime.execution.moments`). Pixels that may saturate, and with strong crosstalk all pixels,
+run through their words instead (`nscc_runtime.execution.block_scene`). Frames agree with the
+reference in mean, variance and covariance; the random numbers are others."""
 
 from __future__ import annotations
 
@@ -27,8 +27,9 @@ from nscc_runtime.execution.block_scene import (
     prepare_pixels,
     without_draws,
 )
-from nscc_runtime.execution.moments import Moments, on_chip, scene_moments
+from nscc_runtime.execution.moments import Moments, exchanges_much, on_chip, scene_moments
 from nscc_runtime.execution.near_saturation import NO_PIXELS, near_saturation
+from nscc_runtime.execution.overlap import MOST_EXCHANGED
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.execution.summed import draw_exposures
 from nscc_runtime.exposed_frame import Exposure
@@ -52,7 +53,7 @@ class FrameSource:
         The sums of the light, or the reference, which exposes all pixels word by word.
     near : int64, shape (pixels,)
         Places of the pixels that run through their words because they may saturate or leak unlike
-        most.
+        most; all places with strong crosstalk.
     block : BlockScene or None
         These pixels, prepared; None without any.
     """
@@ -129,12 +130,15 @@ def word_reasons(
     device_seed: int,
 ) -> tuple[str, ...]:
     """Return why `frame_source` runs pixels through their words in frames of `lights`: effects that
-    only the reference has, else the largest number of pixels near saturation in a frame, and the
-    number of pixels that leak unlike most. Empty if sums suffice for all pixels."""
+    only the reference has, else strong crosstalk, else the largest number of pixels near saturation
+    in a frame, and the number of pixels that leak unlike most. Empty if sums suffice for all
+    pixels."""
     reasons = reference_reasons(effects)
     if reasons:
         return reasons
     program = analysed(container, sensor)
+    if exchanges_much(effects, program):
+        return (f"crosstalk is above {MOST_EXCHANGED:.0%}",)
     near = max(len(near_saturation(program, x, device_seed, effects).places) for x in lights)
     uneven = len(on_chip(program, effects, device_seed).uneven)
     reasons = (f"{near} pixels may saturate",) if near else ()
@@ -186,9 +190,9 @@ def frame_source(
         return FrameSource(*chip, Reference.of(container, sensor, effects), NO_PIXELS.places)
     program = analysed(container, sensor)
     # Sums of light expose all pixels. Pixels that may saturate or leak unlike most also run their
-    # words, whose results replace the sums. `program.recent` stores the search by light: planning
-    # made it for all effects (`Work.of`).
-    has_words = np.zeros(program.lane.size, np.bool_)
+    # words, whose results replace the sums; with strong crosstalk all do. `program.recent` stores
+    # the search by light: planning made it for all effects (`Work.of`).
+    has_words = np.full(program.lane.size, exchanges_much(effects, program))
     has_words[near_saturation(program, light, device_seed, effects).places] = True
     has_words[on_chip(program, effects, device_seed).uneven] = True
     near = np.flatnonzero(has_words)

@@ -25,7 +25,7 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.effects.views import Device
 from nscc_runtime.execution.moment_loop import Completing, complete_moments
-from nscc_runtime.execution.overlap import NEIGHBOURS, weights_beside
+from nscc_runtime.execution.overlap import MOST_EXCHANGED, NEIGHBOURS, weights_beside
 from nscc_runtime.execution.program import AnalysedProgram, light_under
 from nscc_runtime.execution.sum_loop import light_sums
 from nscc_runtime.light import Light
@@ -254,6 +254,12 @@ def exchanged_fraction(effects: Selection, program: AnalysedProgram) -> float:
     """Return the fraction of a pixel's charge that moves to each neighbour; 0 without crosstalk."""
     exchange = effects.find_part(Exchange)
     return 0.0 if exchange is None else exchange.fraction(program.sensor)
+
+
+def exchanges_much(effects: Selection, program: AnalysedProgram) -> bool:
+    """Return whether neighbours exchange so much counted charge under `effects` that sums would
+    give wrong variances and covariances. All pixels then run through their words."""
+    return bool(effects.names(Counted)) and exchanged_fraction(effects, program) > MOST_EXCHANGED
 
 
 def light_factor(effects: Selection, device: Device) -> Floats:

@@ -12,6 +12,12 @@ from nscc.arrays import Floats, Floats32, Ints32
 
 Weights = Floats32
 
+MOST_EXCHANGED = 0.01
+"""Largest fraction of its charge that a pixel may give to each neighbour if frames are exposed by
+sums, or if the block loop spreads counts of neighbours evenly over time. Variances and correlations
+are then wrong by little (docs/emulator.md). With stronger crosstalk all pixels run through their
+words, and their counts are drawn in all stretches that a pixel or a neighbour distinguishes."""
+
 _MOST_PAIRS = 1 << 23
 """Largest number of pairs of lanes for which a table of all pairs is computed: a product of
 matrices is some thirty times as fast as sums over single pairs."""

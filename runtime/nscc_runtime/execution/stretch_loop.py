@@ -2,26 +2,26 @@
 
 A stretch is the time between two boundaries at which words of a pixel's code read or reset PIX. A
 site is a pixel that runs through its words or, with crosstalk, a neighbour of such a pixel. Pixels
-exchange counted charge: what a neighbour collects in a stretch of the pixel is the neighbour's own
-count, in proportion to time, and a normal number for the part that is not known then."""
+exchange counted charge. With strong crosstalk, the counts of a site are drawn between all
+boundaries of its own code and its neighbours' (`block_program`); otherwise between its own, and
+they are spread evenly over this time."""
 
 from __future__ import annotations
 
-import math
 from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from nscc.arrays import Floats, Ints, Ints32
-from nscc_runtime.execution.block_draws import drawn_normals
 from nscc_runtime.execution.layout import WORD_BLOCK
 from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
-from nscc_runtime.noise.keys import bits
 from nscc_runtime.noise.poisson_law import RATE_CAP
 
 NEIGHBOURS, NONE = 4, -1
 """Number of neighbours of a pixel. What stands for a site that does not exist."""
+OWN = NEIGHBOURS
+"""The number of the pixel itself among its neighbours."""
 STRETCH_BLOCK = 128
 """Number of sites whose light is added up together."""
 
@@ -51,15 +51,17 @@ class Stretches(NamedTuple):
 class Sites(NamedTuple):
     """The sites (pixels whose charge is computed). `place`: row * cols + col on the chip. `lane`:
     number of the lane whose stretches (groups of slots between reads or resets of PIX) the site
-    has. `factor`: multiplies its light. `dark_e_per_s`: its dark current. `beside`: the indices of
-    the sites above, below, left and right of each pixel that runs through its words, -1 beyond the
-    border."""
+    has. `counted`: number of the lane in whose stretches its electrons are counted. `factor`:
+    multiplies its light. `dark_e_per_s`: its dark current. `beside`: for each pixel that runs
+    through its words, the indices of the sites above, below, left and right, -1 beyond the border,
+    and then its own."""
 
     place: Annotated[Ints, "sites"]
     lane: Annotated[Ints32, "sites"]
+    counted: Annotated[Ints32, "sites"]
     factor: Annotated[Floats, "sites"]
     dark_e_per_s: Annotated[Floats, "sites"]
-    beside: Annotated[Ints32, "4 own"]
+    beside: Annotated[Ints32, "5 own"]
 
 
 @record
@@ -91,7 +93,7 @@ def find_sites(
     own_places: Annotated[Ints, "own"],
     number: Written[Annotated[Ints32, "pixels"]],
     place: Written[Annotated[Ints, "pixels"]],
-    beside: Written[Annotated[Ints32, "4 own"]],
+    beside: Written[Annotated[Ints32, "5 own"]],
     count: Written[Ints],
 ) -> None:
     """Number the sites (pixels whose charge is computed), and set count[0] to how many there are,
@@ -150,7 +152,6 @@ class StretchSizes:
     even: int
     """Whether all slots have the same light."""
     counts_light: int
-    counts_dark: int
     slow_words: int
     exchanged: float
     """Fraction of a pixel's charge that moves to each neighbour."""
@@ -267,11 +268,11 @@ def dark_means(
     sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
 ) -> None:
     """Set `means.dark` to the means of the counted dark charge of the sites begin to end - 1 in
-    their stretches, in electrons. A stretch is the slots between two reads or resets of PIX, the
-    photodiode. A site is a pixel whose charge is computed."""
+    the stretches of their counts, in electrons. A stretch is the slots between two reads or resets
+    of PIX, the photodiode. A site is a pixel whose charge is computed."""
     for i in range(sizes.begin, sizes.end):
-        first = stretches.start[sites.lane[i]]
-        for e in range(stretches.start[sites.lane[i] + 1] - first - 1):
+        first = stretches.start[sites.counted[i]]
+        for e in range(stretches.start[sites.counted[i] + 1] - first - 1):
             begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
             seconds = stretches.start_s[stop] - stretches.start_s[begin]
             means.dark[e * sizes.sites + i] = sites.dark_e_per_s[i] * seconds
@@ -318,19 +319,15 @@ class Exchanging:
     rows: int
     sites: int
     pixels: int
-    counts_light: int
-    counts_dark: int
-    frame: int
     exchanged: float
-    missing: np.uint64
-    """First half of the random key of the part of neighbours' counts that is not known."""
 
 
 @inlined
-def _lane_beside(sites: Sites, at: int) -> int:
-    """Return the lane of the site sites.beside[at], NONE beyond the border."""
+def _counted_beside(sites: Sites, at: int) -> int:
+    """Return the lane in whose stretches the counts of the site sites.beside[at] are drawn, NONE
+    beyond the border."""
     other = sites.beside[at]
-    return sites.lane[other] if other >= 0 else NONE
+    return sites.counted[other] if other >= 0 else NONE
 
 
 @compiled
@@ -338,48 +335,35 @@ def _receive(
     exchanging: Exchanging,
     stretches: Stretches,
     sites: Sites,
-    means: StretchMeans,
     away: Floats,
     side_at: int,
     first: int,
     stop: int,
-    block: int,
+    part: Floats,
+    part_at: int,
     charge: Floats,
-    missing_e2: Floats,
 ) -> None:
-    """Exchange the counts of the pixels `first` to `stop` - 1, which have one lane, with their
-    neighbours on one side, which have one lane, too. `side_at`: where this side begins in
-    sites.beside.
+    """Add to the charge of the pixels `first` to `stop` - 1, which have one lane, what they receive
+    from sites whose counts are drawn in the stretches of one lane. `side_at`: where these sites
+    begin in sites.beside.
 
-    Each pixel gives and receives a fraction of the deviations `away` (stretches, sites). Those of
-    the neighbour are spread evenly over the time of its own stretches. `missing_e2` (stretches,
-    `WORD_BLOCK`) gets the variance that they do not determine: given the neighbour's count, a part
-    of its time contains a binomial number of it. `block`: the first pixel of `missing_e2`."""
+    Pixel i receives the fraction part[part_at + i] of the deviations `away` (stretches, sites). If
+    a stretch of the counts extends over several of the pixel's, it is spread evenly over time."""
     boundary, times, beside = stretches.boundary, stretches.start_s, sites.beside
-    lane, lane_beside = sites.lane[first], _lane_beside(sites, side_at + first)
-    c, begin, theirs, unknown_at = exchanging.exchanged, 0, 0, -block
-    e, k, own = stretches.start[lane], stretches.start[lane_beside], 0
-    last = stretches.start[lane + 1] - 2
+    lane, counted = sites.lane[first], _counted_beside(sites, side_at + first)
+    begin, theirs, own = 0, 0, 0
+    e, k, last = stretches.start[lane], stretches.start[counted], stretches.start[lane + 1] - 2
     while e <= last:
         own_end, their_end = boundary[e + 1], boundary[k + 1]
         end = min(own_end, their_end)
-        share = (times[end] - times[begin]) * stretches.per_s[k]
-        is_known = end - begin == their_end - boundary[k]
-        unknown = 0.0 if is_known else c * c * share * (1.0 - share)
+        is_whole = end - begin == their_end - boundary[k]
+        share = 1.0 if is_whole else (times[end] - times[begin]) * stretches.per_s[k]
         for i in range(first, stop):
-            charge[own + i] += c * share * away[theirs + beside[side_at + i]]
-        for i in range(first, stop if unknown and exchanging.counts_light else first):
-            lit_e = means.lit[theirs + beside[side_at + i]]
-            missing_e2[unknown_at + i] += unknown * lit_e
-        for i in range(first, stop if unknown and exchanging.counts_dark else first):
-            dark_e = means.dark[theirs + beside[side_at + i]]
-            missing_e2[unknown_at + i] += unknown * dark_e
+            received_e = share * away[theirs + beside[side_at + i]]
+            charge[own + i] += part[part_at + i] * received_e
         begin = end
         if end == own_end:
-            for i in range(first, stop):
-                given_at = own // exchanging.pixels * exchanging.sites + i
-                charge[own + i] -= c * away[given_at]
-            e, own, unknown_at = e + 1, own + exchanging.pixels, unknown_at + WORD_BLOCK
+            e, own = e + 1, own + exchanging.pixels
         if end == their_end:
             k, theirs = k + 1, theirs + exchanging.sites
 
@@ -389,62 +373,51 @@ def exchange_counts(
     exchanging: Exchanging,
     stretches: Stretches,
     sites: Sites,
-    means: StretchMeans,
+    mean_e: Floats,
     away: Floats,
-    drawn: Written[Floats],
-    missing_e2: Written[Floats],
+    part: Written[Floats],
     charge: Written[Floats],
 ) -> None:
     """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame. The
-    charge is the sum of the `means` and the deviations `away` (stretches, sites) of Poisson counts
-    from their means, after crosstalk.
+    charge is the sum of the means `mean_e` and the deviations `away` (stretches, sites) of Poisson
+    counts from their means, after crosstalk.
 
-    What pixels receive that the neighbours' counts do not determine is drawn here. `drawn` and
-    `missing_e2` are working memory for `WORD_BLOCK` pixels, the latter for each stretch. A stretch
-    is the slots between two reads or resets of PIX, the photodiode. A site is a pixel whose charge
-    is computed."""
-    pixels = exchanging.pixels
+    `part` is working memory for `WORD_BLOCK` pixels. A stretch is the slots between two reads or
+    resets of PIX, the photodiode. A site is a pixel whose charge is computed."""
+    pixels, c = exchanging.pixels, exchanging.exchanged
     for first in range(exchanging.begin, exchanging.end, WORD_BLOCK):
-        count = min(WORD_BLOCK, exchanging.end - first)
+        stop = min(first + WORD_BLOCK, exchanging.end)
         for e in range(exchanging.rows):
-            own, theirs = e * pixels + first, e * exchanging.sites + first
-            for i in range(count):
-                charge[own + i] = means.charge[own + i] + away[theirs + i]
-                missing_e2[e * WORD_BLOCK + i] = 0.0
-        # Neighbours in these arrays usually have one lane, and so have those beside them.
-        for side in range(NEIGHBOURS if exchanging.exchanged > 0.0 else 0):
-            begin, side_at = first, side * pixels
-            while begin < first + count:
-                lane, beside, end = (
-                    sites.lane[begin],
-                    _lane_beside(sites, side_at + begin),
-                    begin + 1,
-                )
-                while end < first + count and sites.lane[end] == lane:
-                    if _lane_beside(sites, side_at + end) != beside:
+            for at in range(e * pixels + first, e * pixels + stop):
+                charge[at] = mean_e[at]
+        # Without crosstalk, a pixel keeps all of its own charge.
+        for i in range(first, stop):
+            part[i - first] = 1.0
+        for side in range(NEIGHBOURS if c > 0.0 else 0):
+            for i in range(first, stop):
+                part[i - first] -= c if sites.beside[side * pixels + i] >= 0 else 0.0
+        for turn in range(1 + (NEIGHBOURS if c > 0.0 else 0)):
+            side_at, begin = (OWN - turn) * pixels, first
+            for i in range(first, stop if turn == 1 else first):
+                part[i - first] = c
+            # Neighbours in these arrays usually have one lane, and so have those beside them.
+            while begin < stop:
+                counted, end = _counted_beside(sites, side_at + begin), begin + 1
+                while end < stop and sites.lane[end] == sites.lane[begin]:
+                    if _counted_beside(sites, side_at + end) != counted:
                         break
                     end += 1
-                if beside != NONE:
+                if counted != NONE:
                     _receive(
                         exchanging,
                         stretches,
                         sites,
-                        means,
                         away,
                         side_at,
                         begin,
                         end,
-                        first,
+                        part,
+                        -first,
                         charge,
-                        missing_e2,
                     )
                 begin = end
-        for e in range(exchanging.rows):
-            own, missing, any_missing = e * pixels + first, e * WORD_BLOCK, 0
-            for i in range(count):
-                any_missing += missing_e2[missing + i] > 0.0
-            if any_missing:
-                key = bits(exchanging.missing, exchanging.frame, np.uint64(e))
-                drawn_normals(key, sites.place, first, count, drawn, 0)
-                for i in range(count):
-                    charge[own + i] += math.sqrt(missing_e2[missing + i]) * drawn[i]

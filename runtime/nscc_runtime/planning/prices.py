@@ -12,7 +12,7 @@ from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, Leak, Saturates
 from nscc_runtime.effects.parts import Errors as SmallErrors
 from nscc_runtime.execution.block_program import block_program
-from nscc_runtime.execution.moments import on_chip
+from nscc_runtime.execution.moments import exchanges_much, on_chip
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.reference.trace import retention_us
@@ -37,7 +37,7 @@ SLOT_NS, _TRIAL_MS = 250.0, 1.2
 class Work:
     """The work of a frame of a scene: means over pixels of the number of `words` and of `stretches`
     of slots between them, and the numbers of pixels that run through their words because they may
-    saturate (`near`), or leak unlike most (`uneven`)."""
+    saturate (`near`), or leak unlike most (`uneven`). With strong crosstalk all pixels do."""
 
     scene: PlannedScene
     words: float
@@ -91,6 +91,8 @@ class Work:
         if effects.names(SmallErrors):
             frame_ns += buckets * _ERRORS_NS
         near = self.near * bool(effects.names(Saturates)) + self.uneven * bool(effects.names(Leak))
+        if exchanges_much(effects, analysed(scene.container, scene.sensor)):
+            near = scene.pixels
         near_ns = near * self.loop_ns(effects)
         return ((scene_ns + frames * frame_ns) * scene.pixels + frames * near_ns) * 1e-6
 
