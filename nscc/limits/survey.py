@@ -89,6 +89,12 @@ def limit_of(
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
     sizes = candidates(family.shutters, family.least, most)
     trials = yield from explore(sizes, lambda size: _attempt(family, size, slot, options), BUDGET)
+    certain = [size for size, trial in trials.items() if trial.proved]
+    following = max(set(trials) - set(certain), default=0) + 1
+    if family.nested and certain and following not in trials:
+        # It is often the smallest size that is proved to be impossible.
+        trials[following] = _attempt(family, following, slot, options)
+        yield trials[following]
     ordered_trials = tuple(trials[size] for size in sorted(trials))
     built = next((trial for trial in reversed(ordered_trials) if trial.fits), None)
     # Only if a program includes all smaller ones, a proof holds for all larger sizes.

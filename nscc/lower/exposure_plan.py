@@ -28,6 +28,7 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.operations import Op, WordEffect, op
+from nscc.program.limits import bits_needed
 from nscc.program.program import Program
 from nscc.record import Record
 from nscc.truth import columns, members
@@ -197,12 +198,37 @@ def plan_exposures(program: Program, option: LoweringOption) -> Planned:
     misfits: dict[Lowering, Misfit] = {}
     for lowering in LOWERINGS if option == "auto" else (option,):
         plan = plan_exposure(program, lowering, opens)
-        if isinstance(plan, Misfit):
-            misfits[lowering] = plan
+        misfit = plan if isinstance(plan, Misfit) else _crowded(plan, program.target)
+        if misfit is not None:
+            misfits[lowering] = misfit
         else:
             plans.append(plan)
     plans.sort(key=lambda plan: plan.analog_writes[1])
     return Planned(program, frame_time(program), opens, tuple(plans), misfits)
+
+
+def _crowded(plan: ExposurePlan, target: Target) -> Misfit | None:
+    """Return why no gates can load FLAG for some step of `plan`, or None if the count of registers
+    allows gates for each step.
+
+    FLAG is the OR of one or more registers. Those are 0 in all shutters outside of the step's
+    predicate, so the remaining registers must distinguish these shutters: what FLAG held before is
+    lost. FLAG is the bit that lets a pixel act. A predicate is a set of shutters."""
+    loaded = [step for step in plan.steps if step.predicate]
+    if not loaded:
+        return None
+    smallest = min(loaded, key=lambda step: (step.predicate or 0).bit_count())
+    others = plan.shutters - (smallest.predicate or 0).bit_count()
+    required, available = 1 + bits_needed(others), len(target.digital_registers)
+    if required <= available:
+        return None
+    return Misfit(
+        f"one register selects the shutters of boundary {smallest.boundary}, and the others must "
+        f"distinguish the {others} other shutters: {required} registers with any encoding",
+        "digital registers",
+        required,
+        available,
+    )
 
 
 def frame_time(program: Program) -> Timeline:

@@ -63,12 +63,19 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     states, else None.
 
     The error is proved: no encoding can distinguish the shutters."""
+    shutters = len(program.table.shutters)
+    required = bits_needed(shutters)
+    if required <= len(program.target.digital_registers):
+        return None
+    return _capacity(program, required, [capacity_note(shutters)])
+
+
+def _capacity(program: Program, required: int, reasons: Sequence[str]) -> Diagnostic:
+    """Return the error (NS0412) that a program's codes need `required` digital registers, for
+    `reasons` that hold for any encoding."""
     target = program.target
     shutters = len(program.table.shutters)
     available = len(target.digital_registers)
-    required = bits_needed(shutters)
-    if required <= available:
-        return None
     # The text says how the number of shutters arises in the program.
     if program.mode == "fixed":
         shutters_text = f"{shutters} different shutters in use"
@@ -95,7 +102,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
         related=chip_label(program, registers),
         notes=(
             *chip_note(program, registers),
-            capacity_note(shutters),
+            *reasons,
             f"bits by holder: {', '.join(ledger)}{'; scratch 0' * (len(ledger) > 1)}",
         ),
         data=resource("digital registers", required, available, proved=True),
@@ -108,9 +115,13 @@ def plan_fault(
     """Return the error that no exposure plan exists for the requested `lowering` (a way to compute
     the exposure); this is proved.
 
-    `misfits` has the reason for each lowering that was tried, at least one. NS0413 is returned if
-    all lack analog registers, else NS0414."""
+    `misfits` has the reason for each lowering that was tried, at least one. NS0412 is returned if
+    one lacks digital registers, NS0413 if all lack analog registers, else NS0414."""
     reasons = _reasons(misfits)
+    crowded = [m.required for m in misfits.values() if m.resource == "digital registers"]
+    if crowded:
+        certain = "certain for codes in digital registers: no lowering can load FLAG at a boundary"
+        return _capacity(program, min(crowded), [certain, *reasons])
     short = [m for m in misfits.values() if m.resource is not None]
     # Some lowering has enough registers, so its own condition is what the program does not meet.
     if len(short) < len(misfits):

@@ -33,7 +33,7 @@ LATCH_SERVES = {
     "hdr_2x2",
     "hdr_doubling",
 }
-REFUSALS = {"latch": "NS0414", "edges": "NS0502"}
+REFUSALS = {"latch": "NS0414", "edges": "NS0412"}
 
 WORDS = ROOT / "tests" / "data" / "words"
 """How many words each example takes at each level, and their digest."""
