@@ -108,6 +108,8 @@ def limit_of(
         )
     if proved:
         impossible, reason = proved[0].size, proved[0].reason
+        if proved[0].code == "NS0412":
+            reason += "; at some boundary one of the digital registers is 0 in nearly all shutters"
     limit = Limit(
         family,
         slot,

@@ -25,9 +25,9 @@ from nscc.truth import columns, rows, set_bits
 # More scratch registers leave too few planes.
 _MOST_SCRATCH = 3
 # Beam width of the searches that compare choices of planes; thousands of them run.
-_QUICK_WIDTH = 6
+_QUICK_WIDTH = 2
 # The fraction of steps for choosing planes, and the beam widths of the search afterwards.
-_CHOOSING = 0.6
+_CHOOSING = 0.4
 _WIDTHS = (30, 100, 300, 1000)
 # Limit on the words of a cascade; effectively none.
 _LONGEST = 4096
