@@ -198,9 +198,10 @@ def plan_exposures(program: Program, option: LoweringOption) -> Planned:
     misfits: dict[Lowering, Misfit] = {}
     for lowering in LOWERINGS if option == "auto" else (option,):
         plan = plan_exposure(program, lowering, opens)
-        misfit = plan if isinstance(plan, Misfit) else _crowded(plan, program.target)
-        if misfit is not None:
-            misfits[lowering] = misfit
+        if not isinstance(plan, Misfit):
+            plan = _crowded(plan, program.target) or plan
+        if isinstance(plan, Misfit):
+            misfits[lowering] = plan
         else:
             plans.append(plan)
     plans.sort(key=lambda plan: plan.analog_writes[1])
