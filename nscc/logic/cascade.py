@@ -25,16 +25,14 @@ from nscc.truth import columns, rows, set_bits
 # More scratch registers leave too few planes.
 _MOST_SCRATCH = 3
 # Beam width of the searches that compare choices of planes; thousands of them run.
-_QUICK_WIDTH = 2
+_QUICK_WIDTH = 6
 # The fraction of steps for choosing planes, and the beam widths of the search afterwards.
-_CHOOSING = 0.5
+_CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
 # Limit on the words of a cascade; effectively none.
 _LONGEST = 4096
-# The shares of changes of a choice that use one register more or less for planes, and of the other
-# changes those that exchange a predicate (the rest invert one); the initial tolerance for more
-# words.
-_RESIZED = 0.1
+# The share of changes of a choice that exchange a predicate (the others invert one), and the
+# initial tolerance for more words.
 _EXCHANGED = 0.8
 _SLACK = 0.03
 # So many predicates for each plane may come in by an exchange: those with the fewest ones.
@@ -175,7 +173,7 @@ class _Finder:
         # scratch register allows one more plane.
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
             width = min(self._machine.registers - scratch, widest)
-            if not self._possible(width, scratch):
+            if width < least or scratch > self._machine.registers - width:
                 continue
             for order in self._orders:
                 choice = tuple(order[:width])
@@ -194,12 +192,6 @@ class _Finder:
             for plan in self._widened(best, width):
                 best = plan
                 yield plan
-
-    def _possible(self, planes: int, scratch: int) -> bool:
-        """Return whether `planes` registers distinguish all points and leave `scratch` registers,
-        which must be 1 to _MOST_SCRATCH, for intermediate results."""
-        enough = self._points.bits.shape[1] <= 1 << planes
-        return enough and 0 < scratch <= min(_MOST_SCRATCH, self._machine.registers - planes)
 
     def solution(self, plan: _Plan) -> Solution:
         """Return the solution that stores a plan's predicates and computes the others by its
@@ -314,9 +306,8 @@ class _Finder:
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
         """Improve the choice of stored predicates (sets of shutters) by exchanging or inverting one
-        at random, or by using one register more or less for them; yield each plan with fewer words
-        than all before. A plan adds to the stored predicates the cascades (chains of gates) that
-        compute the others.
+        at random; yield each plan with fewer words than all before. A plan adds to the stored
+        predicates the cascades (chains of gates) that compute the others.
 
         `best` is the plan to begin with, `width` the width of the beam. Ends when only `until`
         steps of the budget are left."""
@@ -326,27 +317,19 @@ class _Finder:
         count = round(_CANDIDATES * len(best.choice))
         candidates = dict.fromkeys(plane for order in self._orders for plane in order[:count])
         while self._budget.left > until:
-            neighbour, scratch = list(current.choice), current.scratch
+            neighbour = list(current.choice)
             index = choose.randrange(len(neighbour))
             number, turned = neighbour[index]
             chosen_planes = dict(neighbour)
             unchosen_planes = [plane for plane in candidates if plane[0] not in chosen_planes]
-            if choose.random() < _RESIZED:
-                scratch += choose.choice((-1, 1))
-                if scratch > current.scratch:
-                    del neighbour[index]
-                elif unchosen_planes:
-                    neighbour.append(choose.choice(unchosen_planes))
-                if not self._possible(len(neighbour), scratch):
-                    continue
-            elif unchosen_planes and choose.random() < _EXCHANGED:
+            if unchosen_planes and choose.random() < _EXCHANGED:
                 neighbour[index] = choose.choice(unchosen_planes)
             else:
                 neighbour[index] = number, not turned
             # Slightly worse choices are accepted, less and less (threshold accepting; Dueck and
             # Scheuer, 1990), because most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
-            plan = self._quick(tuple(neighbour), scratch, width, current.words + slack)
+            plan = self._quick(tuple(neighbour), current.scratch, width, current.words + slack)
             if plan is not None:
                 current = plan
                 if plan.words < best.words:
