@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from itertools import product
+from itertools import pairwise, product
 from operator import add, floordiv, mul, sub
 from typing import NamedTuple
 
@@ -34,7 +34,7 @@ def judge_values(
         for node in checked.nodes:
             if isinstance(node, tree.Compare):
                 sides = (node.first, *node.later_operands)
-                for left, op, right in zip(sides, node.ops, sides[1:], strict=False):
+                for op, (left, right) in zip(node.ops, pairwise(sides), strict=True):
                     _judge(left, op, right, found, problems)
             parts = [found[id(part)] for part in operands(node)]
             range_ = _range(node, [part.range for part in parts], checked.constants, ranges)

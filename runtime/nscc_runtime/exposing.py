@@ -88,7 +88,7 @@ def capture(
         "none" (sums of light), "auto", "all", or names as for `nscc run --effects`. The default is
         "auto" if `tolerance`, `plan` or `audit` is given, else "none".
     tolerance : str or float, optional
-        Largest RMS difference from the reference: "5e", "0.1lsb", "1%" of the mean signal, or
+        Largest RMS difference from all effects: "5e", "0.1lsb", "1%" of the mean signal, or
         "0.15noise" of the frame's own noise (the default of "auto"). A number is in electrons.
     plan : Plan, str or PathLike, optional
         A plan of `nscc_runtime.plan`, or a file. A file that does not exist is written.
@@ -260,7 +260,7 @@ def plan(
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
-    """Measure the error of captures with a plan against the reference.
+    """Measure the error of captures with a plan against captures with all effects.
 
     A plan is a choice of the effects that are simulated.
 

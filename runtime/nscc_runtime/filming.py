@@ -19,6 +19,7 @@ from nscc_runtime.python_arguments import (
     SensorLike,
     container_of,
     laid_of,
+    refuse_removed,
     sensor_of,
 )
 from nscc_runtime.request import Request
@@ -26,6 +27,7 @@ from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.simulate import Listener
 
 
+@refuse_removed
 def film(
     program: ProgramLike,
     lights: Iterable[LightLike],

@@ -150,8 +150,16 @@ def in_distribution(
     # Means over frames have noise, whose variance is subtracted.
     noise_e2 = 0.0 if expected_e else (own_variance + loop_variance) / own_e.shape[1]
     parts_e2 = np.array([difference**2 - noise_e2, own_variance - loop_variance])
-    spreads_e2 = np.array([2.0 * difference * np.sqrt(noise_e2), parts_e2[1]]).std(axis=2)
-    errors_e2 = spreads_e2 / math.sqrt(difference.shape[1])
+    # Scatter over pixels tells of distributions that are not normal, frames of few pixels.
+    scatter_e2 = np.array([2.0 * difference * np.sqrt(noise_e2), parts_e2[1]]).std(axis=2)
+    of_pixel_e2 = np.array(
+        [
+            np.hypot(2.0 * difference * np.sqrt(noise_e2), math.sqrt(2.0) * noise_e2),
+            np.hypot(own_variance, loop_variance) * math.sqrt(2.0 / (own_e.shape[1] - 1)),
+        ]
+    )
+    of_frames_e2 = np.sqrt((of_pixel_e2**2).mean(axis=2))
+    errors_e2 = np.maximum(scatter_e2, of_frames_e2) / math.sqrt(difference.shape[1])
     sizes_e2 = np.abs(parts_e2.mean(axis=2))
     path_e2 = np.maximum(sizes_e2 - _SIGMAS * errors_e2, 0.0).sum(axis=0)
     path_e2 += _ONE_SIDED_E2 * (own_known != loop_known).any(axis=1)

@@ -283,14 +283,17 @@ def _fixed_scores(
     """Return the square contrasts (rows, cols) of the dark charge and of the leaked charge of a
     frame with the light `total_e`, in square electrons; only of a pattern that few pixels have."""
     device, effects = whole_device(sensor, device_seed, total_e.size), everything()
-    found = []
-    for part, light_e in ((CountedDark, np.ones_like(total_e)), (Leak, total_e)):
+    dark_e = device.fixed(effects.require_part(CountedDark).per_s) * frame_s
+    leaked = device.fixed(effects.require_part(Leak).per_s) * frame_s
+    return [
+        _contrast(light_e * charge.reshape(total_e.shape).astype(np.float32)) ** 2
+        for pattern, charge, light_e in (
+            (dark_e, dark_e, np.float32(1.0)),
+            (leaked, -np.expm1(-leaked), total_e),
+        )
         # A spread of a normal distribution needs no draws of its own.
-        pattern = device.fixed(effects.require_part(part).per_s) * frame_s
-        if (pattern**4).mean() > _HEAVY * (pattern**2).mean() ** 2:
-            charge = pattern if part is CountedDark else -np.expm1(-pattern)
-            found.append(_contrast(light_e * charge.reshape(total_e.shape).astype(np.float32)) ** 2)
-    return found
+        if (pattern**4).mean() > _HEAVY * (pattern**2).mean() ** 2
+    ]
 
 
 def _contrast(light_e: Floats32) -> Floats32:

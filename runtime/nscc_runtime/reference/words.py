@@ -225,7 +225,8 @@ def in_rows(
         valid[chunk] = fallen.valid
 
     in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
-    return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
+    exposure[:, ~valid] = np.nan
+    return Exposure(exposure, np.isfinite(exposure), saturated_by)
 
 
 @dataclass(eq=False, kw_only=True)

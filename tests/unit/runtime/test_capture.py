@@ -15,7 +15,7 @@ from reference_programs import program as compiled
 from reference_programs import sensor_of
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime import audit, capture, captures, plan
+from nscc_runtime import audit, capture, captures, film, plan
 from nscc_runtime.captured import Capture
 from nscc_runtime.effects import selected
 from nscc_runtime.exposed_frame import Exposure
@@ -305,7 +305,7 @@ def test_infinite_light_is_accepted_unless_it_is_negative() -> None:
 
 
 @pytest.mark.parametrize("name", ["tolerance_max", "torch_device"])
-@pytest.mark.parametrize("call", [capture, captures, plan, audit])
+@pytest.mark.parametrize("call", [capture, captures, film, plan, audit])
 def test_arguments_of_earlier_versions_say_what_to_do(
     name: str, call: Callable[..., object]
 ) -> None:

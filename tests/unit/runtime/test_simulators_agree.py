@@ -183,6 +183,7 @@ def test_light_that_is_not_a_number_makes_its_pixel_alone_invalid(effects: str) 
     exposed.append(Exposure(exposure_e, np.isfinite(exposure_e), marks))
     for found in exposed:
         assert np.argwhere(~found.valid[0]).tolist() == [[3, 4]]
+        assert np.argwhere(np.isnan(found.exposure_e[0])).tolist() == [[3, 4]]
         if effects in ("none", "crosstalk,prnu"):
             np.testing.assert_allclose(
                 found.exposure_e[found.valid], exposed[0].exposure_e[found.valid], rtol=1e-6
