@@ -73,7 +73,7 @@ def _loader_notes(compiled: Compiled) -> list[Diagnostic]:
     if compiled.container is None:
         return []
     program = compiled.program
-    return loader_notes(compiled.container, program.source, program.frame.span)
+    return list(loader_notes(compiled.container, program.source, program.frame.span))
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: NamedValues) -> int:

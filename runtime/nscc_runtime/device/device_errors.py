@@ -10,8 +10,9 @@ from nscc.chips.target import Target
 from nscc.diagnostics import diagnostic
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
-from nscc_runtime.device.messages import Capability, Info, LoaderFault, frame_bytes
-from nscc_runtime.device.objects import MOST_CHANGES, MOST_PARAMS, Upload, target_digest
+from nscc_runtime.device.loaders import MOST_CHANGES, MOST_PARAMS, RESOURCES, shortages
+from nscc_runtime.device.messages import Capability, Info, LoaderFault
+from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, PacketKind
 from nscc_runtime.device.port import PortTrouble
 
@@ -228,32 +229,24 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     bits of `Channel`, are the parts of a frame that the host wants, which decide its size."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
-    pixels = info.rows * info.cols
-    length = frame_bytes(channels, pixels, upload.readouts, upload.states, upload.report_bytes)
-    for resource, required, available in (
-        ("words", upload.words, info.most_words),
-        ("kernels", upload.kernels, info.most_kernels),
-        ("rows of its schedule", upload.rows, info.most_rows),
-        ("runs of equal slots", upload.runs, info.most_runs),
-        ("bytes of a frame", length, info.most_frame),
-        ("milliseconds of exposure", upload.frame_ms, info.longest_ms),
-        ("parameters", upload.params, MOST_PARAMS),
-        ("changes of its schedule by parameters", upload.changes, MOST_CHANGES),
-    ):
-        if required > available:
-            raise rejected(
-                "NS0765",
-                f"the program does not fit the loader at '{port[:200]}': it needs "
-                f"{required} {resource}, but the loader supports {available}",
-                "use fewer slots, or fewer buckets; the limits are set when the loader is "
-                "built (runtime/firmware)",
-                data={
-                    "resource": resource,
-                    "required": required,
-                    "available": available,
-                    "proved": True,
-                },
-            )
+    room = {
+        "words": info.most_words,
+        "kernels": info.most_kernels,
+        "rows": info.most_rows,
+        "runs": info.most_runs,
+        "frame_bytes": info.most_frame,
+        "frame_ms": info.longest_ms,
+        "params": MOST_PARAMS,
+        "changes": MOST_CHANGES,
+    }
+    for short in shortages(upload.needs(channels), room)[:1]:
+        raise rejected(
+            "NS0765",
+            f"the program does not fit the loader at '{port[:200]}': it needs {short}",
+            f"{RESOURCES[short.resource][1]}; the limits are set when the loader is built "
+            "(runtime/firmware)",
+            data={**short._asdict(), "proved": True},
+        )
     looks = upload.levels or upload.states
     for needed, capability, subject in (
         (upload.pictures, Capability.PICTURES, "the program computes images or planes"),

@@ -54,7 +54,7 @@ from nscc.words.picture_launches import SteeredLaunch
 from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, film_reaches
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.device.messages import Begin, ObjectEntry, plane_bytes
+from nscc_runtime.device.messages import Begin, ObjectEntry, frame_bytes, plane_bytes
 from nscc_runtime.emulator.capture import check_codes
 from nscc_runtime.neighbours.plane_summary import NO_BOX, PlaneSummary
 
@@ -75,8 +75,6 @@ SETS_LEVEL, SETS_TIMES, IS_START = 0, 1, 2
 """The kinds of changes in PARAMS."""
 IS_IMAGE, IS_KEPT = 1, 2
 """The role of a register in READOUTS, a bit each; what is only kept is not read out."""
-MOST_PARAMS, MOST_CHANGES = 16, 64
-"""Largest numbers of parameters and of changes that a loader stores."""
 WORD = Struct("<5I")
 LEVEL = Struct("<h")
 AS_IT_IS = -32768
@@ -151,6 +149,22 @@ class Upload:
         entries = b"".join(object_.entry.pack() for object_ in self.objects)
         return program_digest(self.target, self.label, entries)
 
+    def needs(self, channels: int) -> dict[str, int]:
+        """Return how much the program needs of each of a loader's RESOURCES, by its name.
+        `channels`, bits of `Channel`, are the parts of a frame that the host wants."""
+        return {
+            "words": self.words,
+            "kernels": self.kernels,
+            "rows": self.rows,
+            "runs": self.runs,
+            "frame_bytes": frame_bytes(
+                channels, self.pixels, self.readouts, self.states, self.report_bytes
+            ),
+            "frame_ms": self.frame_ms,
+            "params": self.params,
+            "changes": self.changes,
+        }
+
     @cached_property
     def stream(self) -> bytes:
         """The bytes of all objects, concatenated."""
@@ -196,6 +210,14 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
             f"no loader of this version of nscc supports the program: {fault}",
             helps=("run it on the emulator: leave --on out",),
         )
+    return program_of(container, label, reports=reports)
+
+
+def program_of(
+    container: Container, label: bytes, *, reports: bool = True, with_planes: bool = True
+) -> Upload:
+    """Return what `upload_of` does, without its checks; without `with_planes`, the planes of pixel
+    codes are left out, and the container needs no codes."""
     reported = device_reports(container) if reports else {}
     starts, steered = kept_starts(container), steered_launches(container)
     pictures, container = container.pictures, with_picture_words(container)
@@ -236,7 +258,8 @@ def upload_of(container: Container, label: bytes, *, reports: bool = True) -> Up
         ranges = [(param.low, param.high, param.start) for param in pictures.params]
         data = _counted(PARAM, ranges) + _counted(CHANGE, changes)
         objects.append(Object(ObjectKind.PARAMS, 0, data))
-    objects += _plane_objects(container)
+    if with_planes:
+        objects += _plane_objects(container)
     return Upload(
         target_digest(target),
         label,

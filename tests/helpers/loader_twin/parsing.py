@@ -30,6 +30,7 @@ from nscc.words.container import Launch
 from nscc.words.encoding import matching
 from nscc.words.legality import picture_fault, split_pairs
 from nscc.words.soundness import MOST_SLOTS
+from nscc_runtime.device.loaders import MOST_CHANGES, MOST_PARAMS
 from nscc_runtime.device.messages import Channel, LoaderFault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
     AS_IT_IS,
@@ -39,9 +40,7 @@ from nscc_runtime.device.objects import (
     IS_KEPT,
     IS_START,
     LEVEL,
-    MOST_CHANGES,
     MOST_LAUNCHES,
-    MOST_PARAMS,
     PARAM,
     READOUT,
     ROW,

@@ -69,10 +69,16 @@ def test_a_check_notes_the_loaders_that_cannot_take_a_program(tmp_path: Path) ->
     """The limits in the headers are those of Python. A program of 200 slots fits; one of 2048 has
     too many schedule rows (NS0507)."""
     for loader in LOADERS:
-        for folder in loader.folders:
-            text = (firmware.SOURCES / folder / "limits.hpp").read_text()
-            for name in ("kernels", "rows", "runs"):
-                assert f"most_{name} = {getattr(loader, name)};" in text
+        text = (firmware.SOURCES / loader.folder / "limits.hpp").read_text()
+        numbers = dict(re.findall(r"constexpr \w+ (\w+) = (.+?);", text))
+        for name in ("kernels", "rows", "runs"):
+            assert numbers[f"most_{name}"] == str(getattr(loader, name))
+        value, bits = re.fullmatch(r"(\d)u << (\d+)", numbers["most_frame"]).groups()
+        assert loader.frame_bytes == int(value) << int(bits)
+        assert loader.frame_ms == 1200000 // int(numbers["ticks_per_us"])
+        assert numbers["gains"] == str(loader.gains).lower()
+    schedule = (firmware.SOURCES / "core/schedule.hpp").read_text()
+    assert "longest_us = 1200000000u / limits::ticks_per_us;" in schedule
     said = {}
     for slots in (200, 2048):
         path = tmp_path / f"{slots}.nsl"
@@ -83,7 +89,47 @@ def test_a_check_notes_the_loaders_that_cannot_take_a_program(tmp_path: Path) ->
         assert run.exit_code == 0
         said[slots] = run.stderr
     assert "NS0507" not in said[200]
-    assert "2049 rows of its schedule, but it holds 1024" in said[2048]
+    assert "2049 rows of its schedule, but the loader supports 1024" in said[2048]
+
+
+@pytest.mark.parametrize(
+    ("text", "noted", "loaders"),
+    [
+        ("nsl 1\nframe 2 slots of 700s\nopen when true", "1400000 milliseconds", 3),
+        (
+            f"nsl 1\nframe slots [{', '.join(f'{100 + i}us' for i in range(71))}]\nopen when true",
+            "71 runs of equal slots, but the loader supports 64",
+            2,
+        ),
+        (
+            "nsl 4\nframe 1 slots of 1ms\nopen when true\n"
+            + "".join(
+                f"param t{i} : 1%..30% = {i + 1}%\nplane p{i} = exposure > t{i}\n"
+                for i in range(17)
+            )
+            + "plane q = "
+            + " or ".join(f"p{i}" for i in range(17))
+            + "\nread q",
+            "17 parameters, but the loader supports 16",
+            3,
+        ),
+        (
+            "nsl 4\nframe 1 slots of 1ms\nopen when true\nstate m : image kept = 3.3%\n"
+            "next m = exposure\nread m",
+            "no loader can take this program: `m` starts with",
+            1,
+        ),
+    ],
+)
+def test_a_check_notes_every_limit_of_a_loader(
+    text: str, noted: str, loaders: int, tmp_path: Path
+) -> None:
+    path = tmp_path / "program.nsl"
+    path.write_text(text + "\n")
+    run = CliRunner().invoke(check.command, [str(path)])
+    assert run.exit_code == 0, run.stderr
+    assert run.stderr.count("NS0507") == loaders
+    assert run.stderr.count(noted) == loaders
 
 
 def test_a_refresh_changes_nothing() -> None:
