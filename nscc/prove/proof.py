@@ -13,6 +13,7 @@ proved last."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -303,8 +304,12 @@ def unproved_error(
             "decision diagrams",
         ),
         helps=(
-            "compare a count: for a kernel with K weights of 1, `any(P, kernel)` is `agree(P, "
-            "kernel) > -K`, and `all(P, kernel)` is `agree(P, kernel) >= K`",
+            f"the proof followed all that is computed before `{name}`: read a result from there",
+            *[
+                "compare a count: for a kernel with K weights of 1, `any(P, kernel)` is `agree(P, "
+                "kernel) > -K`, and `all(P, kernel)` is `agree(P, kernel) >= K`",
+            ]
+            * (source is None or bool(re.search(r"\b(any|all)\b", source.text))),
             "use a smaller kernel, or combine bits of pixels that are closer together",
         ),
         data={"resource": "nodes", "available": MOST_NODES},

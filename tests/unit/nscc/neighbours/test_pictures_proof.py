@@ -162,6 +162,8 @@ def test_a_proof_that_is_too_large_is_refused_as_an_error_of_the_program(
     refused = invoke(["build", "p.nsl", "-o", "q.icw"], tmp_path)
     assert (refused.status, refused.codes) == (1, ["NS0544"])
     assert "`far` depends on" in refused.err
+    assert "all that is computed before `far`" in refused.err
+    assert "compare a count" in refused.err
     assert "p.nsl:8:1" in refused.err
     assert not (tmp_path / "q.icw").exists()
     assert invoke(["prove", "p.icw"], tmp_path).codes == ["NS0544"]
