@@ -11,7 +11,7 @@ from itertools import chain, combinations, product
 
 import numpy as np
 
-from nscc.arrays import Bools
+from nscc.arrays import Bools, Ints
 from nscc.record import Record
 from nscc.words.machine import StateMachine
 
@@ -20,7 +20,8 @@ Rows = Bools
 
 
 COUNTER = "binary counter"
-"""The kind of a binary encoding whose steps by one are a ripple of carries."""
+"""The kind of a binary encoding of numbers that count from the start of the state, upwards and
+downwards."""
 
 
 class ValueBits(Record, eq=False):
@@ -64,7 +65,8 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
     small enough.
 
     They are all combinations of encodings of the code and of each state, binary ones last. At the
-    end, binary states are counters (`COUNTER`), which gates can count up."""
+    end, binary states are counters (`COUNTER`), which gates can count up and
+    down."""
     behaviours = int(machine.behaviour.max()) + 1  # sets of codes that act alike
     behaviour_numbers = tuple(range(behaviours))
     codes = [
@@ -78,13 +80,19 @@ def encodings(machine: StateMachine, registers: int) -> Iterator[LooksEncoding]:
         if state.sense and not _outlasts(machine, k):
             bit_choices = [("not held", np.zeros((len(values), 0), np.bool_))]
         states.append([ValueBits(state.name, kind, values, bits) for kind, bits in bit_choices])
-    # The last choice of each state is binary, which gates can count up.
-    counters = [
-        [replace(last, kind=COUNTER) if last.registers > 1 else last] for *_, last in states
-    ]
+    # The last choice of each state is binary.
+    counters = [[_counter(last) if last.registers > 1 else last] for *_, last in states]
     for code, *chosen in chain(product(codes, *states), product(codes, *counters)):
         if sum(value_bits.registers for value_bits in (code, *chosen)) <= registers:
             yield LooksEncoding(code, tuple(chosen))
+
+
+def _counter(binary: ValueBits) -> ValueBits:
+    """Return a binary encoding of a state with other numbers: values above the start, which is
+    `values[0]`, count from 0, and values below it down from 0, modulo two to the number of bits."""
+    ranks = np.argsort(np.argsort(binary.values))
+    numbers = (ranks - ranks[0]) % (1 << binary.registers)
+    return replace(binary, kind=COUNTER, bits=_binary(numbers, binary.registers))
 
 
 def _outlasts(machine: StateMachine, k: int) -> bool:
@@ -147,7 +155,7 @@ def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
     yield "binary", _binary(range(count), (count - 1).bit_length())
 
 
-def _binary(numbers: Sequence[int], width: int) -> Rows:
+def _binary(numbers: Sequence[int] | Ints, width: int) -> Rows:
     """Return the `width` lowest binary digits of numbers, which are at least 0, bool (numbers,
     width), lowest digit first."""
     return (np.array(numbers)[:, None] >> np.arange(width) & 1).astype(np.bool_)

@@ -12,7 +12,7 @@ from nscc.arrays import Indices
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.boundary_gates import FLAG, RegisterContents, write_simultaneously
-from nscc.looks.count_up import count_up, counted
+from nscc.looks.counters import count, steps_of
 from nscc.looks.encode import COUNTER, LooksEncoding, ValueBits
 from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.lower.exposure_plan import RESET
@@ -241,14 +241,14 @@ class _Moment:
             self.emitted += words
         counters = {}
         for held, names in zip(self.solver.encoding.states, self.solver.registers, strict=True):
-            if held.kind == COUNTER and (lanes := counted(self.contents, names, self.new_values)):
-                counters[names] = lanes
+            if held.kind == COUNTER and (steps := steps_of(self.contents, names, self.new_values)):
+                counters[names] = steps
         rippled = {name for names in counters for name in names}
         write_simultaneously(
             self.contents, {r: v for r, v in self.new_values.items() if r not in rippled}
         )
-        for names, lanes in counters.items():
-            count_up(self.contents, names, lanes)
+        for names, steps in counters.items():
+            count(self.contents, names, steps)
         self.emitted += self.contents.pop_gates()
         return renamed(self.emitted)
 
