@@ -170,15 +170,12 @@ class Synthesis:
     def _digit_planes_of_lines(self, taps: Taps) -> Iterator[Program]:
         """Yield programs that apply the digit planes of a row, then those of a column, if their
         product is the convolution kernel `taps`; they need five or four registers."""
-        chains = [
-            [
-                chained(*pair)
-                for pair in zip(
-                    *(digit_plane_programs(line, self.forms) for line in lines), strict=False
-                )
-            ]
-            for lines in separated(taps)
-        ]
+        chains = []
+        for lines in separated(taps):
+            found = [digit_plane_programs(line, self.forms) for line in lines]
+            both = min(map(len, found))
+            pairs = zip(*(programs[:both] for programs in found), strict=True)
+            chains.append([chained(*pair) for pair in pairs])
         for number in (0, 1):  # with five registers, then with four
             programs = [Ranged(program) for chain in chains for program in chain[number::2]]
             yield from (ranged.program for ranged in _best(programs, _peak(taps)))

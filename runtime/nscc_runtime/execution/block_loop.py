@@ -132,8 +132,8 @@ def _fall(
 
     `word` runs at the start of stretch number `stretch`; the charge of all stretches from the one
     that a pixel has reached up to this falls, and with slow words a part of this one. Note in
-    `state.reached` and `state.fallen_fraction` how far each pixel is. A stretch is the slots
-    between two reads or resets of PIX, the photodiode."""
+    `state.reached` and `state.fallen_fraction` how far each pixel is. Slots of a stretch are
+    counted as one number."""
     total, pixels = state.total, sizes.charged
     fallen, reached, least = state.fallen_fraction, state.reached, stretch
     for j in range(count):

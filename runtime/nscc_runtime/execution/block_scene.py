@@ -420,8 +420,7 @@ def _charge_of_frame(
     of Poisson counts, exchanged between neighbours.
 
     `seed`: of the noise. `frame`: number of the frame. Without counts this is the array of means
-    itself, which callers must not change. A stretch is the slots between two reads or resets of
-    PIX, the photodiode."""
+    itself, which callers must not change. Slots of a stretch are counted as one number."""
     if not (scene.draws and charge.counted):
         return charge.means.charge
     away = draw_deviations(charge.counted, charge.sites.place, seed, frame, threads)

@@ -81,8 +81,7 @@ def draw_deviations(
     `sources`, at least one: of each the random stream, the number of the source, and the means
     (rows, pixels). A row is a stretch or group of slots, and row r is drawn with the key of group
     r. `places` (pixels,): places on the chip. `seed`: of the noise. `frame`: number of the frame.
-    Results do not depend on `threads`. A stretch is the slots between two reads or resets of PIX,
-    the photodiode."""
+    Results do not depend on `threads`. Slots of a stretch are counted as one number."""
     rows, pixels = sources[0][2].shape
     away = np.empty((rows, pixels))
     # One key for each source and row, so that a draw depends only on these and on the pixel.

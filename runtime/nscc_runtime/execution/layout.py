@@ -158,7 +158,7 @@ class PixelState(NamedTuple):
     them can be vectorised.
 
     `pattern`, `leak`, `offset`: see `FixedPatterns`. `level`: the reset level of PIX (the
-    photodiode). `reached`: the stretch (slots between two reads or resets of PIX) that each pixel
+    photodiode). `reached`: the stretch (slots that are counted as one number) that each pixel
     has reached. `fallen_fraction`: the fraction of this stretch that is collected.
 
     Contents of the registers, then of PIX, a row each. `value`: electrons. `since_s`: the time of

@@ -197,8 +197,7 @@ def _store(
 ) -> None:
     """Store the light of stretch e of site i in electrons: `own`, before crosstalk, in `means.lit`
     if light is counted; `total`, after crosstalk, in `means.charge` if the site is a pixel that
-    runs through its words. A stretch is the slots between two reads or resets of PIX, the
-    photodiode."""
+    runs through its words. Slots of a stretch are counted as one number."""
     if sizes.counts_light:
         means.lit[e * sizes.sites + i] = own if own >= 0.0 else 0.0  # 0 for NaN
     if i < sizes.own:
@@ -268,8 +267,8 @@ def dark_means(
     sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
 ) -> None:
     """Set `means.dark` to the means of the counted dark charge of the sites begin to end - 1 in
-    the stretches of their counts, in electrons. A stretch is the slots between two reads or resets
-    of PIX, the photodiode. A site is a pixel whose charge is computed."""
+    the stretches of their counts, in electrons. Slots of a stretch are counted as one number. A
+    site is a pixel whose charge is computed."""
     for i in range(sizes.begin, sizes.end):
         first = stretches.start[sites.counted[i]]
         for e in range(stretches.start[sites.counted[i] + 1] - first - 1):
@@ -382,8 +381,8 @@ def exchange_counts(
     charge is the sum of the means `mean_e` and the deviations `away` (stretches, sites) of Poisson
     counts from their means, after crosstalk.
 
-    `part` is working memory for `WORD_BLOCK` pixels. A stretch is the slots between two reads or
-    resets of PIX, the photodiode. A site is a pixel whose charge is computed."""
+    `part` is working memory for `WORD_BLOCK` pixels. Slots of a stretch are counted as one number.
+    A site is a pixel whose charge is computed."""
     pixels, c = exchanging.pixels, exchanging.exchanged
     for first in range(exchanging.begin, exchanging.end, WORD_BLOCK):
         stop = min(first + WORD_BLOCK, exchanging.end)
