@@ -29,6 +29,11 @@ ALLOWED = {
     ("d", 64, 128): "128 slots have 8,256 bumps, more than 12 planes distinguish",
     ("states", 32, 33): "33 values need a sixth bit, which counts by a ripple of carries",
     ("and", 256, 257): "257 stops need a ninth plane, which leaves two planes for 4 values of k",
+    (
+        "codebook of 16 slots",
+        128,
+        129,
+    ): "129 rows need an eighth plane: one inverted plane less",
     ("and or not", 128, 256): "256 stops need 12 planes: no state fits, so numbers are compared",
     ("nested", 128, 256): "256 stops need 12 planes: no state fits, so numbers are compared",
     ("and bits", 256, 512): "512 stops need 12 planes: no state fits, so numbers are compared",
@@ -155,14 +160,16 @@ def measure(text: str, level: int) -> tuple[int | str, float, float]:
 
 
 def too_much(family: str, sizes: tuple[int, int], words: tuple[int | str, int | str]) -> str:
-    """Why the growth between two sizes is too large; empty if it is not."""
+    """Why the growth between two sizes is too large; empty if it is not. The words `before` are 0
+    for the first size of a family, which must compile."""
     (size, larger), (before, after) = sizes, words
     if isinstance(before, str) or (family, size, larger) in ALLOWED:
         return ""
     if isinstance(after, str):
         return f"CLIFF: {after}"
     limit = STEP if larger == size + 1 else DOUBLING if size >= 32 else None
-    return f"CLIFF: above {limit}" if limit is not None and after > limit * before else ""
+    is_above = before and limit is not None and after > limit * before
+    return f"CLIFF: above {limit}" if is_above else ""
 
 
 def main() -> None:
@@ -184,9 +191,7 @@ def main() -> None:
                     continue
                 known[now], seconds, memory = measure(program(now), asked.level)
                 last = known.get(before)
-                fault = ""
-                if last:
-                    fault = too_much(family, (before, now), (last, known[now]))
+                fault = too_much(family, (before, now), (last or 0, known[now]))
                 both = isinstance(last, int) and isinstance(known[now], int)
                 growth = f"{known[now] / last:.2f}" if both else ""  # type: ignore[operator]
                 columns = f"{growth:>8}{'':>9}" if now == before + 1 else f"{'':>8}{growth:>9}"
