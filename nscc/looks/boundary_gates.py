@@ -58,12 +58,13 @@ class RegisterContents:
     with one outcome of the look). `values` are the contents by name, with FLAG (the bit that lets a
     pixel act) if it is known and the scratch registers (t0, t1, ..) in use. `everything` is the
     vector of all lanes. `machine` has the limits of the chip's gates. `gates` are the gates chosen
-    so far."""
+    so far. With `few`, they take fewer scratch registers, and more words."""
 
     machine: Machine
     everything: int
     values: dict[str, int]
     gates: list[Gate] = field(default_factory=list)
+    few: bool = False
 
     @property
     def words(self) -> int:
@@ -72,7 +73,9 @@ class RegisterContents:
 
     def copy(self) -> RegisterContents:
         """Return a copy, to which other gates can be added without changing this one."""
-        return RegisterContents(self.machine, self.everything, dict(self.values), list(self.gates))
+        return RegisterContents(
+            self.machine, self.everything, dict(self.values), list(self.gates), self.few
+        )
 
     def first_unused_scratch(self) -> str:
         """Return the name of the first unused scratch register (for intermediate results)."""
@@ -206,8 +209,8 @@ class RegisterContents:
             yield sequence
             if sequence.price == (1, 0):  # nothing is shorter
                 return
-        # A complement takes one word, and its reader another.
-        if most >= 2 and (fewest is None or fewest > 2):
+        # A complement takes one word, and its reader another; it takes a register also.
+        if most >= 2 and (fewest is None or (fewest > 2 and not self.few)):
             for v, name in tuple(first.items()):
                 if self.everything & ~v not in first:
                     names.append(f"~{name}")
@@ -283,11 +286,19 @@ class RegisterContents:
             cube = [source(i) for i in cover.cubes[0].sources]
             (gates.or_ if inverted else gates.nor)(destination, cube)
             return GateSequence(gates.take(), tuple(scratch_values.items()))
-        positive = []
+        positive: list[str] = []
         for cover_cube in cover.cubes:
             # Complements are computed just before their first reader, so fewer are alive at once.
             cube = [source(i) for i in cover_cube.sources]
-            positive.append(scratch(cover_cube.vector))
+            # A cube's register is free for the next one once the OR of both is known.
+            if self.few and len(positive) > 1:
+                gates.or_(positive[0], positive)
+                last = positive.pop()
+                scratch_values[positive[0]] |= scratch_values[last]
+                scratch_values[last] = cover_cube.vector
+                positive.append(last)
+            else:
+                positive.append(scratch(cover_cube.vector))
             gates.nor(positive[-1], cube)
         positive += [source(i) for i in cover.positive]
         (gates.nor if inverted else gates.or_)(destination, positive)

@@ -336,8 +336,9 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
     """Return the words of the analog plan of a program with senses for several encodings, best
     first, and no errors.
 
-    If no encoding works, return [] and the error NS0502, with the first reasons. `job` has the
-    level of `-O`, which limits the number of encodings, and the limit of words at a boundary."""
+    If no encoding works, return [] and the error NS0502, with the first reasons and the last. `job`
+    has the level of `-O`, which limits the number of encodings, and the limit of words at a
+    boundary."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)
@@ -362,8 +363,9 @@ def lowered_of(plan: LookingPlan, job: Job) -> tuple[list[LookingLowered], Found
         key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.chip_registers))
     )
     if not lowerings:
-        # Four reasons suffice: further encodings fail for similar ones.
-        return [], [fit.looking_fault(program, list(reasons)[:4], level=level)]
+        # Four reasons suffice: further encodings fail for similar ones. The last may fit best.
+        shown = [*list(reasons)[:3], *list(reasons)[3:][-1:]]
+        return [], [fit.looking_fault(program, shown, level=level)]
     return lowerings, []
 
 

@@ -106,14 +106,16 @@ class Solver:
         # mask register is 1, so that every write needs that register too.
         unused = self.target.masked_register is not None and not self.holders
         room = len(self.target.digital_registers) - unused - len(self.holders) - len(self.states)
+        # Only encodings that are tried last may take more words, so that they replace no other.
+        last = any(value_bits.kind == COUNTER for value_bits in self.encoding.states)
         # The last boundary fails first if registers are missing.
         for moment in reversed(self.plan.moments):  # most states, so most scratch, at the end
-            moment_items = tuple(_Moment(self, moment).items())
+            moment_items = _Moment(self, moment).items()
+            if last and _scratch(moment_items) > room:
+                moment_items = _Moment(self, moment, few=True).items()
             if moment_items:
-                items[moment.boundary] = moment_items
-            for item in moment_items:
-                if isinstance(item, Gate) and item.destination.startswith("t"):
-                    scratch = max(scratch, int(item.destination[1:]) + 1)
+                items[moment.boundary] = tuple(moment_items)
+            scratch = max(scratch, _scratch(moment_items))
             if scratch > room:
                 raise GaveUp("no register is left for scratch")
         start = self.machine.start_nodes()
@@ -166,15 +168,16 @@ class _Moment:
     `contents` are what registers hold now, and `new_values` the truth vectors that the boundary
     must write, by register. A truth vector is an integer with one bit for each simulated pixel."""
 
-    def __init__(self, solver: Solver, moment: Moment) -> None:
+    def __init__(self, solver: Solver, moment: Moment, *, few: bool = False) -> None:
         """Compute the register contents before the boundary of `moment`, and the new values that
         its gates must write.
 
-        `solver` has the analog plan and the registers of codes and states."""
+        `solver` has the analog plan and the registers of codes and states. With `few`, gates take
+        fewer scratch registers (for intermediate results), and more words."""
         self.solver, self.moment, self.plan = solver, moment, solver.plan
         self.target = solver.target
         self.contents = RegisterContents(
-            solver.gates, moment.everything, solver.vectors(moment.before)
+            solver.gates, moment.everything, solver.vectors(moment.before), few=few
         )
         after = solver.vectors(moment.after)
         self.new_values = {name: v for name, v in after.items() if v != self.contents.values[name]}
@@ -329,6 +332,13 @@ class _Moment:
             return False
         contents.copy_to_scratch(FLAG)
         return True
+
+
+def _scratch(items: Sequence[Item]) -> int:
+    """Return the number of scratch registers (for intermediate results) that gates write."""
+    gates = (item for item in items if isinstance(item, Gate))
+    numbers = [int(gate.destination[1:]) for gate in gates if gate.destination.startswith("t")]
+    return max(numbers, default=-1) + 1
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:

@@ -75,3 +75,19 @@ def test_counters_count_as_a_model_does(name: str) -> None:
     assert len(set(expected)) > 4
     words = sum(len(container.kernels[launch.kernel].words) for launch in container.launches)
     assert words <= most * slots
+
+
+@pytest.mark.parametrize(("codes", "highest"), [(16, 8), (30, 4)])
+def test_a_counter_fits_beside_codes_that_need_half_of_the_registers(
+    codes: int, highest: int
+) -> None:
+    """nscc proves its words, so a container is right."""
+    nscc.compile(
+        f"nsl 2\nframe 32 slots of 100us\ncode s : 1..{codes}\n"
+        "sense bright when light > 45% at n > 0 and n < N\n"
+        f"state count : 0..{highest} = 0\n"
+        f"next count = count + 1 when bright and count < {highest}\n"
+        "open when n < s\nread count\n",
+        target=TARGET,
+        level=1,
+    )
