@@ -149,9 +149,13 @@ def _ripple(contents: RegisterContents, names: Sequence[str], carry: str, *, up:
         gates.or_(name, [only_bit, only_carry])
         if not lanes or number + 1 == len(names):
             break
-        if up:
+        carry = only_carry
+        if up and contents.few:  # in place: a word more, a register fewer
+            gates.nor(neither, [neither, only_bit, only_carry])
+            carry, neither, next_carry = neither, next_carry, neither
+        elif up:
             gates.nor(next_carry, [neither, only_bit, only_carry])
-        carry = next_carry if up else only_carry
+            carry = next_carry
     contents.gates += gates.take()
 
 

@@ -91,3 +91,15 @@ def test_a_counter_fits_beside_codes_that_need_half_of_the_registers(
         target=TARGET,
         level=1,
     )
+
+
+def test_eight_bits_count_up_and_down_where_the_shutter_closes_at_the_last_look() -> None:
+    """The answer then takes a register beside those of the counter. nscc proves its words."""
+    nscc.compile(
+        "nsl 2\nframe 140 slots of 100us\nsense bright when light > 45% at n > 0\n"
+        "state count : 0..128 = 128\n"
+        "next count = min(count + 1, 128) if bright else max(count - 1, 0)\n"
+        "open when true\nread count\n",
+        target=TARGET,
+        level=1,
+    )
