@@ -141,7 +141,7 @@ def to_json(record: Any, schema: str = "") -> str:
     """Return a record as one line of JSON in ASCII; the same record gives the same text.
 
     Raises InvalidRecord for a value that the record's hints do not allow. With `schema`, such as
-    ``"nscc-plan-2"``, the text has a key `schema` that names its format and version."""
+    ``"nscc-plan-3"``, the text has a key `schema` that names its format and version."""
     import json
 
     plain = to_plain(record)

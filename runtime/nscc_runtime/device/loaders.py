@@ -118,13 +118,14 @@ def _is_small(container: Container) -> bool:
     """Return whether every loader has room for a program, as its size alone shows."""
     pictures, least = container.pictures, LOADERS[1]
     pixels = container.target.rows * container.target.cols
+    reads = len(container.readouts) + len(pictures.reads) + len(pictures.reports)
     return (
         len(container.kernels) + len(pictures.kernels) < least.kernels
         # A launch takes at most two rows.
         and 2 * (len(container.launches) + len(pictures.launches)) <= least.rows
         and sum(1 for _ in groupby(container.slot_us)) <= least.runs
         and sum(container.slot_us) <= 1000 * min(loader.frame_ms for loader in LOADERS)
-        and 2 * len(container.readouts) * pixels <= least.frame_bytes
+        and 2 * reads * pixels <= least.frame_bytes
         and all(readout.gain == 1 for readout in container.readouts)
         and not pictures.params
         and not pictures.kept_images

@@ -59,8 +59,8 @@ def _codes(sensor: Sensor, exposure: Floats, noise: Floats | float, top: int) ->
             offset=OFFSET(sensor),
             top=top,
         ),
-        exposure=np.ascontiguousarray(exposure),
-        noise=np.ascontiguousarray(np.broadcast_to(noise, exposure.shape)),
+        exposure=np.ascontiguousarray(exposure, np.float64),
+        noise=np.ascontiguousarray(np.broadcast_to(noise, exposure.shape), np.float64),
         codes=codes,
     )
     return codes

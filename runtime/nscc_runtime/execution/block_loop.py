@@ -248,8 +248,8 @@ def run_blocks(
     (a part of a path between two comparisons) of each, or -1 - e if it has reached ending e
     already. `places`: its place on the chip, which names its random numbers. `chosen`: its index in
     the results. Pixels with the same first segments run together if they are neighbours in these
-    arrays. `block` and `state` are working memory; block.head must be -1 everywhere, and is so
-    again at the end."""
+    arrays. `block` and `state` are working memory; block.waiting must be 0 everywhere, and is
+    so again at the end."""
     _set_keys(sizes, keys, program, block)
     for first in range(sizes.first, sizes.end, WORD_BLOCK):
         count = min(WORD_BLOCK, sizes.end - first)

@@ -14,8 +14,9 @@ import numpy as np
 from nscc.arrays import Bools, Floats, Ints, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.effects import CannotHave, Selection
+from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import figures, switches
+from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.layout import (
     LoopProgram,
@@ -25,7 +26,7 @@ from nscc_runtime.execution.layout import (
     Segments,
     Switches,
 )
-from nscc_runtime.execution.overlap import NEIGHBOURS
+from nscc_runtime.execution.overlap import MOST_EXCHANGED, NEIGHBOURS
 from nscc_runtime.execution.stretch_loop import Stretches
 from nscc_runtime.looking.paths import Paths, paths_of
 from nscc_runtime.reference.trace import (
@@ -107,19 +108,28 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
     return tuple(reasons)
 
 
+def block_program(container: Container, sensor: Sensor, effects: Selection) -> BlockProgram:
+    """Return a program for the block loop with these effects; cached with the container (a compiled
+    program).
+
+    All sets of effects count in the same stretches, so that they have the same random numbers.
+    Raises Rejected if a word is no operation of the chip
+    (`nscc_runtime.reference.trace.analog_words`), and ValueError if pixels look and their paths
+    cannot be listed."""
+    strongest = everything().find_part(Exchange)
+    jointly = strongest is not None and strongest.fraction(sensor) > MOST_EXCHANGED
+    return _program(container, retention_us(effects, sensor), effects.without_effects, jointly)
+
+
 @OfContainer
-def block_program(
-    container: Container, kept_us: float, every_slot: bool = False, jointly: bool = False
-) -> BlockProgram:
-    """Return a program for the block loop; cached with the container (a compiled program).
+def _program(container: Container, kept_us: float, every_slot: bool, jointly: bool) -> BlockProgram:
+    """Return a program for the block loop, cached with the container (a compiled program).
 
     `kept_us`: how long digital registers keep values, in microseconds. `every_slot`: whether each
     slot of a program that looks is a stretch of its own, so that light is added in the order in
     which exposures are defined; ignored for fixed shutters. `jointly`: whether electrons are
-    counted in the stretches that a pixel or any of its neighbours distinguishes. Raises Rejected if
-    a word is no operation of the chip (`nscc_runtime.reference.trace.analog_words`), and ValueError
-    if pixels look and their paths cannot be listed. A stretch is the slots whose charge is counted
-    as one number: for fixed shutters, those between two reads or resets of PIX, the photodiode."""
+    counted in the stretches that a pixel or any of its neighbours distinguishes. Slots of a stretch
+    are counted as one number."""
     if KINDS.of(container).open_times_known:
         program = _of_codes(container, analog_words(container, kept_us))
         return _counting_jointly(program) if jointly else program

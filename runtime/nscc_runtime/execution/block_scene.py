@@ -20,7 +20,7 @@ from nscc.arrays import Bytes, Floats, Ints, Ints32
 from nscc.mappings import NamedValues
 from nscc.words.container import Container
 from nscc_runtime.caches import Recent
-from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects import Selection
 from nscc_runtime.effects.in_loops import draws_keys, patterns
 from nscc_runtime.effects.parts import (
     CountedDark,
@@ -50,7 +50,6 @@ from nscc_runtime.execution.layout import (
     Switches,
     WordKeys,
 )
-from nscc_runtime.execution.overlap import MOST_EXCHANGED
 from nscc_runtime.execution.program import light_under
 from nscc_runtime.execution.stretch_loop import (
     NEIGHBOURS,
@@ -71,7 +70,6 @@ from nscc_runtime.execution.stretch_loop import (
 from nscc_runtime.execution.sum_loop import drawn_at
 from nscc_runtime.light import DrawnFrames, Light
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import WORD_DRAWS
 
 Places = Ints
@@ -194,11 +192,7 @@ def prepare_pixels(
     reasons = lacks(container, sensor, effects)
     if reasons:
         raise ValueError("; ".join(reasons))
-    # All sets of effects count in the same stretches, so that they have the same random numbers.
-    strongest = everything().find_part(Exchange)
-    jointly = strongest is not None and strongest.fraction(sensor) > MOST_EXCHANGED
-    kept_us = retention_us(effects, sensor)
-    program = block_program(container, kept_us, effects.without_effects, jointly)
+    program = block_program(container, sensor, effects)
     lane = program.lane.reshape(-1)[places]
     # Pixels of a code are neighbours in the arrays, so that they run in the same blocks.
     # 16-bit numbers are sorted by radix, ten times as fast as others.

@@ -36,7 +36,7 @@ def find_candidates(
     may_saturate: Written[Annotated[Bytes, "pixels"]],
 ) -> None:
     """Set `may_saturate` to whether the charge of a pixel may reach mean_e[lane], and `gained_e` to
-    the light that it gets from its neighbours.
+    the charge that it gets from its neighbours.
 
     The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the light
     that PIX (the photodiode) or a register of the lane can contain, `most_part`."""
@@ -50,6 +50,7 @@ def find_candidates(
             for p in range(begin, end):
                 given_e = sum_e[p + step] * factor[p + step]
                 gained_e[p] += given_e if given_e >= 0.0 else 0.0  # 0 for NaN
+                gained_e[p] += dark_e[p + step]
         for p in range(first, stop):
             gained_e[p] *= sizes.exchanged
             own_e = most_part[lanes[p]] * (sum_e[p] * factor[p])
@@ -87,8 +88,8 @@ def compare_candidates(
     """Set `is_near` to whether any sum of charge of a candidate, with noise, reaches its smallest
     sum of saturation, and `most_e` to its charge on PIX (the photodiode), with noise.
 
-    `seen_e`: the light in each sum. `gained_e`: the light from neighbours. `dark_e`: dark charge of
-    the frame, of which each sum contains `dark_part`. Candidates are at the ascending `places`."""
+    `seen_e`: the light in each sum. `gained_e`: the charge from neighbours. `dark_e`: dark charge
+    of the frame, of which each sum contains `dark_part`. Candidates are at ascending `places`."""
     row, count = 0, sizes.candidates
     for i in range(count):
         p, near = places[i], 0

@@ -94,7 +94,8 @@ def _search(
     most_part = limits.weights.of_frames(light).most_part
     # In dim light a bound for the brightest pixel excludes all; NaN does not compare as less.
     brightest_e = light.most_e * chip.factor.max()
-    if (most_part.max() + 4.0 * exchanged) * brightest_e + chip.dark_e.max() < limits.mean_e.min():
+    most_light_e = (most_part.max() + 4.0 * exchanged) * brightest_e
+    if most_light_e + (1.0 + 4.0 * exchanged) * chip.dark_e.max() < limits.mean_e.min():
         return NO_PIXELS
     gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.bool_)
     find_candidates(

@@ -217,7 +217,8 @@ def _estimated_e(scene: PlannedScene) -> dict[str, float]:
 
     def exposed_e(light_e: Array) -> Array:
         """Return the exposures in `light_e`, about; light that is NaN or infinite fills a pixel."""
-        return np.asarray(np.fmin(light_e * open_share, np.float32(sensor.full_well_e)))
+        most_e = np.fmin(light_e * open_share, np.float32(sensor.full_well_e))
+        return np.asarray(np.maximum(most_e, 0.0))
 
     sizes_e |= dict.fromkeys(
         all_effects.names(CountedLight), float(exposed_e(light_e).mean()) ** 0.5

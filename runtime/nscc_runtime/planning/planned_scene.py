@@ -33,7 +33,6 @@ from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, dra
 from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, reference_scene
-from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.run_kinds import KINDS, refuse_planless
 
 SAMPLED = 4000
@@ -83,7 +82,7 @@ class PlannedScene:
         if not self.looks:
             analysed(self.container, self.sensor)
         if not self.needs_reference(everything()):
-            block_program(self.container, retention_us(everything(), self.sensor))
+            block_program(self.container, self.sensor, everything())
 
     def near_pixels(self, effects: Selection) -> NearSaturation:
         """Return the pixels that may saturate under `effects`; none for pixels that look, which all

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, Leak, Saturates
@@ -15,7 +17,6 @@ from nscc_runtime.execution.block_program import block_program
 from nscc_runtime.execution.moments import exchanges_much, on_chip
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.planning.planned_scene import PlannedScene
-from nscc_runtime.reference.trace import retention_us
 
 FRAME_NS, _COUNTS_NS, _EXCHANGE_NS, _ERRORS_NS = 15.0, 15.0, 6.0, 7.0
 """A frame by sums, for each pixel and bucket: the frame, counts of light or dark charge, their
@@ -58,10 +59,12 @@ class Work:
             uneven = len(on_chip(analysis, effects, scene.device_seed).uneven)
         if scene.needs_reference(effects):
             return cls(scene, 0.0, 0.0, near, uneven)
-        program = block_program(scene.container, retention_us(effects, scene.sensor))
-        lanes = len(program.stretches.start) - 1
+        program = block_program(scene.container, scene.sensor, effects)
+        lanes, counted = len(program.segments.start) - 1, np.diff(program.stretches.start)
+        # Lanes whose counts also end where a neighbour's do follow those of the words.
+        counted = counted[lanes:] if len(counted) > lanes else counted
         words = len(program.words.words) if scene.looks else len(program.segments.word) / lanes
-        return cls(scene, words, len(program.stretches.boundary) / lanes - 1.0, near, uneven)
+        return cls(scene, words, float(counted.mean()) - 1.0, near, uneven)
 
     def loop_ns(self, effects: Selection) -> float:
         """Return the predicted nanoseconds of one core for one pixel that runs through its words in

@@ -9,6 +9,7 @@ import subprocess
 import time
 from contextlib import suppress
 from dataclasses import replace
+from importlib.resources import files
 from pathlib import Path
 from struct import pack, unpack
 
@@ -130,6 +131,21 @@ def test_a_check_notes_every_limit_of_a_loader(
     assert run.exit_code == 0, run.stderr
     assert run.stderr.count("NS0507") == loaders
     assert run.stderr.count(noted) == loaders
+
+
+def test_a_check_notes_frames_that_a_loader_cannot_store(tmp_path: Path) -> None:
+    """Three images of 400 x 400 pixels are 480,000 bytes, more than the firmware has."""
+    table = (files("nscc.chips") / "tables" / "scamp5.toml").read_text()
+    table = table.replace("rows = 256", "rows = 400").replace("cols = 256", "cols = 400")
+    (tmp_path / "large.toml").write_text(table)
+    path = tmp_path / "program.nsl"
+    path.write_text(
+        "nsl 3 frame 1 slots of 1ms open when true image i = exposure / 2 "
+        "image j = exposure / 4 image k = i - j read i read j read k\n"
+    )
+    run = CliRunner().invoke(check.command, [str(path), "--target", str(tmp_path / "large.toml")])
+    assert run.exit_code == 0, run.stderr
+    assert "480000 bytes" in run.stderr
 
 
 def test_a_refresh_changes_nothing() -> None:

@@ -55,13 +55,28 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
     current = current_e_per_s(sensor, DEVICE, places).reshape(shape)
     seen = program.seen_slots[:, program.lanes].reshape(SLOTS, *shape)
     own = (seen * light.dense()).sum(axis=0) * scale
-    given, taken = 0.05 * beside(light.sum_e * scale), 0.05 * beside(np.ones(shape))
+    charge = light.sum_e * scale + current * 0.5e-3 * SLOTS
+    given, taken = 0.05 * beside(charge), 0.05 * beside(np.ones(shape))
     dark = current * 0.5e-3 * seen.sum(axis=0)
     most = reach(np.maximum(own, (1.0 - taken) * own + given) + dark)
     # All that neighbours give in the frame, and all of its dark current, bound what a pixel sees.
     wanted = np.flatnonzero(most >= 2500.0)
     assert near.places.tolist() == wanted.tolist()
     np.testing.assert_allclose(near.most_e, most.reshape(-1)[wanted], rtol=1e-6)
+
+
+def test_a_pixel_beside_a_hot_one_saturates_as_in_the_reference() -> None:
+    """A pixel whose dark charge is hundreds of full wells fills its neighbours by crosstalk."""
+    container = case("b edges", SLOTS, rows=40, cols=40)
+    sensor = sensor_of(container, dark_current_e_per_s=1e9, dark_spread_fraction=10.0)
+    light = Light.of_clip(np.full((SLOTS, 40, 40), 50.0, np.float32))
+    effects = "all,-black_sun"  # a black sun reads nothing: any noise decides
+    exposed = [
+        capture(container, light, sensor=sensor, effects=effects, fidelity=fidelity).exposure_e
+        for fidelity in ("planned", "reference")
+    ]
+    noise_e = exposed[1][exposed[1] < 1e4].std()
+    assert np.abs(exposed[0] - exposed[1]).max() < 10.0 * max(noise_e, 500.0)
 
 
 def test_no_pixel_is_near_saturation_without_saturating_effects() -> None:
