@@ -230,7 +230,7 @@ def _fewer_slots(
     frames = [s for s in statements if isinstance(s, tree.EqualSlots | tree.ListedSlots)]
     slots = _slot_count(frames[0]) if program is None else len(program.frame.slot_us)
     build = partial(_with_slots, source, statements)
-    count, lowered, remark = trials.largest(2, slots - 1, build, level)
+    count, lowered, remark = trials.largest(1, slots - 1, build, level)
     if lowered is not None:
         why = f"{counted(slots - count, 'slot')} fewer{remark}"
         yield _way_out(f"frame {count} slots", why, lowered, level)

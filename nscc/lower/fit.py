@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.lower.exposure_plan import Lowering, LoweringOption, Misfit
+from nscc.lower.exposure_plan import LOWERINGS, Lowering, LoweringOption, Misfit
 from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
@@ -116,13 +116,14 @@ def plan_fault(
     the exposure); this is proved.
 
     `misfits` has the reason for each lowering that was tried, at least one. NS0412 is returned if
-    one lacks digital registers, NS0413 if all lack analog registers, else NS0414."""
+    all were tried and one lacks digital registers, NS0413 if all lack analog registers, else
+    NS0414."""
     reasons = _reasons(misfits)
     crowded = [m.required for m in misfits.values() if m.resource == "digital registers"]
-    if crowded:
-        certain = "certain for codes in digital registers: no lowering can load FLAG at a boundary"
+    if crowded and misfits.keys() >= set(LOWERINGS):
+        certain = "holds with any encoding: no lowering can load FLAG at some boundary"
         return _capacity(program, min(crowded), [certain, *reasons])
-    short = [m for m in misfits.values() if m.resource is not None]
+    short = [m for m in misfits.values() if m.resource == "analog registers"]
     # Some lowering has enough registers, so its own condition is what the program does not meet.
     if len(short) < len(misfits):
         return Diagnostic(
