@@ -54,11 +54,11 @@ def test_the_error_for_a_state_that_does_not_fit_names_the_largest_that_fits(
     assert found.code == "NS0502"
     (way,) = found.ways_out
     if last == "12":
-        assert way.startswith("3 instead of 12 ")
-        fits, next_larger = text(slots, "3"), text(slots, "4")
+        assert way.startswith("7 instead of 12 ")
+        fits, next_larger = text(slots, "7"), text(slots, "8")
     else:
-        assert way.startswith("frame 7 slots ")
-        fits, next_larger = text(7, last), text(8, last)
+        assert way.startswith("frame 11 slots ")
+        fits, next_larger = text(11, last), text(12, last)
     nscc.compile(fits, target=chip, level=1)
     with pytest.raises(Rejected):
         nscc.compile(next_larger, target=chip, level=1)
