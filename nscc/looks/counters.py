@@ -9,7 +9,7 @@ for covers, and few registers."""
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import islice
 
@@ -18,7 +18,7 @@ import numpy as np
 from nscc.logic.problem import Gate, Gates, GaveUp
 from nscc.looks.boundary_gates import FLAG, RegisterContents
 from nscc.record import Record
-from nscc.truth import rows, vector
+from nscc.truth import rows, union, vector
 
 _MOST_STEPS = 6
 """Most different steps of a counter at one boundary."""
@@ -73,7 +73,7 @@ def steps_of(
             return []
     if not any(step.adds for step in steps):
         return []
-    written = _union(step.lanes for step in steps if not step.adds)
+    written = union(step.lanes for step in steps if not step.adds)
     unchanged = [vector(np.flatnonzero((old == new) & (new == step.number))) for step in steps]
     steps = [
         replace(step, free=written if step.adds else lanes)
@@ -109,14 +109,6 @@ def count(contents: RegisterContents, names: Sequence[str], steps: Sequence[Step
             continue
         contents.values, contents.gates = after.values, after.gates
         return
-
-
-def _union(vectors: Iterable[int]) -> int:
-    """Return the OR of truth vectors (integers with one bit for each simulated pixel)."""
-    union = 0
-    for v in vectors:
-        union |= v
-    return union
 
 
 def _add(contents: RegisterContents, names: Sequence[str], register: str, number: int) -> None:
@@ -212,8 +204,8 @@ def _cover(
     do without, those of the counter `names` are left out first, and FLAG last."""
     others = contents.everything & ~(lanes | free)
     cubes: list[Cube] = []
-    union = 0
-    while left := lanes & ~union:
+    reached = 0
+    while left := lanes & ~reached:
         lane = left & -left
         kept = {
             name: v if v & lane else contents.everything & ~v for name, v in contents.values.items()
@@ -229,10 +221,10 @@ def _cover(
         cube = _intersection(contents, kept)
         if cube & others or len(cubes) == _MOST_CUBES:
             return None
-        union |= cube
+        reached |= cube
         ones = tuple(name for name in kept if contents.values[name] & lane)
         cubes.append((ones, tuple(name for name in kept if name not in ones)))
-    return cubes, union
+    return cubes, reached
 
 
 def _intersection(contents: RegisterContents, literals: Mapping[str, int]) -> int:

@@ -220,11 +220,10 @@ def _estimated_e(scene: PlannedScene) -> dict[str, float]:
         most_e = np.fmin(light_e * open_share, np.float32(sensor.full_well_e))
         return np.asarray(np.maximum(most_e, 0.0))
 
-    sizes_e |= dict.fromkeys(
-        all_effects.names(CountedLight), float(exposed_e(light_e).mean()) ** 0.5
-    )
+    alone_e = exposed_e(light_e)
+    sizes_e |= dict.fromkeys(all_effects.names(CountedLight), float(alone_e.mean()) ** 0.5)
     for effect, part in all_effects.having(Exchange):
-        moved_e = exposed_e(part.smeared(light_e, part.fraction(sensor))) - exposed_e(light_e)
+        moved_e = exposed_e(part.smeared(light_e, part.fraction(sensor))) - alone_e
         sizes_e[effect.name] = float((moved_e**2).mean()) ** 0.5
     return sizes_e
 
@@ -260,11 +259,12 @@ def _dropped(case: _Case, trial: Trial, allowed: Tolerance, sets: Iterable[Names
         effects = requested.without(*names)
         errors = trial.errors(effects, requested)
         tried.update(dict.fromkeys(names, errors))
+        sure_e2, limit_e2 = errors.square_e2(2.0), (_SURE * tolerance_e) ** 2
         return (
             errors.other_states <= _OTHER_STATES
             and errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
-            and errors.square_e2(2.0) <= (_SURE * tolerance_e) ** 2
-            and errors.square_e2(2.0) + trial.unseen_e2(effects) <= (_SURE * tolerance_e) ** 2
+            and sure_e2 <= limit_e2
+            and sure_e2 + trial.unseen_e2(effects) <= limit_e2
         )
 
     for names in sets:

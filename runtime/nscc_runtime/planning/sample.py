@@ -292,7 +292,7 @@ def _fixed_scores(
             (leaked, -np.expm1(-leaked), total_e),
         )
         # A spread of a normal distribution needs no draws of its own.
-        if (pattern**4).mean() > _HEAVY * (pattern**2).mean() ** 2
+        if ((square := pattern**2) ** 2).mean() > _HEAVY * square.mean() ** 2
     ]
 
 
