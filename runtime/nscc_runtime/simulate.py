@@ -20,6 +20,7 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.light import Light
 from nscc_runtime.planning.tolerance import check_tolerance
+from nscc_runtime.pool import keep_memory
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.request import Request
 from nscc_runtime.run_kinds import KINDS, refuse_planless
@@ -78,6 +79,7 @@ def simulate(
     `listener` (None: nobody listens) receives messages, progress, timings, and a warning about
     black suns. Raises Rejected if the program, the light or the plan is unsuitable; a failed audit
     is not raised but returned as `broken`."""
+    keep_memory()
     listener = listener or Listener()
     try:
         simulated = _simulated(container, light, sensor, request, listener)
