@@ -8,8 +8,7 @@ import numpy as np
 
 from nscc.arrays import Bytes, Floats
 from nscc_runtime.loop import Written, loop, record
-from nscc_runtime.noise.gaussian import normal_fast
-from nscc_runtime.noise.noise_loops import uniform
+from nscc_runtime.noise.noise_loops import row_normals
 
 
 @record
@@ -42,10 +41,7 @@ def add_noise(
     cols = sizes.cols
     for row in range(sizes.rows + 5):
         fifth = row % 6 * cols
-        for i in range(cols):
-            drawn[fifth + i] = uniform(sizes.key, row * cols + i)
-        for i in range(cols):
-            drawn[fifth + i] = float(normal_fast(drawn[fifth + i]))
+        row_normals(sizes.key, row, cols, drawn, fifth)
         first = (row - 5) * cols
         start, second, third = (row + 1) % 6 * cols, (row + 2) % 6 * cols, (row + 3) % 6 * cols
         fourth, next_to_last = (row + 4) % 6 * cols, (row + 5) % 6 * cols

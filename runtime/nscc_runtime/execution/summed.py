@@ -9,9 +9,8 @@ import numpy as np
 
 from nscc.arrays import Floats, Ints
 from nscc.mappings import NamedValues
-from nscc_runtime.execution.block_draws import DRAW_BLOCK
-from nscc_runtime.execution.count_loop import draw_deviations
-from nscc_runtime.execution.frame_loop import Adding, add_up
+from nscc_runtime.execution.block_draws import DRAW_BLOCK, ROOM
+from nscc_runtime.execution.frame_loop import ROWS_KEPT, Adding, add_up
 from nscc_runtime.execution.moments import Moments
 from nscc_runtime.noise import keys
 from nscc_runtime.pool import in_parts
@@ -32,43 +31,44 @@ def draw_exposures(moments: Moments, seed: int, number: int, threads: int) -> Fl
 
     `seed`: of the noise. Results do not depend on `threads`."""
     (rows, cols), (buckets, pixels) = moments.lane.shape, moments.mean_e.shape
-    places = _places(pixels)
-    # Deviations of photon and dark counts, which the loop spreads over buckets and neighbours.
-    away = np.empty((0, pixels))
-    if len(moments.count_means):
-        sources = [(SUMS, COUNTS, moments.count_means)]
-        away = draw_deviations(sources, places, seed, number, threads)
     # Errors of words are drawn for all words of a pixel together.
-    error_draws, _, lanes = moments.error_e.shape
-    noise_keys = keys(seed, SUMS, ERRORS, number, error_draws)
+    count_draws, (error_draws, _, lanes) = len(moments.count_means), moments.error_e.shape
+    exposure = np.empty((buckets, pixels))
     sizes: NamedValues = {
         "rows": rows,
         "cols": cols,
         "pixels": pixels,
         "buckets": buckets,
         "lane_count": lanes,
-        "count_draws": len(away),
+        "count_draws": count_draws,
         "error_draws": error_draws,
-        "exchanges": moments.exchanged > 0 and len(away) > 0,
+        "exchanges": moments.exchanged > 0 and count_draws > 0,
         "fraction": moments.exchanged,
     }
-    exposure = np.empty((buckets, pixels))
+    shared: NamedValues = {
+        "count_keys": keys(seed, SUMS, COUNTS, number, count_draws),
+        "noise_keys": keys(seed, SUMS, ERRORS, number, error_draws),
+        "lanes": moments.lane.reshape(-1),
+        "places": _places(pixels),
+        "expected": moments.mean_e,
+        "count_means": moments.count_means,
+        "own_weights": moments.own_weights,
+        "neighbour_weights": moments.neighbour_weights,
+        "sigma": moments.error_e,
+        "exposure": exposure,
+    }
 
     def run(begin: int, end: int) -> None:
         """Draw the exposures of the rows from `begin` up to before `end` into `exposure`."""
         add_up(
             adding=Adding(begin=begin, end=end, **sizes),
-            noise_keys=noise_keys,
-            lanes=moments.lane.reshape(-1),
-            places=places,
-            expected=moments.mean_e,
-            away=away,
-            own_weights=moments.own_weights,
-            neighbour_weights=moments.neighbour_weights,
-            sigma=moments.error_e,
-            total=np.empty(DRAW_BLOCK * buckets),
-            drawn=np.empty(DRAW_BLOCK),
-            exposure=exposure,
+            **shared,
+            values=np.empty(DRAW_BLOCK),
+            scratch=np.empty(ROOM),
+            pending_rates=np.empty(DRAW_BLOCK),
+            pending_pixels=np.empty(DRAW_BLOCK, np.int64),
+            away=np.empty(ROWS_KEPT * count_draws * cols),
+            drawn=np.empty(cols),
         )
 
     in_parts(run, rows, threads)

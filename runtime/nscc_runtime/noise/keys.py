@@ -25,9 +25,10 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 
 
 @inlined
-def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
-    """Return 64 random bits that depend on `key`, the place `pixel` (at least 0) and `lane` only.
-    `lane`: 0, 1, .. for several independent results at one pixel; not a lane of codes."""
+def both_bits(key: np.uint64, pixel: int, lane: np.uint64) -> tuple[np.uint64, np.uint64]:
+    """Return two independent numbers of 64 random bits that depend on `key`, the place `pixel` (at
+    least 0) and `lane` only. `lane`: 0, 1, .. for several independent results at one pixel; not a
+    lane of codes."""
     place = np.uint64(pixel)
     a, b = place & _MASK, place >> _HALF
     c, d = lane & _MASK, lane >> _HALF
@@ -36,7 +37,13 @@ def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
         x, y = a * _MULTIPLIER_0, c * _MULTIPLIER_1
         a, b, c, d = (y >> _HALF) ^ b ^ k, y & _MASK, (x >> _HALF) ^ d ^ m, x & _MASK
         k, m = (k + _WEYL_0) & _MASK, (m + _WEYL_1) & _MASK
-    return a | (b << _HALF)
+    return a | (b << _HALF), c | (d << _HALF)
+
+
+@inlined
+def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
+    """Return the first number of `both_bits`."""
+    return both_bits(key, pixel, lane)[0]
 
 
 @inlined
