@@ -51,6 +51,7 @@ from nscc_runtime.effects.parts import Moving
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.readout_loop import CodeErrors
 from nscc_runtime.readout_noise import ReadoutNoise
 from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
@@ -96,10 +97,10 @@ def read_out(
     exposure: Exposure,
     target: Target,
     sensor: Sensor | None = None,
-    noise_lsb: Floats | float = 0.0,
+    noise_lsb: CodeErrors | Floats | float = 0.0,
 ) -> Frame:
     """Convert an exposure to converter codes, with the noise `noise_lsb`, in codes, before
-    rounding.
+    rounding: an array, one number, or errors to be drawn.
 
     frame = clip(round_half_even(exposure_e / electrons_per_lsb + noise_lsb) + offset, 0, top code),
     with the values of `sensor` (None: the target's defaults). NaN becomes 0 and is not valid;
@@ -136,7 +137,7 @@ def converted(
     Raises Rejected (NS0742) for a target whose ADC has more than 8 bits."""
     buckets, *shape = exposure.exposure_e.shape
     noise = ReadoutNoise.of(sensor, effects, seeds[1], (shape[0], shape[1]))
-    return read_out(exposure, target, sensor, noise.codes(seeds[0], number, buckets))
+    return read_out(exposure, target, sensor, noise.drawn(seeds[0], number, buckets))
 
 
 def check_adc(target: Target) -> None:

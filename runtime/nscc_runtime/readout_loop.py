@@ -1,64 +1,43 @@
-"""The compiled loops of a readout: its noise, and its codes."""
+"""The compiled loop of a readout: converter codes, with their errors."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from nscc.arrays import Bytes, Floats
-from nscc_runtime.loop import Written, loop, record
+from nscc_runtime.loop import Words, Written, loop, record
 from nscc_runtime.noise.noise_loops import row_normals
 
-
-@record
-class NoiseSizes:
-    """Sizes for `add_noise`: the numbers of rows, of columns, and of weights, which is 6, the
-    random `key` of the noise, and the error that all codes share."""
-
-    rows: int
-    cols: int
-    weights: int
-    key: np.uint64
-    common: float
+WEIGHTS = 6
+"""Number of weights of the noise of a pixel and of those below it, which the loop adds up."""
 
 
-@loop
-def add_noise(
-    sizes: NoiseSizes,
-    weights: Annotated[Floats, "weights"],
-    pattern: Annotated[Floats, "rows cols"],
-    drawn: Written[Annotated[Floats, "weights cols"]],
-    out: Written[Annotated[Floats, "rows cols"]],
-) -> None:
-    """Set out[p] to pattern[p] and the common error plus the weighted sum of the normal numbers of
-    pixel p and of the five pixels below it in its column.
+class CodeErrors(NamedTuple):
+    """Errors of codes before rounding, in codes. `pattern`: fixed errors of the rows, which begin
+    again after the last. `common`: the error that all codes of a bucket share. `weights` (6,):
+    standard deviations of the parts that a pixel's own noise, and that of the five pixels below it
+    in its column, have in its error; empty without noise. `keys`: the random key of the noise of
+    each bucket."""
 
-    Numbers are drawn in single precision, keyed by place, also for five rows below the array.
-    `drawn` is working memory for the six rows that a row needs."""
-    own, one, two = weights[0], weights[1], weights[2]
-    three, four, five = weights[3], weights[4], weights[5]
-    cols = sizes.cols
-    for row in range(sizes.rows + 5):
-        fifth = row % 6 * cols
-        row_normals(sizes.key, row, cols, drawn, fifth)
-        first = (row - 5) * cols
-        start, second, third = (row + 1) % 6 * cols, (row + 2) % 6 * cols, (row + 3) % 6 * cols
-        fourth, next_to_last = (row + 4) % 6 * cols, (row + 5) % 6 * cols
-        for i in range(cols if row >= 5 else 0):
-            near = own * drawn[start + i] + one * drawn[second + i] + two * drawn[third + i]
-            far = three * drawn[fourth + i] + four * drawn[next_to_last + i]
-            out[first + i] = (
-                pattern[first + i] + sizes.common + near + (far + five * drawn[fifth + i])
-            )
+    pattern: Annotated[Floats, "pattern_rows cols"]
+    common: Annotated[Floats, "buckets"]
+    weights: Annotated[Floats, "weights"]
+    keys: Annotated[Words, "buckets"]
 
 
 @record
 class Converting:
-    """The number of exposures that `convert` converts, the electrons of a code, the code of 0 e,
-    and the largest code."""
+    """Sizes of `convert`, the electrons of a code, the code of 0 e, and the largest code.
+    `weights`: 6, or 0 without noise. `keeps_errors`: whether the errors of all codes are kept."""
 
-    count: int
+    buckets: int
+    rows: int
+    cols: int
+    pattern_rows: int
+    weights: int
+    keeps_errors: int
     electrons_per_lsb: float
     offset: float
     top: float
@@ -67,15 +46,41 @@ class Converting:
 @loop
 def convert(
     converting: Converting,
+    of: CodeErrors,
     exposure: Floats,
-    noise: Floats,
+    drawn: Written[Floats],
+    errors: Written[Floats],
     codes: Written[Bytes],
 ) -> None:
-    """Set codes[p] to the converter code of exposure[p], in electrons, with the error noise[p], in
-    codes before rounding; 0 for NaN. Halves are rounded to even numbers."""
-    top = converting.top
-    for p in range(converting.count):
-        code = np.rint(exposure[p] / converting.electrons_per_lsb + noise[p])
-        code = np.rint(code + converting.offset)  # the offset may be a fraction
-        code = code if code > 0.0 else 0.0  # also for NaN
-        codes[p] = np.uint8(code if code < top else top)
+    """Set codes[p] to the converter code of exposure[p], in electrons, with the error of the code;
+    0 for NaN. Halves are rounded to even numbers. Both have the shape (buckets, rows, cols).
+
+    Noise is drawn in single precision for each row, also for five rows below the array. `drawn` is
+    working memory for the six rows that a row needs. `errors` gets the errors of all codes, or is
+    working memory for a row."""
+    cols, top, weights = converting.cols, converting.top, of.weights
+    below = 5 if converting.weights else 0
+    for bucket in range(converting.buckets):
+        for last in range(converting.rows + below):
+            fifth = last % 6 * cols
+            if below:
+                row_normals(of.keys[bucket], last, cols, drawn, fifth)
+            if last < below:
+                continue
+            row = bucket * converting.rows + last - below
+            first, fixed = row * cols, row % converting.pattern_rows * cols
+            at = first if converting.keeps_errors else 0
+            for i in range(cols):
+                errors[at + i] = of.pattern[fixed + i] + of.common[bucket]
+            start, second, third = (last + 1) % 6 * cols, (last + 2) % 6 * cols, (last + 3) % 6 * cols
+            fourth, next_to_last = (last + 4) % 6 * cols, (last + 5) % 6 * cols
+            for i in range(cols if below else 0):
+                near = weights[0] * drawn[start + i] + weights[1] * drawn[second + i]
+                middle = weights[2] * drawn[third + i] + weights[3] * drawn[fourth + i]
+                far = weights[4] * drawn[next_to_last + i] + weights[5] * drawn[fifth + i]
+                errors[at + i] += near + middle + far
+            for i in range(cols):
+                code = np.rint(exposure[first + i] / converting.electrons_per_lsb + errors[at + i])
+                code = np.rint(code + converting.offset)  # the offset may be a fraction
+                code = code if code > 0.0 else 0.0  # also for NaN
+                codes[first + i] = np.uint8(code if code < top else top)

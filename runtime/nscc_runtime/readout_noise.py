@@ -4,31 +4,28 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import hypot
+from math import hypot, prod
 
 import numpy as np
 
-from nscc.arrays import Floats
+from nscc.arrays import Bytes, Floats
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals
-
-WEIGHTS = 6
-"""Number of weights of the noise of a pixel and of those below it, which the loop adds up."""
+from nscc_runtime.readout_loop import WEIGHTS, CodeErrors, Converting, convert
 
 
 @dataclass(frozen=True, eq=False)
 class ReadoutNoise:
     """The errors of a chip's readout under some effects.
 
-    All are in converter codes. `sigma_lsb`: standard deviation of a code's noise. `weights` (6,):
-    those of the noise of a pixel and of the five pixels below it, whose squares add up to 1.
+    All are in converter codes. `weights_lsb` (6,): standard deviations of the parts of a code's
+    noise that the pixel and each of the five pixels below it draw; empty without noise.
     `pattern_lsb` (rows, cols): fixed errors. `common_lsb`: standard deviation of an error that all
     codes of a bucket share. Numbers are 0 for effects that are off. `streams`: random streams of
     noise and of the common error."""
 
-    sigma_lsb: float
-    weights: Floats
+    weights_lsb: Floats
     pattern_lsb: Floats
     common_lsb: float
     streams: tuple[int, int]
@@ -41,31 +38,67 @@ class ReadoutNoise:
         on the chip with the seed `device_seed`; the last eight results are cached."""
         return _readout_noise(sensor, effects, device_seed, shape)
 
+    def drawn(self, seed: int, frame: int, buckets: int) -> CodeErrors:
+        """Return what the errors of frame number `frame` are computed from. `seed`: of the noise.
+        Buckets are independent but for the pattern."""
+        one, common = np.zeros(1, np.int64), np.zeros(buckets)
+        noise_keys, common_keys = (
+            np.array([key(seed, stream, frame=frame, group=b) for b in range(buckets)], np.uint64)
+            for stream in self.streams
+        )
+        if self.common_lsb:
+            for bucket, shared in enumerate(common_keys):
+                common[bucket] = self.common_lsb * float(normals(shared, one)[0])
+        return CodeErrors(self.pattern_lsb, common, self.weights_lsb, noise_keys)
+
     def codes(self, seed: int, frame: int, buckets: int) -> Floats:
         """Return the errors of frame number `frame`, in converter codes before rounding, shape
-        (buckets, rows, cols). `seed`: of the noise. Buckets are independent but for the pattern."""
-        from nscc_runtime.readout_loop import NoiseSizes, add_noise
+        (buckets, rows, cols). `seed`: of the noise."""
+        nothing = np.zeros((buckets, *self.pattern_lsb.shape))
+        errors = self.drawn(seed, frame, buckets)
+        return codes_and_errors(nothing, errors, (1.0, 0.0, 255), True)[1]
 
-        errors = np.empty((buckets, *self.pattern_lsb.shape))
-        for bucket, errors_of_bucket in enumerate(errors):
-            noise, shared = (key(seed, s, frame=frame, group=bucket) for s in self.streams)
-            common = 0.0
-            if self.common_lsb:
-                common = self.common_lsb * float(normals(shared, np.zeros(1, np.int64))[0])
-            if self.sigma_lsb:
-                rows, cols = self.pattern_lsb.shape
-                add_noise(
-                    sizes=NoiseSizes(
-                        rows=rows, cols=cols, weights=WEIGHTS, key=noise, common=common
-                    ),
-                    weights=self.sigma_lsb * self.weights,
-                    pattern=self.pattern_lsb,
-                    drawn=np.empty((WEIGHTS, cols)),
-                    out=errors_of_bucket,
-                )
-            else:
-                errors_of_bucket[:] = self.pattern_lsb + common
-        return errors
+
+def codes_and_errors(
+    exposure: Floats,
+    errors: CodeErrors | Floats | float,
+    scale: tuple[float, float, int],
+    keeps_errors: bool = False,
+) -> tuple[Bytes, Floats]:
+    """Return the converter codes of exposures in electrons, and with `keeps_errors` their errors
+    before rounding, in arrays like `exposure`.
+
+    `errors`: those of each code, one for all, or what they are drawn from, for exposures (buckets,
+    rows, cols). `scale`: the electrons of a code, the code of 0 e, and the largest code."""
+    *ahead, cols = exposure.shape
+    buckets, rows = 1, prod(ahead)
+    if isinstance(errors, CodeErrors):
+        buckets, rows = ahead
+    else:
+        pattern = np.ascontiguousarray(np.broadcast_to(errors, exposure.shape), np.float64)
+        one = np.zeros(1, np.uint64)
+        errors = CodeErrors(pattern.reshape(rows, cols), np.zeros(1), np.empty(0), one)
+    codes = np.empty(exposure.shape, np.uint8)
+    kept = np.empty(exposure.shape if keeps_errors else cols)
+    convert(
+        converting=Converting(
+            buckets=buckets,
+            rows=rows,
+            cols=cols,
+            pattern_rows=len(errors.pattern),
+            weights=len(errors.weights),
+            keeps_errors=keeps_errors,
+            electrons_per_lsb=scale[0],
+            offset=scale[1],
+            top=scale[2],
+        ),
+        of=errors,
+        exposure=np.ascontiguousarray(exposure, np.float64),
+        drawn=np.empty(WEIGHTS * cols),
+        errors=kept,
+        codes=codes,
+    )
+    return codes, kept
 
 
 @lru_cache(8)
@@ -78,14 +111,13 @@ def _readout_noise(
     weights = np.eye(1, WEIGHTS)[0]
     for shared in effects.at("columns"):
         weights = shared(sensor)
-    pattern = np.zeros(shape)
+    sigma_lsb, pattern = hypot(*(sigma(sensor) for _, sigma in noisy)), np.zeros(shape)
     for fixed in effects.at("pattern"):
         pattern += fixed(sensor, device_seed, shape)
     # One draw with the first effect's stream: the sum of normal errors is normal.
     streams = (noisy[0][0].stream if noisy else 0, common[0][0].stream if common else 0)
     return ReadoutNoise(
-        hypot(*(sigma(sensor) for _, sigma in noisy)),
-        weights,
+        sigma_lsb * weights if sigma_lsb else np.empty(0),
         pattern,
         hypot(*(sigma(sensor) for _, sigma in common)),
         streams,

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-
-import numpy as np
+from typing import TYPE_CHECKING
 
 from nscc.arrays import Bytes, Floats
 from nscc.chips.target import Target
 from nscc_runtime.effects.effect import MOST_E, TARGET, Effect, InLoop, Mark, parameter
 from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
+
+if TYPE_CHECKING:
+    from nscc_runtime.readout_loop import CodeErrors
 
 
 def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
@@ -46,24 +48,16 @@ OFFSET = parameter(
 )
 
 
-def _codes(sensor: Sensor, exposure: Floats, noise: Floats | float, top: int) -> Bytes:
+def _codes(
+    sensor: Sensor, exposure: Floats, noise: CodeErrors | Floats | float, top: int
+) -> Bytes:
     """Return converter codes 0..`top`, at most 255, of exposures in electrons; 0 for NaN. `noise`:
-    codes added before rounding, an array like `exposure` or one number."""
-    from nscc_runtime.readout_loop import Converting, convert
+    codes added before rounding, an array like `exposure` or one number, or errors to be drawn for
+    exposures (buckets, rows, cols)."""
+    from nscc_runtime.readout_noise import codes_and_errors
 
-    codes = np.empty(exposure.shape, np.uint8)
-    convert(
-        converting=Converting(
-            count=exposure.size,
-            electrons_per_lsb=ELECTRONS_PER_LSB(sensor),
-            offset=OFFSET(sensor),
-            top=top,
-        ),
-        exposure=np.ascontiguousarray(exposure, np.float64),
-        noise=np.ascontiguousarray(np.broadcast_to(noise, exposure.shape), np.float64),
-        codes=codes,
-    )
-    return codes
+    scale = ELECTRONS_PER_LSB(sensor), OFFSET(sensor), top
+    return codes_and_errors(exposure, noise, scale)[0]
 
 
 ADC = Effect(
