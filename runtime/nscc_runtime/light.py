@@ -383,8 +383,8 @@ class Light:
         return np.asarray(count, np.float64)
 
     @property
-    def sum_e(self) -> Floats:
-        """The sum of all slots (rows, cols), to float32 and at most 1e36, read-only. It adds up
+    def sum_e(self) -> Floats32:
+        """The sum of all slots (rows, cols), at most 1e36, read-only. It adds up
         frames instead of slots; `total_e` is more exact and slower."""
         return self._summed[0]
 
@@ -410,7 +410,7 @@ class Light:
         )
 
     @cached_property
-    def _summed(self) -> tuple[Floats, float]:
+    def _summed(self) -> tuple[Floats32, float]:
         """The light of all slots together, electrons (rows, cols), limited to `_MOST_E`, and the
         largest sum before the limit, NaN if one is NaN. Frames that fall into no slot do not
         count."""
@@ -425,11 +425,11 @@ class Light:
                 ]
             else:
                 sums = [np.einsum("t,trc->rc", weight, frames) for frames in strips]
-        total = np.ascontiguousarray(sums[0] if len(sums) == 1 else np.concatenate(sums))
+            total = np.concatenate(sums).astype(np.float32)
         largest = float(total.max())
         if largest <= _MOST_E:  # False if a pixel is NaN
             return total, largest
-        return np.minimum(total, _MOST_E), largest
+        return np.minimum(total, np.float32(_MOST_E)), largest
 
     def on_frames(self, slots: Floats) -> Floats:
         """Convert weights of slots to weights of frames.

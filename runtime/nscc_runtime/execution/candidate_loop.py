@@ -5,81 +5,111 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from nscc.arrays import Bytes, Floats, Ints, Ints32
-from nscc_runtime.execution.moment_loop import on_side
-from nscc_runtime.loop import Written, loop, record
+from nscc.arrays import Bytes, Floats, Floats32, Ints, Ints32
+from nscc_runtime.loop import Written, inlined, loop, record
 
 SIGMAS = 6.0
 """Number of standard deviations of noise that are added to a pixel's mean charge."""
 
 
 @record
-class Bounding:
-    """Sizes for `find_candidates`. `exchanged`: fraction of its charge that a pixel gives to each
-    neighbour."""
+class Candidates:
+    """Sizes of the chip, and of the light in which candidates are compared. `exchanged`: fraction
+    of its charge that a pixel gives to each neighbour."""
 
     rows: int
     cols: int
     exchanged: float
+    lane_count: int
+    candidates: int
+    """Number of candidates that are compared, for each kind of sum."""
+    kinds: int
+    frames: int
+    """Number of frames of light, each of `lit_rows` rows from row `first_row` of the chip on."""
+    lit_rows: int
+    first_row: int
+
+
+@inlined
+def _given_e(sum_e: Floats32, factor: Floats32, dark_e: Floats32, p: int) -> float:
+    """Return the charge of pixel p in a frame, of which it gives a fraction to each neighbour.
+    Light that is NaN or below 0 gives nothing."""
+    light_e = sum_e[p] * factor[p]
+    given_e: float = dark_e[p] + (light_e if light_e >= 0.0 else 0.0)
+    return given_e
+
+
+@inlined
+def _bound_e(
+    sizes: Candidates,
+    sum_e: Floats32,
+    factor: Floats32,
+    dark_e: Floats32,
+    part: float,
+    p: int,
+    up: int,
+    down: int,
+    left: int,
+    right: int,
+) -> float:
+    """Return an upper bound of the charge of pixel p: the fraction `part` of its light, its dark
+    charge, and crosstalk. `up` and the others are the steps to its neighbours; 0 at a border, so
+    that the pixel itself stands for a missing neighbour."""
+    column_e = _given_e(sum_e, factor, dark_e, p + up) + _given_e(sum_e, factor, dark_e, p + down)
+    row_e = _given_e(sum_e, factor, dark_e, p + left) + _given_e(sum_e, factor, dark_e, p + right)
+    own_e = part * (sum_e[p] * factor[p]) + dark_e[p]
+    return own_e + sizes.exchanged * (column_e + row_e)
 
 
 @loop
 def find_candidates(
-    sizes: Bounding,
-    sum_e: Annotated[Floats, "rows cols"],
-    factor: Annotated[Floats, "pixels"],
-    dark_e: Annotated[Floats, "pixels"],
+    sizes: Candidates,
+    sum_e: Annotated[Floats32, "rows cols"],
+    factor: Annotated[Floats32, "pixels"],
+    dark_e: Annotated[Floats32, "pixels"],
     lanes: Annotated[Ints32, "pixels"],
     most_part: Annotated[Floats, "lane_count"],
     mean_e: Annotated[Floats, "lane_count"],
-    gained_e: Written[Annotated[Floats, "pixels"]],
-    may_saturate: Written[Annotated[Bytes, "pixels"]],
+    bound_e: Written[Annotated[Floats, "cols"]],
+    places: Written[Annotated[Ints, "pixels"]],
+    count: Written[Ints],
 ) -> None:
-    """Set `may_saturate` to whether the charge of a pixel may reach mean_e[lane], and `gained_e` to
-    the charge that it gets from its neighbours.
+    """Set the first count[0] of `places` to those of the pixels whose charge may reach
+    mean_e[lane], ascending.
 
     The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the light
-    that PIX (the photodiode) or a register of the lane can contain, `most_part`."""
-    cols = sizes.cols
+    that PIX (the photodiode) or a register of the lane can contain, `most_part`. `bound_e` is
+    working memory."""
+    cols, found = sizes.cols, 0
     for row in range(sizes.rows):
-        first, stop = row * cols, (row + 1) * cols
-        for p in range(first, stop):
-            gained_e[p] = 0.0
-        for side in range(4 if sizes.exchanged > 0.0 else 0):
-            step, begin, end = on_side(row, sizes.rows, cols, side)
-            for p in range(begin, end):
-                given_e = sum_e[p + step] * factor[p + step]
-                gained_e[p] += given_e if given_e >= 0.0 else 0.0  # 0 for NaN
-                gained_e[p] += dark_e[p + step]
-        for p in range(first, stop):
-            gained_e[p] *= sizes.exchanged
-            own_e = most_part[lanes[p]] * (sum_e[p] * factor[p])
-            bound_e = own_e + dark_e[p] + gained_e[p]
-            may_saturate[p] = bound_e >= mean_e[lanes[p]]
-
-
-@record
-class CandidateSizes:
-    """Sizes for `compare_candidates`: of `candidates` pixels, for each kind of sum and lane.
-    `exchanged`: fraction of its charge that a pixel gives to each neighbour."""
-
-    rows: int
-    cols: int
-    pixels: int
-    exchanged: float
-    candidates: int
-    kinds: int
-    lane_count: int
+        first = row * cols
+        up, down = -cols if row > 0 else 0, cols if row + 1 < sizes.rows else 0
+        # Inner pixels have all neighbours: no branch, so LLVM vectorises the loop.
+        for i in range(1, cols - 1):
+            part = most_part[lanes[first + i]]
+            bound_e[i] = _bound_e(sizes, sum_e, factor, dark_e, part, first + i, up, down, -1, 1)
+        for end in range(2):
+            i = end * (cols - 1)
+            p, left, right = first + i, -1 if i > 0 else 0, 1 if i + 1 < cols else 0
+            part = most_part[lanes[p]]
+            bound_e[i] = _bound_e(sizes, sum_e, factor, dark_e, part, p, up, down, left, right)
+        for i in range(cols):
+            # Written for every pixel, and overwritten by the next candidate: no branch.
+            places[found] = first + i
+            found += 1 if bound_e[i] >= mean_e[lanes[first + i]] else 0
+    count[0] = found
 
 
 @loop
 def compare_candidates(
-    sizes: CandidateSizes,
+    sizes: Candidates,
     places: Annotated[Ints, "candidates"],
-    lanes: Annotated[Ints32, "candidates"],
-    seen_e: Annotated[Floats, "kinds candidates"],
-    gained_e: Annotated[Floats, "pixels"],
-    dark_e: Annotated[Floats, "pixels"],
+    light: Annotated[Floats32, "frames lit_rows cols"],
+    table: Annotated[Floats, "kinds frames lane_count"],
+    sum_e: Annotated[Floats32, "rows cols"],
+    factor: Annotated[Floats32, "pixels"],
+    dark_e: Annotated[Floats32, "pixels"],
+    lanes: Annotated[Ints32, "pixels"],
     dark_part: Annotated[Floats, "kinds lane_count"],
     saturation_e: Annotated[Floats, "kinds lane_count"],
     most_e: Written[Annotated[Floats, "candidates"]],
@@ -88,19 +118,29 @@ def compare_candidates(
     """Set `is_near` to whether any sum of charge of a candidate, with noise, reaches its smallest
     sum of saturation, and `most_e` to its charge on PIX (the photodiode), with noise.
 
-    `seen_e`: the light in each sum. `gained_e`: the charge from neighbours. `dark_e`: dark charge
-    of the frame, of which each sum contains `dark_part`. Candidates are at ascending `places`."""
-    row, count = 0, sizes.candidates
-    for i in range(count):
-        p, near = places[i], 0
-        while p >= (row + 1) * sizes.cols:
-            row += 1
-        neighbours = (row > 0) + (row + 1 < sizes.rows)
-        neighbours += (p > row * sizes.cols) + (p + 1 < (row + 1) * sizes.cols)
+    `table`: the weight of each frame of `light` in each sum. `sum_e`: the light of all slots, and
+    `dark_e` the dark charge, of which each sum contains `dark_part`."""
+    cols, lit_pixels = sizes.cols, sizes.lit_rows * sizes.cols
+    for i in range(sizes.candidates):
+        p, near, neighbours, gained_e = places[i], 0, 0, 0.0
+        column = p % cols
+        for side in range(4):
+            step = (2 * side - 1) * cols if side < 2 else 2 * side - 5
+            other = p + step
+            is_inside = 0 <= other < sizes.rows * cols
+            if is_inside and (side < 2 or 0 <= column + step < cols):
+                neighbours += 1
+                gained_e += _given_e(sum_e, factor, dark_e, other)
+        gained_e *= sizes.exchanged
         for kind in range(sizes.kinds - 1, -1, -1):
-            seen, at = seen_e[kind * count + i], kind * sizes.lane_count + lanes[i]
+            seen, at = 0.0, kind * sizes.frames * sizes.lane_count + lanes[p]
+            for k in range(sizes.frames):
+                frame_e = light[k * lit_pixels + p - sizes.first_row * cols]
+                seen += table[at + k * sizes.lane_count] * frame_e
+            seen *= factor[p]
             # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
-            mixed = (1.0 - sizes.exchanged * neighbours) * seen + gained_e[p]
+            mixed = (1.0 - sizes.exchanged * neighbours) * seen + gained_e
+            at = kind * sizes.lane_count + lanes[p]
             charge_e = (seen if seen > mixed else mixed) + dark_e[p] * dark_part[at]
             most_e[i] = charge_e + SIGMAS * math.sqrt(charge_e)
             near |= most_e[i] >= saturation_e[at]

@@ -103,7 +103,7 @@ def scene_moments(
     sums = light_sums(
         source,
         program.lanes,
-        (chip.factor, chip.factor_32),
+        chip.factor,
         weights,
         weights.pairs if exchanged else len(weights.slots),
         exchanged,
@@ -117,7 +117,7 @@ class _ChipMoments:
     """The part of the moments that all scenes share on a chip under some effects.
 
     `leak_rates`: the leakage rates of sums. `rate_weights` (rates, pixels): weights that
-    interpolate sums at each pixel's rate. `factor` (pixels,), `factor_32`: factor on the light.
+    interpolate sums at each pixel's rate. `factor` (pixels,): factor on the light.
     `fixed_e` (buckets, pixels): dark charge and fixed errors of words in exposures. `dark_e2`
     (pairs, pixels): covariances of a pixel's dark counts; no pairs without. `dark_e` (pixels,):
     dark charge of a frame. `electron_weights` (buckets, pixels): a count of draw b weighs as much
@@ -126,15 +126,15 @@ class _ChipMoments:
     pixels): the variance for each electron of a neighbour in a frame that does not follow from the
     neighbour's draws.
     `neighbour_weights`, `error_e`, `lane`: see `Moments`. `uneven` (count,): places of the pixels
-    that leak too unlike most for sums, ascending."""
+    that leak too unlike most for sums, ascending. `most_factor`, `most_dark_e`: the largest `factor`
+    and `dark_e`."""
 
     leak_rates: tuple[float, ...]
     rate_weights: Floats32
-    factor: Floats
-    factor_32: Floats32
+    factor: Floats32
     fixed_e: Floats32
-    dark_e2: Floats
-    dark_e: Floats
+    dark_e2: Floats32
+    dark_e: Floats32
     electron_weights: Floats32
     own_weights: Floats32 | None
     unknown: Floats32
@@ -142,6 +142,8 @@ class _ChipMoments:
     error_e: Floats
     lane: Ints32
     uneven: Ints
+    most_factor: float
+    most_dark_e: float
 
 
 def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _ChipMoments:
@@ -154,7 +156,7 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
         device, model = program.device(device_seed), program.model(effects)
         rates = leak_rates(program, effects)
         rate_weights = _rate_weights(effects, device, rates)
-        factor, lanes = light_factor(effects, device), program.lanes
+        factor, lanes = light_factor(effects, device).astype(np.float32), program.lanes
         electron_weights = _electron_weights(program, model).take(lanes, axis=1)
         buckets, exchanged = len(electron_weights), exchanged_fraction(effects, program)
         beside, unknown = np.zeros(1, np.float32), np.zeros((4, buckets, lanes.size))
@@ -169,14 +171,14 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
             own_weights = np.zeros((buckets, buckets, lanes.size), np.float32)
             own_weights[range(buckets), range(buckets)] = electron_weights
         fixed_e = _fixed_e(program, effects, device, rates, rate_weights)
+        dark_e = (dark_e_per_s(effects, device) * program.slot_s.sum()).astype(np.float32)
         return _ChipMoments(
             rates,
             rate_weights.astype(np.float32),
             factor,
-            factor.astype(np.float32),
             fixed_e.astype(np.float32),
-            _dark_covariances(program, effects, device),
-            dark_e_per_s(effects, device) * program.slot_s.sum(),
+            _dark_covariances(program, effects, device).astype(np.float32),
+            dark_e,
             electron_weights.astype(np.float32),
             own_weights,
             (exchanged**2 * unknown).astype(np.float32),
@@ -184,6 +186,8 @@ def on_chip(program: AnalysedProgram, effects: Selection, device_seed: int) -> _
             _word_errors(program, effects),
             program.lane,
             _uneven_leakage(program, effects, device),
+            float(factor.max()),
+            float(dark_e.max()),
         )
 
     chip: _ChipMoments = program.recent.of((_ChipMoments, effects.on, device_seed), make)
@@ -234,7 +238,7 @@ def _completed(
             fixed_e=chip.fixed_e,
             dark_e2=chip.dark_e2,
             sum_e=light.sum_e,
-            factor=chip.factor_32,
+            factor=chip.factor,
             dark_e=chip.dark_e,
             unknown=chip.unknown,
             electron_weights=chip.electron_weights,

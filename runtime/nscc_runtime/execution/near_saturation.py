@@ -10,19 +10,19 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from nscc.arrays import Floats, Ints
+from nscc.mappings import NamedValues
 from nscc_runtime.effects.parts import Saturates, Soft, Well
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.execution.candidate_loop import (
     SIGMAS,
-    Bounding,
-    CandidateSizes,
+    Candidates,
     compare_candidates,
     find_candidates,
 )
 from nscc_runtime.execution.moments import exchanged_fraction, on_chip
 from nscc_runtime.execution.program import AnalysedProgram, light_under
 from nscc_runtime.execution.register_reach import reach_of
-from nscc_runtime.execution.sum_loop import SlotWeights, light_at, light_sums
+from nscc_runtime.execution.sum_loop import SlotWeights
 from nscc_runtime.light import Light
 
 Places = Ints
@@ -89,64 +89,61 @@ def _search(
     """Return the pixels that may saturate in `light`, possibly none. An upper bound for all pixels
     selects candidates, whose charge is then computed. `device_seed`: of the fixed patterns."""
     limits: _Limits = program.recent.of((_Limits, effects.on), lambda: _limits(program, effects))
-    chip = on_chip(program, effects, device_seed)
-    exchanged, pixels = exchanged_fraction(effects, program), program.lanes.size
-    most_part = limits.weights.of_frames(light).most_part
+    chip, (rows, cols) = on_chip(program, effects, device_seed), light.shape
+    exchanged, weights = exchanged_fraction(effects, program), limits.weights.of_frames(light)
+    most_part, table = weights.most_part, weights.weights
     # In dim light a bound for the brightest pixel excludes all; NaN does not compare as less.
-    brightest_e = light.most_e * chip.factor.max()
+    brightest_e = light.most_e * chip.most_factor
     most_light_e = (most_part.max() + 4.0 * exchanged) * brightest_e
-    if most_light_e + (1.0 + 4.0 * exchanged) * chip.dark_e.max() < limits.mean_e.min():
+    if most_light_e + (1.0 + 4.0 * exchanged) * chip.most_dark_e < limits.mean_e.min():
         return NO_PIXELS
-    gained_e, may_saturate = np.empty(pixels), np.empty(pixels, np.bool_)
+    kinds, frames, lane_count = table.shape
+    sizes: NamedValues = {
+        "rows": rows,
+        "cols": cols,
+        "exchanged": exchanged,
+        "lane_count": lane_count,
+        "kinds": kinds,
+        "frames": frames,
+    }
+    chip_e: NamedValues = {
+        "sum_e": light.sum_e,
+        "factor": chip.factor,
+        "dark_e": chip.dark_e,
+        "lanes": program.lanes,
+    }
+    places, count = np.empty(rows * cols, np.int64), np.zeros(1, np.int64)
     find_candidates(
-        sizes=Bounding(
-            rows=light.shape[0],
-            cols=light.shape[1],
-            exchanged=exchanged,
-        ),
-        sum_e=light.sum_e,
-        factor=chip.factor,
-        dark_e=chip.dark_e,
-        lanes=program.lanes,
+        sizes=Candidates(candidates=0, lit_rows=0, first_row=0, **sizes),
+        **chip_e,
         most_part=most_part,
         mean_e=limits.mean_e,
-        gained_e=gained_e,
-        may_saturate=may_saturate.view(np.uint8),
-    )
-    places = np.flatnonzero(may_saturate)
-    if not len(places):
-        return NO_PIXELS
-    lanes = program.lanes[places]
-    factor, kinds, unused = chip.factor, len(limits.weights.slots), np.empty(0, np.float32)
-    seen_e = np.hstack(
-        [
-            light_sums(own, lanes[part], (factor[places[part]], unused), limits.weights, kinds, 0.0)
-            for part, own in light_at(light, places)
-        ]
-    )
-    most_e, is_near = np.empty(len(places)), np.empty(len(places), np.uint8)
-    compare_candidates(
-        sizes=CandidateSizes(
-            rows=light.shape[0],
-            cols=light.shape[1],
-            pixels=pixels,
-            exchanged=exchanged,
-            candidates=len(places),
-            kinds=kinds,
-            lane_count=len(limits.mean_e),
-        ),
+        bound_e=np.empty(cols),
         places=places,
-        lanes=lanes,
-        seen_e=seen_e,
-        gained_e=gained_e,
-        dark_e=chip.dark_e,
-        dark_part=limits.dark_part,
-        saturation_e=limits.saturation_e,
-        most_e=most_e,
-        is_near=is_near,
+        count=count,
     )
-    is_found = is_near.view(np.bool_)
-    return NearSaturation(places[is_found], most_e[is_found])
+    places = places[: count[0]].copy()
+    most_e, is_near = np.empty(len(places)), np.empty(len(places), np.bool_)
+    for own_rows, first_row, strip in light.strips() if len(places) else ():
+        ends = np.array([own_rows.start, own_rows.stop]) * cols
+        part = slice(*np.searchsorted(places, ends).tolist())
+        compare_candidates(
+            sizes=Candidates(
+                candidates=part.stop - part.start,
+                lit_rows=strip.shape[0],
+                first_row=first_row,
+                **sizes,
+            ),
+            **chip_e,
+            places=places[part],
+            light=np.require(strip.ended, np.float32, ["C", "A"]),
+            table=table,
+            dark_part=limits.dark_part,
+            saturation_e=limits.saturation_e,
+            most_e=most_e[part],
+            is_near=is_near[part].view(np.uint8),
+        )
+    return NearSaturation(places[is_near], most_e[is_near])
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:

@@ -177,8 +177,7 @@ def _add_alike(
 def scene_sums(
     sizes: SceneSizes,
     frames: Annotated[Floats32, "count rows cols"],
-    scale: Annotated[Floats, "rows cols"],
-    share: Floats32,
+    share: Annotated[Floats32, "rows cols"],
     lanes: Annotated[Ints32, "rows cols"],
     table: Annotated[Floats, "sums count lane_count"],
     lit_sums: Annotated[Bytes, "sums count"],
@@ -187,12 +186,11 @@ def scene_sums(
     gathered: Written[Floats],
     out: Written[Annotated[Floats, "sums rows cols"]],
 ) -> None:
-    """Set out[j, p] to the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p], for the
+    """Set out[j, p] to the sum over k of table[j, k, lanes[p]] * share[p] * frames[k, p], for the
     pixels p of rows `sizes.begin` to `sizes.end` - 1.
 
-    For the sums j from number `sizes.smeared` on, scale * frames is the light after crosstalk; it
-    is computed in float32 with `share`, which is `scale` in float32. All other products and sums
-    are float64. The frames are read once for all sums. `lit_sums`: 1 if any lane (the pixels of one
+    For the sums j from number `sizes.smeared` on, share * frames is the light after crosstalk; it
+    is computed in float32. All other products and sums are float64. The frames are read once for all sums. `lit_sums`: 1 if any lane (the pixels of one
     distinct shutter) has a nonzero weight for a frame in a sum. `alike`: number of consecutive
     frames from frame k on with equal weights; these are added up before they are weighted. `lit`
     and `gathered` are working memory for `FRAMES_TOGETHER` times `SUM_BLOCK` pixels and for
@@ -227,7 +225,7 @@ def scene_sums(
             k += alike[k]
         for j in range(sizes.smeared):
             for p in range(begin * cols, end * cols):
-                out[j * pixels + p] *= scale[p]
+                out[j * pixels + p] *= share[p]
         begin = end
 
 
@@ -324,7 +322,7 @@ class SlotWeights:
 def light_sums(
     light: Light,
     lanes: Ints32,
-    scale: tuple[Floats, Floats32],
+    share: Floats32,
     weights: SlotWeights,
     smeared: int,
     fraction: float,
@@ -333,8 +331,7 @@ def light_sums(
     """Return the sums (sums, pixels) of a light's slots, in electrons, each weighted by slot and
     lane (the pixels of one distinct shutter).
 
-    `lanes` (pixels,): the lane of each pixel. `scale`: a factor (pixels,) on the light, in float64
-    and in float32; the latter may be empty if no sum has crosstalk. Sums from number `smeared` on
+    `lanes` (pixels,): the lane of each pixel. `share` (pixels,): a factor on the light. Sums from number `smeared` on
     use light after crosstalk; `fraction` of a pixel's light moves to each neighbour. Results do not
     depend on `threads`. Raises ValueError for a lane without weights."""
     shape, count = light.shape, len(weights.slots)
@@ -343,7 +340,7 @@ def light_sums(
         strips = []
         for rows, first, strip in light.strips(1):
             inside = slice(first * cols, (first + strip.shape[0]) * cols)
-            at = lanes[inside], (scale[0][inside], scale[1][inside])
+            at = lanes[inside], share[inside]
             sums = light_sums(strip, *at, weights, smeared, fraction, threads)
             strips.append(sums[:, (rows.start - first) * cols :][:, : len(rows) * cols])
         return np.concatenate(strips, axis=1)
@@ -355,9 +352,8 @@ def light_sums(
     for batch, of_frames in weights.batches(light):
         arrays: NamedValues = {
             "frames": frames,
-            "scale": np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
+            "share": np.require(share.reshape(shape), np.float32, ["C", "A"]),
             "lanes": np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
-            "share": scale[1],
             "table": of_frames.weights,
             "lit_sums": of_frames.lit_sums,
             "alike": of_frames.alike,

@@ -27,7 +27,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
     light = Light.of_clip(frames) if clip else Light.of_still(frames[0], rng.random(slots))
     lanes = rng.integers(0, 3, pixels).astype(np.int32)
     scale = rng.uniform(0.5, 1.5, pixels)
-    scales, weights = (scale, scale.astype(np.float32)), rng.uniform(-1, 1, (4, slots, 3))
+    scales, weights = scale.astype(np.float32), rng.uniform(-1, 1, (4, slots, 3))
     # Weights that are none, and the same for all lanes.
     weights[0, 1], weights[1, 2], weights[3, 0] = 0.0, 0.25, 0.5
     found = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 2, fraction)
@@ -56,7 +56,7 @@ def test_sums_of_light_in_several_passes_equal_those_in_one_pass(
     rng = np.random.default_rng(4)
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
-    scales, weights = (scale, scale.astype(np.float32)), rng.random((5, 6, 3))
+    scales, weights = scale.astype(np.float32), rng.random((5, 6, 3))
     whole = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
     monkeypatch.setattr(sums, "_MOST_ENTRIES", 6 * 3 * 2)
     parts = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.02)
@@ -93,7 +93,7 @@ def test_shared_frames_and_slots_are_weighed_once_each() -> None:
         "clip",
     )
     lanes, scale = rng.integers(0, 2, 10).astype(np.int32), np.ones(10)
-    scales, weights = (scale, scale.astype(np.float32)), [rng.random((4, 2)) for _ in range(3)]
+    scales, weights = scale.astype(np.float32), [rng.random((4, 2)) for _ in range(3)]
     found = sums.light_sums(light, lanes, scales, sums.SlotWeights(weights), 3, 0.0)
     slots = light.dense().reshape(4, 10)
     expected = [(weight[:, lanes] * slots).sum(axis=0) for weight in weights]
@@ -112,7 +112,7 @@ def test_shared_frames_and_slots_are_weighed_once_each() -> None:
 def test_a_lane_that_there_is_not_is_refused() -> None:
     """The loop itself would read beyond the table's end."""
     light = Light.of_clip(np.ones((2, 1, 3), np.float32))
-    scales, weights = (np.ones(3), np.ones(3, np.float32)), sums.SlotWeights([np.ones((2, 2))])
+    scales, weights = np.ones(3, np.float32), sums.SlotWeights([np.ones((2, 2))])
     for lane in (2, -1):
         with pytest.raises(ValueError, match="lane"):
             sums.light_sums(light, np.full(3, lane, np.int32), scales, weights, 1, 0.0)
@@ -152,10 +152,10 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
     factors[::3, -1] = 2.0 * factors[::3, 0]
     wanted = np.einsum("pak,pbk->abp", factors, factors)
     below = [(a, b) for b in range(buckets) for a in range(b + 1)]
-    dark_e2 = np.array([0.25 * wanted[a, b] for a, b in below])
+    dark_e2 = np.array([0.25 * wanted[a, b] for a, b in below], np.float32)
     light_e2 = np.array([0.75 * wanted[a, b] for a, b in below])
     charge_e = 10.0 * rng.random(pixels)
-    dark_e = 0.3 * charge_e
+    dark_e = (0.3 * charge_e).astype(np.float32)
     unknown = 0.01 * rng.random((4, buckets, pixels), np.float32)
     unknown[:, :, ::3] = 0.0
     padded = np.pad(charge_e.reshape(rows, cols), 1)
@@ -186,7 +186,7 @@ def test_independent_counts_have_the_covariances_of_the_sums(buckets: int) -> No
         rate_weights=rate_weights,
         fixed_e=fixed_e,
         dark_e2=dark_e2,
-        sum_e=(charge_e - dark_e).reshape(rows, cols) / 2.0,
+        sum_e=((charge_e - dark_e) / 2.0).astype(np.float32).reshape(rows, cols),
         factor=np.full(pixels, 2.0, np.float32),
         dark_e=dark_e,
         unknown=unknown,
