@@ -72,7 +72,11 @@ def convert(
             at = first if converting.keeps_errors else 0
             for i in range(cols):
                 errors[at + i] = of.pattern[fixed + i] + of.common[bucket]
-            start, second, third = (last + 1) % 6 * cols, (last + 2) % 6 * cols, (last + 3) % 6 * cols
+            start, second, third = (
+                (last + 1) % 6 * cols,
+                (last + 2) % 6 * cols,
+                (last + 3) % 6 * cols,
+            )
             fourth, next_to_last = (last + 4) % 6 * cols, (last + 5) % 6 * cols
             for i in range(cols if below else 0):
                 near = weights[0] * drawn[start + i] + weights[1] * drawn[second + i]

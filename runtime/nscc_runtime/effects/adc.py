@@ -48,9 +48,7 @@ OFFSET = parameter(
 )
 
 
-def _codes(
-    sensor: Sensor, exposure: Floats, noise: CodeErrors | Floats | float, top: int
-) -> Bytes:
+def _codes(sensor: Sensor, exposure: Floats, noise: CodeErrors | Floats | float, top: int) -> Bytes:
     """Return converter codes 0..`top`, at most 255, of exposures in electrons; 0 for NaN. `noise`:
     codes added before rounding, an array like `exposure` or one number, or errors to be drawn for
     exposures (buckets, rows, cols)."""

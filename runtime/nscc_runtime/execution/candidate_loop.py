@@ -6,7 +6,7 @@ import math
 from typing import Annotated
 
 from nscc.arrays import Bytes, Floats, Floats32, Ints, Ints32
-from nscc_runtime.loop import Written, inlined, loop, record
+from nscc_runtime.loop import Written, compiled, inlined, loop, record
 
 SIGMAS = 6.0
 """Number of standard deviations of noise that are added to a pixel's mean charge."""
@@ -39,26 +39,22 @@ def _given_e(sum_e: Floats32, factor: Floats32, dark_e: Floats32, p: int) -> flo
     return given_e
 
 
-@inlined
-def _bound_e(
+@compiled
+def _give(
     sizes: Candidates,
+    row: int,
     sum_e: Floats32,
     factor: Floats32,
     dark_e: Floats32,
-    part: float,
-    p: int,
-    up: int,
-    down: int,
-    left: int,
-    right: int,
-) -> float:
-    """Return an upper bound of the charge of pixel p: the fraction `part` of its light, its dark
-    charge, and crosstalk. `up` and the others are the steps to its neighbours; 0 at a border, so
-    that the pixel itself stands for a missing neighbour."""
-    column_e = _given_e(sum_e, factor, dark_e, p + up) + _given_e(sum_e, factor, dark_e, p + down)
-    row_e = _given_e(sum_e, factor, dark_e, p + left) + _given_e(sum_e, factor, dark_e, p + right)
-    own_e = part * (sum_e[p] * factor[p]) + dark_e[p]
-    return own_e + sizes.exchanged * (column_e + row_e)
+    given_e: Floats,
+) -> None:
+    """Store the charge of the pixels of a row in `given_e`, rows of two more columns; 0 beyond the
+    border."""
+    first, at = row * sizes.cols, (row + 3) % 3 * (sizes.cols + 2) + 1
+    for i in range(-1, sizes.cols + 1):
+        given_e[at + i] = 0.0
+    for i in range(sizes.cols if 0 <= row < sizes.rows else 0):
+        given_e[at + i] = _given_e(sum_e, factor, dark_e, first + i)
 
 
 @loop
@@ -70,6 +66,7 @@ def find_candidates(
     lanes: Annotated[Ints32, "pixels"],
     most_part: Annotated[Floats, "lane_count"],
     mean_e: Annotated[Floats, "lane_count"],
+    given_e: Written[Floats],
     bound_e: Written[Annotated[Floats, "cols"]],
     places: Written[Annotated[Ints, "pixels"]],
     count: Written[Ints],
@@ -78,21 +75,23 @@ def find_candidates(
     mean_e[lane], ascending.
 
     The bound adds up the dark charge of the frame, crosstalk, and the largest fraction of the light
-    that PIX (the photodiode) or a register of the lane can contain, `most_part`. `bound_e` is
-    working memory."""
+    that PIX (the photodiode) or a register of the lane can contain, `most_part`. `given_e`, three
+    rows of cols + 2 pixels, and `bound_e` are working memory."""
     cols, found = sizes.cols, 0
+    _give(sizes, -1, sum_e, factor, dark_e, given_e)
+    _give(sizes, 0, sum_e, factor, dark_e, given_e)
     for row in range(sizes.rows):
-        first = row * cols
-        up, down = -cols if row > 0 else 0, cols if row + 1 < sizes.rows else 0
-        # Inner pixels have all neighbours: no branch, so LLVM vectorises the loop.
-        for i in range(1, cols - 1):
-            part = most_part[lanes[first + i]]
-            bound_e[i] = _bound_e(sizes, sum_e, factor, dark_e, part, first + i, up, down, -1, 1)
-        for end in range(2):
-            i = end * (cols - 1)
-            p, left, right = first + i, -1 if i > 0 else 0, 1 if i + 1 < cols else 0
-            part = most_part[lanes[p]]
-            bound_e[i] = _bound_e(sizes, sum_e, factor, dark_e, part, p, up, down, left, right)
+        _give(sizes, row + 1, sum_e, factor, dark_e, given_e)
+        first, here = row * cols, row % 3 * (cols + 2) + 1
+        up, down = (row + 2) % 3 * (cols + 2) + 1, (row + 1) % 3 * (cols + 2) + 1
+        # Reading from tables is a loop of its own: LLVM vectorises only the other one.
+        for i in range(cols):
+            bound_e[i] = most_part[lanes[first + i]]
+        for i in range(cols):
+            gained_e = given_e[up + i] + given_e[down + i]
+            gained_e += given_e[here + i - 1] + given_e[here + i + 1]
+            own_e = bound_e[i] * (sum_e[first + i] * factor[first + i])
+            bound_e[i] = own_e + dark_e[first + i] + sizes.exchanged * gained_e
         for i in range(cols):
             # Written for every pixel, and overwritten by the next candidate: no branch.
             places[found] = first + i

@@ -126,8 +126,8 @@ class _ChipMoments:
     pixels): the variance for each electron of a neighbour in a frame that does not follow from the
     neighbour's draws.
     `neighbour_weights`, `error_e`, `lane`: see `Moments`. `uneven` (count,): places of the pixels
-    that leak too unlike most for sums, ascending. `most_factor`, `most_dark_e`: the largest `factor`
-    and `dark_e`."""
+    that leak too unlike most for sums, ascending. `most_factor`, `most_dark_e`: the largest
+    `factor` and `dark_e`."""
 
     leak_rates: tuple[float, ...]
     rate_weights: Floats32

@@ -118,6 +118,7 @@ def _search(
         **chip_e,
         most_part=most_part,
         mean_e=limits.mean_e,
+        given_e=np.empty(3 * (cols + 2)),
         bound_e=np.empty(cols),
         places=places,
         count=count,

@@ -190,11 +190,11 @@ def scene_sums(
     pixels p of rows `sizes.begin` to `sizes.end` - 1.
 
     For the sums j from number `sizes.smeared` on, share * frames is the light after crosstalk; it
-    is computed in float32. All other products and sums are float64. The frames are read once for all sums. `lit_sums`: 1 if any lane (the pixels of one
-    distinct shutter) has a nonzero weight for a frame in a sum. `alike`: number of consecutive
-    frames from frame k on with equal weights; these are added up before they are weighted. `lit`
-    and `gathered` are working memory for `FRAMES_TOGETHER` times `SUM_BLOCK` pixels and for
-    `SUM_BLOCK` pixels."""
+    is computed in float32. All other products and sums are float64. The frames are read once for
+    all sums. `lit_sums`: 1 if any lane (the pixels of one distinct shutter) has a nonzero weight
+    for a frame in a sum. `alike`: number of consecutive frames from frame k on with equal weights;
+    these are added up before they are weighted. `lit` and `gathered` are working memory for
+    `FRAMES_TOGETHER` times `SUM_BLOCK` pixels and for `SUM_BLOCK` pixels."""
     cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     begin, together = sizes.begin, max(SUM_BLOCK, _PIXELS_A_LANE * sizes.lane_count)
     while begin < sizes.end:
@@ -331,9 +331,9 @@ def light_sums(
     """Return the sums (sums, pixels) of a light's slots, in electrons, each weighted by slot and
     lane (the pixels of one distinct shutter).
 
-    `lanes` (pixels,): the lane of each pixel. `share` (pixels,): a factor on the light. Sums from number `smeared` on
-    use light after crosstalk; `fraction` of a pixel's light moves to each neighbour. Results do not
-    depend on `threads`. Raises ValueError for a lane without weights."""
+    `lanes` (pixels,): the lane of each pixel. `share` (pixels,): a factor on the light. Sums from
+    number `smeared` on use light after crosstalk; `fraction` of a pixel's light moves to each
+    neighbour. Results do not depend on `threads`. Raises ValueError for a lane without weights."""
     shape, count = light.shape, len(weights.slots)
     if isinstance(light.frames, DrawnFrames):
         cols = shape[1]

@@ -223,7 +223,9 @@ def _estimated_e(scene: PlannedScene) -> dict[str, float]:
     alone_e = exposed_e(light_e)
     sizes_e |= dict.fromkeys(all_effects.names(CountedLight), float(alone_e.mean()) ** 0.5)
     for effect, part in all_effects.having(Exchange):
-        moved_e = exposed_e(part.smeared(light_e, part.fraction(sensor))) - alone_e
+        moved_e = (
+            exposed_e(part.smeared(light_e.astype(np.float64), part.fraction(sensor))) - alone_e
+        )
         sizes_e[effect.name] = float((moved_e**2).mean()) ** 0.5
     return sizes_e
 
