@@ -51,7 +51,7 @@ from nscc_runtime.effects.parts import Moving
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.readout_loop import CodeErrors
+from nscc_runtime.readout_loop import ReadoutErrors
 from nscc_runtime.readout_noise import ReadoutNoise
 from nscc_runtime.run_kinds import KINDS
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
@@ -97,7 +97,7 @@ def read_out(
     exposure: Exposure,
     target: Target,
     sensor: Sensor | None = None,
-    noise_lsb: CodeErrors | Floats | float = 0.0,
+    noise_lsb: ReadoutErrors | Floats | float = 0.0,
 ) -> Frame:
     """Convert an exposure to converter codes, with the noise `noise_lsb`, in codes, before
     rounding: an array, one number, or errors to be drawn.

@@ -14,7 +14,7 @@ WEIGHTS = 6
 """Number of weights of the noise of a pixel and of those below it, which the loop adds up."""
 
 
-class CodeErrors(NamedTuple):
+class ReadoutErrors(NamedTuple):
     """Errors of codes before rounding, in codes. `pattern`: fixed errors of the rows, which begin
     again after the last. `common`: the error that all codes of a bucket share. `weights` (6,):
     standard deviations of the parts that a pixel's own noise, and that of the five pixels below it
@@ -46,7 +46,7 @@ class Converting:
 @loop
 def convert(
     converting: Converting,
-    of: CodeErrors,
+    of: ReadoutErrors,
     exposure: Floats,
     drawn: Written[Floats],
     errors: Written[Floats],

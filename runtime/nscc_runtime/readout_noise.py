@@ -12,7 +12,7 @@ from nscc.arrays import Bytes, Floats
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals
-from nscc_runtime.readout_loop import WEIGHTS, CodeErrors, Converting, convert
+from nscc_runtime.readout_loop import WEIGHTS, ReadoutErrors, Converting, convert
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,7 +38,7 @@ class ReadoutNoise:
         on the chip with the seed `device_seed`; the last eight results are cached."""
         return _readout_noise(sensor, effects, device_seed, shape)
 
-    def drawn(self, seed: int, frame: int, buckets: int) -> CodeErrors:
+    def drawn(self, seed: int, frame: int, buckets: int) -> ReadoutErrors:
         """Return what the errors of frame number `frame` are computed from. `seed`: of the noise.
         Buckets are independent but for the pattern."""
         one, common = np.zeros(1, np.int64), np.zeros(buckets)
@@ -49,7 +49,7 @@ class ReadoutNoise:
         if self.common_lsb:
             for bucket, shared in enumerate(common_keys):
                 common[bucket] = self.common_lsb * float(normals(shared, one)[0])
-        return CodeErrors(self.pattern_lsb, common, self.weights_lsb, noise_keys)
+        return ReadoutErrors(self.pattern_lsb, common, self.weights_lsb, noise_keys)
 
     def codes(self, seed: int, frame: int, buckets: int) -> Floats:
         """Return the errors of frame number `frame`, in converter codes before rounding, shape
@@ -61,7 +61,7 @@ class ReadoutNoise:
 
 def codes_and_errors(
     exposure: Floats,
-    errors: CodeErrors | Floats | float,
+    errors: ReadoutErrors | Floats | float,
     scale: tuple[float, float, int],
     keeps_errors: bool = False,
 ) -> tuple[Bytes, Floats]:
@@ -72,12 +72,12 @@ def codes_and_errors(
     rows, cols). `scale`: the electrons of a code, the code of 0 e, and the largest code."""
     *ahead, cols = exposure.shape
     buckets, rows = 1, prod(ahead)
-    if isinstance(errors, CodeErrors):
+    if isinstance(errors, ReadoutErrors):
         buckets, rows = ahead
     else:
         pattern = np.ascontiguousarray(np.broadcast_to(errors, exposure.shape), np.float64)
         one = np.zeros(1, np.uint64)
-        errors = CodeErrors(pattern.reshape(rows, cols), np.zeros(1), np.empty(0), one)
+        errors = ReadoutErrors(pattern.reshape(rows, cols), np.zeros(1), np.empty(0), one)
     codes = np.empty(exposure.shape, np.uint8)
     kept = np.empty(exposure.shape if keeps_errors else cols)
     convert(

@@ -12,7 +12,7 @@ from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
 
 if TYPE_CHECKING:
-    from nscc_runtime.readout_loop import CodeErrors
+    from nscc_runtime.readout_loop import ReadoutErrors
 
 
 def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
@@ -48,7 +48,9 @@ OFFSET = parameter(
 )
 
 
-def _codes(sensor: Sensor, exposure: Floats, noise: CodeErrors | Floats | float, top: int) -> Bytes:
+def _codes(
+    sensor: Sensor, exposure: Floats, noise: ReadoutErrors | Floats | float, top: int
+) -> Bytes:
     """Return converter codes 0..`top`, at most 255, of exposures in electrons; 0 for NaN. `noise`:
     codes added before rounding, an array like `exposure` or one number, or errors to be drawn for
     exposures (buckets, rows, cols)."""
