@@ -12,7 +12,7 @@ from nscc.arrays import Bytes, Floats
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals
-from nscc_runtime.readout_loop import WEIGHTS, ReadoutErrors, Converting, convert
+from nscc_runtime.readout_loop import WEIGHTS, Converting, ReadoutErrors, convert
 
 
 @dataclass(frozen=True, eq=False)
