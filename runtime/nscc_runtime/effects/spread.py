@@ -8,6 +8,7 @@ import numpy as np
 
 from nscc.arrays import Floats
 from nscc_runtime.loop import compiled
+from nscc_runtime.noise.poisson_law import exp_minus
 
 
 def log_normal(fraction: float, z: Floats) -> Floats:
@@ -28,8 +29,8 @@ def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
     size = abs(value)
     if not size > knee * limit:  # also for NaN
         return value
-    if knee == 1.0:
-        return math.copysign(limit, value)
+    # With a knee of 1 there is no room: the quotient is infinite, and the result the limit.
     room = (1.0 - knee) * limit
-    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
+    rest = exp_minus(2.0 * (size - knee * limit) / room)
+    bend = (1.0 - rest) / (1.0 + rest)
     return math.copysign(knee * limit + room * bend, value)

@@ -13,7 +13,13 @@ from nscc.arrays import Floats, Ints
 from nscc_runtime.loop import compiled, inlined
 from nscc_runtime.noise.gaussian import normal_fast
 from nscc_runtime.noise.noise_loops import uniform
-from nscc_runtime.noise.poisson_law import RATE_CAP, SEARCH_BELOW, SETTLED_ABOVE, quantile
+from nscc_runtime.noise.poisson_law import (
+    RATE_CAP,
+    SEARCH_BELOW,
+    SETTLED_ABOVE,
+    exp_minus,
+    quantile,
+)
 
 DRAW_BLOCK = 1024
 """Number of pixels of a block."""
@@ -36,30 +42,6 @@ _UNSURE = -1.0
 """In place of a count: it must be searched. Counts are never negative."""
 _FEW = 8
 """The formula is used if more than one pixel in this number has a rate for the formula."""
-
-
-@inlined
-def exp_minus(x: float) -> float:
-    """Return exp(-x) for x in [0, 700], to 2e-16, without branches, so that LLVM vectorises it."""
-    n = np.floor(0.5 - x * 1.4426950408889634)
-    r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
-    p = 1.0 / 6227020800.0
-    p = p * r + 1.0 / 479001600.0
-    p = p * r + 1.0 / 39916800.0
-    p = p * r + 1.0 / 3628800.0
-    p = p * r + 1.0 / 362880.0
-    p = p * r + 1.0 / 40320.0
-    p = p * r + 1.0 / 5040.0
-    p = p * r + 1.0 / 720.0
-    p = p * r + 1.0 / 120.0
-    p = p * r + 1.0 / 24.0
-    p = p * r + 1.0 / 6.0
-    p = p * r + 0.5
-    p = p * r + 1.0
-    p = p * r + 1.0
-    power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
-    exponential: float = p * power
-    return exponential
 
 
 @compiled

@@ -211,13 +211,17 @@ def _along(
             compare(switches, numbers, count, state, base, WORD_BLOCK)
             continue
         write(switches, numbers, word, count, program, state, base, WORD_BLOCK)
-    ended = count
+    block.waiting[segment] -= count
     # Without a comparison, all pixels go on as if the answer were 0.
+    following, ended = segments.following[2 * segment], 0
+    if not asks and following < 0:
+        for j in range(count):
+            block.segment[base + j], ends[chosen[first + j]] = -1, -1 - following
+        return count
     for j in range(count):
         answer = 1 if asks and state.total[j] > 0.0 else 0
         following = segments.following[2 * segment + answer]
-        ended -= _hand_on(following, chosen[first + j], base + j, block, ends)
-    block.waiting[segment] -= count
+        ended += 1 - _hand_on(following, chosen[first + j], base + j, block, ends)
     return ended
 
 

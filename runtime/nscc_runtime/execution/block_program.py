@@ -172,7 +172,7 @@ def _of_codes(container: Container, words: tuple[AnalogWord, ...]) -> BlockProgr
     return BlockProgram(
         table,
         segments,
-        readouts_of(container),
+        readouts_of(container, words),
         stretches,
         lane_of_pixel,
         lane_of_pixel,
@@ -249,7 +249,7 @@ def _of_paths(container: Container, paths: Paths, every_slot: bool) -> BlockProg
     return BlockProgram(
         program_of(container, paths.words),
         segments,
-        readouts_of(container),
+        readouts_of(container, paths.words),
         stretches,
         lane,
         lane,
@@ -266,9 +266,10 @@ def _start_s(container: Container) -> Floats:
 
 def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgram:
     """Return the `words` as a table of numbers for the compiled loop, in their order. Its operands
-    are numbers of analog registers in the target's order, then of PIX (the photodiode) and of IN:
-    for each word the sources, then the destinations. IN is the level sent to all pixels."""
-    registers = (*container.target.analog_registers, "PIX", "IN")
+    are numbers of the analog registers in use, then of PIX (the photodiode) and of IN: for each
+    word the sources, then the destinations. IN is the level sent to all pixels."""
+    names = registers_of(container, words)
+    registers = (*names, "PIX", "IN")
     slots, slot_us, start_s = container.slots, container.slot_us, _start_s(container)
     rows: list[tuple[float, ...]] = []
     operands: list[int] = []
@@ -290,17 +291,25 @@ def program_of(container: Container, words: Sequence[RunningWord]) -> LoopProgra
         }
         rows.append(tuple(row[name] for name in _WORD.names or ()))
         operands += [registers.index(name) for name in word.sources + word.destinations]
-    signs = [error_sign(name, container) for name in container.target.analog_registers]
+    signs = [error_sign(name, container) for name in names]
     return LoopProgram(np.array(rows, _WORD), np.array(operands, np.int64), np.array(signs))
 
 
-def readouts_of(container: Container) -> Readouts:
+def registers_of(container: Container, words: Sequence[RunningWord]) -> list[str]:
+    """Return the analog registers that any of the `words` names or that are read out, in the
+    target's order: few, so that those of a block of pixels fit into the fastest cache."""
+    named = {readout.register for readout in container.readouts}
+    named.update(name for word in words for name in (*word.sources, *word.destinations))
+    return [name for name in container.target.analog_registers if name in named]
+
+
+def readouts_of(container: Container, words: Sequence[RunningWord]) -> Readouts:
     """Return for each bucket, in the container's order, the number of the analog register that is
-    read out, the gain, and the time (s) from the end of the exposure to its readout. Raises
-    KeyError for a bucket that is not read out."""
+    read out, the gain, and the time (s) from the end of the exposure to its readout. `words`: of
+    the program. Raises KeyError for a bucket that is not read out."""
     of_bucket = {readout.bucket: readout for readout in container.readouts}
     readouts = [of_bucket[bucket] for bucket in container.buckets]
-    place = container.target.analog_registers.index
+    place = registers_of(container, words).index
     return Readouts(
         np.array([place(readout.register) for readout in readouts], np.int64),
         np.array([float(readout.gain) for readout in readouts]),
@@ -319,13 +328,13 @@ def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numb
     )
 
 
-def switches_of(container: Container, effects: Selection) -> Switches:
+def switches_of(program: BlockProgram, effects: Selection) -> Switches:
     """Return which effects the compiled loop simulates, the bits of their saturation marks (0 for
-    marks that no effect sets), and the numbers of analog registers and of buckets."""
+    marks that no effect sets), and the numbers of analog registers in use and of buckets."""
     marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
     return Switches(
-        registers=len(container.target.analog_registers),
-        buckets=len(container.buckets),
+        registers=len(program.words.signs),
+        buckets=len(program.readouts.register),
         **switches(effects),
         **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
     )

@@ -209,7 +209,7 @@ def prepare_pixels(
         effects,
         places,
         device_seed,
-        switches_of(container, effects),
+        switches_of(program, effects),
         numbers_of(container, sensor, effects),
         parts,
         # Several scenes share means only if about eight sets of them fit into the memory.
@@ -460,7 +460,7 @@ def _run_words(
     has reached ending e. `seed`: of the noise. `frame`: number of the frame. A segment is the part
     of a path between two comparisons."""
     charge_e = _charge_of_frame(scene, charge, seed, frame, threads)
-    program, container, pixels = scene.program, scene.container, charge.pixels
+    program, pixels = scene.program, charge.pixels
     places = charge.sites.place[:pixels]
     shared: NamedValues = {
         "switches": scene.switches, "numbers": scene.numbers,
@@ -492,7 +492,7 @@ def _run_words(
                 segment=np.empty(WORD_BLOCK, np.int64),
                 keys=np.empty(words * (1 + program.numbered), np.uint64),
             ),
-            state=PixelState.of(len(container.target.analog_registers), 1 + program.numbered),
+            state=PixelState.of(scene.switches.registers, 1 + program.numbered),
             **shared,
         )
 

@@ -75,18 +75,6 @@ class SiteSizes:
     own: int
 
 
-@inlined
-def _beside(sizes: SiteSizes, p: int, side: int) -> int:
-    """Return the place of the neighbour above, below, left or right (`side` 0 to 3) of the pixel at
-    place `p`, or NONE beyond the border."""
-    if side == 0:
-        return p - sizes.cols if p >= sizes.cols else NONE
-    if side == 1:
-        return p + sizes.cols if p + sizes.cols < sizes.pixels else NONE
-    at_border = p % sizes.cols == (0 if side == 2 else sizes.cols - 1)
-    return NONE if at_border else p + 2 * side - 5
-
-
 @loop
 def find_sites(
     sizes: SiteSizes,
@@ -101,24 +89,27 @@ def find_sites(
 
     The first sites are the pixels at `own_places`; their neighbours that are not among these follow
     in ascending order of places. `number`: working memory, NONE everywhere before."""
-    wanted = NONE - 1
-    for i in range(sizes.own):
+    wanted, own, cols = NONE - 1, sizes.own, sizes.cols
+    for i in range(own):
         number[own_places[i]], place[i] = i, own_places[i]
-    for i in range(sizes.own):
-        for side in range(NEIGHBOURS):
-            other = _beside(sizes, own_places[i], side)
-            if other != NONE and number[other] == NONE:
-                number[other] = wanted
-    found = sizes.own
+    for i in range(own):
+        p = own_places[i]
+        col = np.uint32(p) % np.uint32(cols)
+        beside[i] = p - cols if p >= cols else NONE
+        beside[own + i] = p + cols if p + cols < sizes.pixels else NONE
+        beside[2 * own + i] = p - 1 if col > 0 else NONE
+        beside[3 * own + i] = p + 1 if col + 1 < cols else NONE
+    for at in range(NEIGHBOURS * own):
+        if beside[at] != NONE and number[beside[at]] == NONE:
+            number[beside[at]] = wanted
+    found = own
     for p in range(sizes.pixels):
         if number[p] == wanted:
             number[p], place[found] = found, p
             found += 1
     count[0] = found
-    for i in range(sizes.own):
-        for side in range(NEIGHBOURS):
-            other = _beside(sizes, own_places[i], side)
-            beside[side * sizes.own + i] = number[other] if other != NONE else NONE
+    for at in range(NEIGHBOURS * own):
+        beside[at] = number[beside[at]] if beside[at] != NONE else NONE
 
 
 class StretchMeans(NamedTuple):

@@ -11,7 +11,6 @@ import numpy as np
 
 from nscc.arrays import Bytes, Floats, Ints
 from nscc_runtime.effects.spread import soft_in_loop
-from nscc_runtime.execution.block_draws import exp_minus
 from nscc_runtime.execution.layout import (
     WORD_BLOCK,
     LoopProgram,
@@ -22,12 +21,11 @@ from nscc_runtime.execution.layout import (
     Switches,
 )
 from nscc_runtime.loop import inlined
+from nscc_runtime.noise.poisson_law import exp_minus
 
 ADDED, SUBTRACTED, LEVEL = 1, 2, 4
 """PIX flags, bits of `PixelState.full`: a register contains a full PIX with positive or negative
 sign, or a full PIX in the level of a reset. `read_out` turns them into saturation marks."""
-_MOST_DECAY = 700.0
-"""Limit of the exponent of a decay, which leaves nothing in any case."""
 
 
 @inlined
@@ -96,23 +94,27 @@ def add(
         source = program.operands[word.operands + s]
         at = source * WORD_BLOCK + base
         if source == switches.registers:
+            lit = switches.lit_level
             for j in range(count):
-                is_read = switches.lit_level or state.since_s[at + j] != word.time_s
+                is_read = lit or state.since_s[at + j] != word.time_s
                 total[j] += (state.value[at + j] if is_read else 0.0) + state.level[base + j]
             for j in range(count if switches.read_errors else 0):
                 total[j] += numbers.read_error * state.normals[j]
             for j in range(count if switches.well_clips else 0):
                 full = state.full[at + j]
-                of_level = full | LEVEL if switches.lit_level and full else 0
+                of_level = full | LEVEL if lit and full else 0
                 state.total_full[j] |= of_level if state.since_s[at + j] == word.time_s else full
         elif source > switches.registers:
             for j in range(count):
                 total[j] += word.in_e
         else:
-            if switches.leaks:
+            older = 0
+            for j in range(count if switches.leaks else 0):
+                older += state.since_s[at + j] != word.time_s
+            if older:
                 for j in range(count):
                     decay = state.leak[base + j] * (word.time_s - state.since_s[at + j])
-                    total[j] += state.value[at + j] * exp_minus(min(decay, _MOST_DECAY))
+                    total[j] += state.value[at + j] * exp_minus(decay)
             else:
                 for j in range(count):
                     total[j] += state.value[at + j]
@@ -157,6 +159,9 @@ def write(
             full = state.total_full[j]
             exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
             state.total_full[j] = exchanged | full & LEVEL
+    for j in range(count if word.divisor != 1.0 else 0):
+        state.total[j] /= word.divisor
+        state.total_lost_e[j] /= word.divisor
     # Factors of the total, of the pixel's fixed error and of a normal number.
     gain, fixed, sigma = 1.0, 0.0, 0.0
     if switches.word_errors:
@@ -172,12 +177,12 @@ def write(
         )
         for j in range(count):
             error = sign * (fixed * state.pattern[base + j])
-            state.value[at + j] = gain * (state.total[j] / -word.divisor) + error
+            state.value[at + j] = error - gain * state.total[j]
         for j in range(count if sigma else 0):
             state.value[at + j] += sign * (sigma * state.normals[drawn + j])
         for j in range(count):
             state.since_s[at + j] = word.time_s
-            state.lost_e[at + j] = state.total_lost_e[j] / word.divisor
+            state.lost_e[at + j] = state.total_lost_e[j]
             state.full[at + j] = state.total_full[j]
         low, high, beyond = numbers.knee * numbers.lowest, numbers.knee * numbers.highest, 0
         for j in range(count if switches.registers_bend else 0):
@@ -215,7 +220,7 @@ def read_out(
             total[i] = state.value[at + i] * gain
         for i in range(count if switches.leaks else 0):
             decay = state.leak[i] * (when_s - state.since_s[at + i])
-            total[i] *= exp_minus(min(decay, _MOST_DECAY))
+            total[i] *= exp_minus(decay)
         for i in range(count):
             full = state.full[at + i]
             mark = switches.registers_bit if state.lost_e[at + i] > numbers.least_lost else 0

@@ -43,6 +43,32 @@ _STIRLING = np.array(
 )
 
 
+@inlined
+def exp_minus(x: float) -> float:
+    """Return exp(-x) for x of at least 0, to 2e-16, without branches, so that LLVM vectorises it.
+    Beyond 700 it is that of 700."""
+    x = min(x, 700.0)
+    n = np.floor(0.5 - x * 1.4426950408889634)
+    r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
+    p = 1.0 / 6227020800.0
+    p = p * r + 1.0 / 479001600.0
+    p = p * r + 1.0 / 39916800.0
+    p = p * r + 1.0 / 3628800.0
+    p = p * r + 1.0 / 362880.0
+    p = p * r + 1.0 / 40320.0
+    p = p * r + 1.0 / 5040.0
+    p = p * r + 1.0 / 720.0
+    p = p * r + 1.0 / 120.0
+    p = p * r + 1.0 / 24.0
+    p = p * r + 1.0 / 6.0
+    p = p * r + 0.5
+    p = p * r + 1.0
+    p = p * r + 1.0
+    power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
+    exponential: float = p * power
+    return exponential
+
+
 @compiled
 def stirling_error(k: float) -> float:
     """Return log(k!) minus Stirling's formula, for whole k >= 1."""
