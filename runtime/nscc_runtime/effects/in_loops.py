@@ -39,15 +39,19 @@ def figures(sensor: Sensor, effects: Selection) -> Mapping[str, float]:
     }
 
 
-def patterns(effects: Selection, device: Device, places: Places) -> dict[str, Floats]:
-    """Return the fixed patterns of effects, each (pixels,), by field of `FixedPatterns`; zeros for
-    effects that are not in `effects`. `device`: all pixels of the chip. `places`: the pixels to
-    return, row * cols + col."""
+def patterns(effects: Selection, device: Device) -> dict[str, Floats]:
+    """Return the fixed patterns of effects for all pixels of the `device`, each (pixels,), by field
+    of `FixedPatterns`; zeros for effects that are not in `effects`. Callers do not change them."""
     return {
-        name: device.fixed(pattern)[places] if effect in effects else np.zeros(len(places))
+        name: device.fixed(pattern if effect in effects else _none)
         for effect, loop in _in_loops()
         for name, pattern in loop.patterns.items()
     }
+
+
+def _none(_sensor: Sensor, _device_seed: int, places: Places) -> Floats:
+    """Return the fixed pattern of an effect that is off: zeros, (pixels,)."""
+    return np.zeros(len(places))
 
 
 def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:

@@ -259,9 +259,10 @@ def run_blocks(
         count = min(WORD_BLOCK, sizes.end - first)
         begin(switches, state, count)
         for i in range(count):
-            state.pattern[i] = patterns.error_e[first + i]
-            state.leak[i] = patterns.leak_per_s[first + i]
-            state.offset[i] = patterns.offset_e[first + i]
+            place = places[first + i]
+            state.pattern[i] = patterns.error_e[place]
+            state.leak[i] = patterns.leak_per_s[place]
+            state.offset[i] = patterns.offset_e[place]
         waiting, segment = 0, sizes.segments
         for i in range(count):
             waiting += _hand_on(begins[first + i], chosen[first + i], i, block, ends)

@@ -104,11 +104,11 @@ class ChargeScene:
     """The charge of some pixels in the stretches of slots between their words.
 
     `number` (pixels,): the index of each of these pixels among the pixels of the scene. `sites`:
-    these pixels, then neighbours whose counts they exchange. `patterns`: the pixels' fixed
-    patterns. `counted`: for each source of counts its random stream, its source number there, and
+    these pixels, then neighbours whose counts they exchange. `patterns`: fixed patterns of the
+    chip. `counted`: for each source of counts its random stream, its source number there, and
     the means (stretches, sites). `means`: expected charge, see `StretchMeans`. `exchanged`: the
-    fraction of its charge that a pixel gives to each neighbour. `invalid`: those of `number` whose
-    light is not a number. A site is a pixel whose charge is computed."""
+    fraction of its charge that a pixel gives to each neighbour. `invalid`: the indices in `number`
+    of pixels whose light is not a number. A site is a pixel whose charge is computed."""
 
     number: Ints
     sites: Sites
@@ -294,8 +294,8 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = whole_device(scene.sensor, scene.device_seed, program.lane.size)
-    fixed = FixedPatterns(**patterns(effects, device, sites.place[:pixels]))
-    invalid = number[np.isnan(means.charge).any(axis=0)]
+    fixed = FixedPatterns(**patterns(effects, device))
+    invalid = np.flatnonzero(np.isnan(means.charge).any(axis=0))
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
 
 
@@ -373,7 +373,12 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
 
 
 def expose_pixels(
-    scene: BlockScene, seed: int, frame: int, threads: int = 1, begins: Places | None = None
+    scene: BlockScene,
+    seed: int,
+    frame: int,
+    threads: int = 1,
+    begins: Places | None = None,
+    whole: PixelExposures | None = None,
 ) -> PixelExposures:
     """Expose one frame of prepared pixels.
 
@@ -387,23 +392,30 @@ def expose_pixels(
         Number of threads. Results do not depend on it.
     begins : int64, shape (pixels,), optional
         The first segment of each pixel, or -1 - e for ending e; by default that of its code.
+    whole : PixelExposures, optional
+        Exposures of all pixels of the chip, by place. Those of the scene's pixels are replaced.
 
     Returns
     -------
     PixelExposures
+        `whole`, or the exposures of the scene's pixels.
     """
     buckets, pixels = len(scene.container.buckets), len(scene.places)
-    result = PixelExposures(
+    result = whole or PixelExposures(
         np.empty((buckets, pixels)),
         np.empty((buckets, pixels), np.uint8),
         np.zeros(pixels, np.int32),
     )
-    first = scene.program.first_segment.reshape(-1)[scene.places] if begins is None else begins
     # Light that takes too much memory is added up again in every frame.
     charges = scene.kept or (_charge_scene(scene, part, threads) for part in scene.parts)
     for charge in charges:
-        _run_words(scene, charge, first, seed, frame, threads, result)
-        result.exposure_e[:, charge.invalid] = np.nan
+        places = charge.sites.place[: charge.pixels]
+        first = (
+            scene.program.first_segment.take(places) if begins is None else begins[charge.number]
+        )
+        chosen = charge.number if whole is None else places
+        _run_words(scene, charge, (first, chosen), seed, frame, threads, result)
+        result.exposure_e[:, chosen[charge.invalid]] = np.nan
     return result
 
 
@@ -447,18 +459,18 @@ def _charge_of_frame(
 def _run_words(
     scene: BlockScene,
     charge: ChargeScene,
-    first_segment: Places,
+    at: tuple[Places, Places],
     seed: int,
     frame: int,
     threads: int,
     result: PixelExposures,
 ) -> None:
     """Run the pixels of `charge` through their words, and store exposures, marks and endings in
-    `result`, in place, at their indices in the scene.
+    `result`, in place.
 
-    `first_segment`: for each pixel of the scene, the segment in which it begins, or -1 - e if it
-    has reached ending e. `seed`: of the noise. `frame`: number of the frame. A segment is the part
-    of a path between two comparisons."""
+    `at`: the segment in which each pixel begins, or -1 - e if it has reached ending e, and its
+    index in `result`. `seed`: of the noise. `frame`: number of the frame. A segment is the part of
+    a path between two comparisons."""
     charge_e = _charge_of_frame(scene, charge, seed, frame, threads)
     program, pixels = scene.program, charge.pixels
     places = charge.sites.place[:pixels]
@@ -466,8 +478,7 @@ def _run_words(
         "switches": scene.switches, "numbers": scene.numbers,
         "keys": WordKeys(**draws_keys(seed, WORD_DRAWS)), "program": program.words,
         "segments": program.segments, "readouts": program.readouts,
-        "begins": np.ascontiguousarray(first_segment[charge.number]), "places": places,
-        "chosen": charge.number, "patterns": charge.patterns,
+        "begins": at[0], "places": places, "chosen": at[1], "patterns": charge.patterns,
         "charge": Charge(charge_e, charge.means.pace), "out": result.exposure_e,
         "marked": result.saturated_by, "ends": result.endings,
     }  # fmt: skip
@@ -480,7 +491,7 @@ def _run_words(
             sizes=BlockSizes(
                 first=begin,
                 end=end,
-                pixels=len(scene.places),
+                pixels=len(result.endings),
                 charged=pixels,
                 segments=segments,
                 words=words,

@@ -23,6 +23,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_scene import (
     BlockScene,
+    PixelExposures,
     expose_pixels,
     prepare_pixels,
     without_draws,
@@ -80,9 +81,9 @@ class FrameSource:
         exposure_e = draw_exposures(self.simulator, seed, number, self.threads)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if self.block is not None:
-            pixels = expose_pixels(self.block, seed, number, self.threads)
-            exposure_e[:, self.near] = pixels.exposure_e
-            saturated_by[:, self.near] = pixels.saturated_by
+            endings = np.empty(exposure_e.shape[1], np.int32)
+            whole = PixelExposures(exposure_e, saturated_by, endings)
+            expose_pixels(self.block, seed, number, self.threads, whole=whole)
         whole = exposure_e.reshape(-1, *self.light.shape)
         if not self.light.most_e >= 0.0:  # NaN
             whole[:, self.light.is_nan] = np.nan

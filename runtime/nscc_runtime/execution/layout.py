@@ -143,13 +143,13 @@ class Readouts(NamedTuple):
 
 
 class FixedPatterns(NamedTuple):
-    """Fixed patterns of the pixels: the error that each addition adds in electrons, the leakage
-    rate of registers in 1/s, the offset of the comparator in electrons; 0 for effects that are
-    off."""
+    """Fixed patterns of all pixels of the chip, by place: the error that each addition adds in
+    electrons, the leakage rate of registers in 1/s, the offset of the comparator in electrons; 0
+    for effects that are off."""
 
-    error_e: Annotated[Floats, "charged"]
-    leak_per_s: Annotated[Floats, "charged"]
-    offset_e: Annotated[Floats, "charged"]
+    error_e: Floats
+    leak_per_s: Floats
+    offset_e: Floats
 
 
 class PixelState(NamedTuple):

@@ -408,7 +408,7 @@ class PicturedProgram:
         return {
             **figures(sensor, effects),
             **draws_keys(seeds[0], ArrayPixels.word_draws),
-            **patterns(effects, device, device.places),
+            **patterns(effects, device),
             "frame": number,
             "numbered": most_destinations(target),
             "patterns": len(target.analog_registers),
