@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated
+
+import numpy as np
 
 from nscc.arrays import Bytes, Floats, Floats32, Ints, Ints32
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
@@ -110,19 +111,19 @@ def compare_candidates(
     dark_e: Annotated[Floats32, "pixels"],
     lanes: Annotated[Ints32, "pixels"],
     dark_part: Annotated[Floats, "kinds lane_count"],
-    saturation_e: Annotated[Floats, "kinds lane_count"],
-    most_e: Written[Annotated[Floats, "candidates"]],
+    mean_e: Annotated[Floats, "kinds lane_count"],
+    pix_e: Written[Annotated[Floats, "candidates"]],
     is_near: Written[Annotated[Bytes, "candidates"]],
 ) -> None:
-    """Set `is_near` to whether any sum of charge of a candidate, with noise, reaches its smallest
-    sum of saturation, and `most_e` to its charge on PIX (the photodiode), with noise.
+    """Set `is_near` to whether the mean of any sum of charge of a candidate reaches its limit
+    `mean_e`, and `pix_e` to the mean charge on PIX (the photodiode).
 
     `table`: the weight of each frame of `light` in each sum. `sum_e`: the light of all slots, and
     `dark_e` the dark charge, of which each sum contains `dark_part`."""
     cols, lit_pixels = sizes.cols, sizes.lit_rows * sizes.cols
     for i in range(sizes.candidates):
         p, near, neighbours, gained_e = places[i], 0, 0, 0.0
-        column = p % cols
+        column = np.int64(np.uint32(p) % np.uint32(cols))
         for side in range(4):
             step = (2 * side - 1) * cols if side < 2 else 2 * side - 5
             other = p + step
@@ -131,7 +132,7 @@ def compare_candidates(
                 neighbours += 1
                 gained_e += _given_e(sum_e, factor, dark_e, other)
         gained_e *= sizes.exchanged
-        for kind in range(sizes.kinds - 1, -1, -1):
+        for kind in range(sizes.kinds):
             seen, at = 0.0, kind * sizes.frames * sizes.lane_count + lanes[p]
             for k in range(sizes.frames):
                 frame_e = light[k * lit_pixels + p - sizes.first_row * cols]
@@ -141,6 +142,8 @@ def compare_candidates(
             mixed = (1.0 - sizes.exchanged * neighbours) * seen + gained_e
             at = kind * sizes.lane_count + lanes[p]
             charge_e = (seen if seen > mixed else mixed) + dark_e[p] * dark_part[at]
-            most_e[i] = charge_e + SIGMAS * math.sqrt(charge_e)
-            near |= most_e[i] >= saturation_e[at]
+            pix_e[i] = charge_e if kind == 0 else pix_e[i]
+            near = charge_e >= mean_e[at]
+            if near:
+                break
         is_near[i] = near

@@ -72,14 +72,12 @@ class _Limits:
     registers.
 
     `weights` (kinds, N, lanes): weights of the slots in each sum. `dark_part` (kinds, lanes): the
-    part of the dark charge of a frame that it contains. `saturation_e` (kinds, lanes): the smallest
-    sum with which a pixel may saturate, infinite if it cannot. `mean_e` (lanes,): the smallest mean
-    charge that noise may raise to the smallest of these. A lane is the pixels of one distinct
-    shutter. PIX is the photodiode."""
+    part of the dark charge of a frame that it contains. `mean_e` (kinds, lanes): the smallest mean
+    of the sum that noise may raise so far that a pixel saturates, infinite if it cannot. A lane is
+    the pixels of one distinct shutter. PIX is the photodiode."""
 
     weights: SlotWeights
     dark_part: Floats
-    saturation_e: Floats
     mean_e: Floats
 
 
@@ -117,14 +115,14 @@ def _search(
         sizes=Candidates(candidates=0, lit_rows=0, first_row=0, **sizes),
         **chip_e,
         most_part=most_part,
-        mean_e=limits.mean_e,
+        mean_e=limits.mean_e.min(axis=0),
         given_e=np.empty(3 * (cols + 2)),
         bound_e=np.empty(cols),
         places=places,
         count=count,
     )
     places = places[: count[0]].copy()
-    most_e, is_near = np.empty(len(places)), np.empty(len(places), np.bool_)
+    pix_e, is_near = np.empty(len(places)), np.empty(len(places), np.bool_)
     for own_rows, first_row, strip in light.strips() if len(places) else ():
         ends = np.array([own_rows.start, own_rows.stop]) * cols
         part = slice(*np.searchsorted(places, ends).tolist())
@@ -140,11 +138,12 @@ def _search(
             light=np.require(strip.ended, np.float32, ["C", "A"]),
             table=table,
             dark_part=limits.dark_part,
-            saturation_e=limits.saturation_e,
-            most_e=most_e[part],
+            mean_e=limits.mean_e,
+            pix_e=pix_e[part],
             is_near=is_near[part].view(np.uint8),
         )
-    return NearSaturation(places[is_near], most_e[is_near])
+    pix_e = pix_e[is_near]
+    return NearSaturation(places[is_near], pix_e + SIGMAS * np.sqrt(pix_e))
 
 
 def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
@@ -165,8 +164,8 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
         # If no register holds a sum of its own, row 0 stands for PIX and the registers.
         registers = saturation_e if reach.charge_weights is None else saturation_e[1:]
         np.minimum(registers, reach.least_e, out=registers)
-    least_e = np.maximum(_SLACK * saturation_e.min(axis=0), 0.0)
+    least_e = np.maximum(_SLACK * saturation_e, 0.0)
     # The smallest mean charge m that noise raises to the limit: m + SIGMAS sqrt(m) = least_e.
     mean_e = ((np.sqrt(SIGMAS**2 + 4.0 * least_e) - SIGMAS) / 2.0) ** 2
     dark_part = program.slot_s @ weights / program.slot_s.sum()
-    return _Limits(SlotWeights(weights), dark_part, saturation_e, mean_e)
+    return _Limits(SlotWeights(weights), dark_part, mean_e)
