@@ -82,8 +82,8 @@ class FrameSource:
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if self.block is not None:
             endings = np.empty(exposure_e.shape[1], np.int32)
-            whole = PixelExposures(exposure_e, saturated_by, endings)
-            expose_pixels(self.block, seed, number, self.threads, whole=whole)
+            every = PixelExposures(exposure_e, saturated_by, endings)
+            expose_pixels(self.block, seed, number, self.threads, whole=every)
         whole = exposure_e.reshape(-1, *self.light.shape)
         if not self.light.most_e >= 0.0:  # NaN
             whole[:, self.light.is_nan] = np.nan
