@@ -83,7 +83,7 @@ def load_stack(source: str, top_code: int) -> Stack:
             time_s = from_meta if time_s is None else time_s
             frame_valid = arrays.get("valid")
             # A mask of another size belongs to another array: all pixels count as valid.
-            if frame_valid is not None and frame_valid.size == np.prod(values.shape):
+            if frame_valid is not None and frame_valid.size == values.size:
                 is_valid = frame_valid.reshape(values.shape).astype(np.bool_)
                 valid = np.asarray(is_valid.all(axis=0))
         elif path.suffix.lower() == ".mat" and values.ndim == 3:
@@ -129,8 +129,9 @@ def _timed(source: str) -> tuple[Path, float | None]:
         return Path(source), None
     match = _TIME.fullmatch(time)
     with suppress(ValueError):
-        if match is not None and _is_time(float(match[1]) * _SECONDS[match[2]] * 1e6):
-            return Path(path), float(match[1]) * _SECONDS[match[2]]
+        seconds = float(match[1]) * _SECONDS[match[2]] if match else np.nan
+        if _is_time(seconds * 1e6):
+            return Path(path), seconds
     raise _wrong_time(source, f"'{time[:40]}'")
 
 

@@ -117,8 +117,7 @@ def surface(values: Map, good_mask: Mask) -> Map:
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)
     solved = np.linalg.lstsq(terms[good_mask], values[good_mask], rcond=None)[0]
-    fitted: Map = terms @ solved
-    return fitted
+    return np.asarray(terms @ solved)
 
 
 SURFACE_TERMS = 6

@@ -120,5 +120,5 @@ def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
     # The standard deviation, estimated by the median absolute deviation.
     scale = 1.4826 * float(np.median(np.abs(values[good_mask] - middle)))
     noise = float(np.sqrt(level.variance[good_mask].mean() / level.frames))
-    far: Mask = np.abs(values - middle) > OUTLIER * max(scale, noise, _LEAST_SCALE)
-    return np.asarray(far & good_mask)
+    far = np.abs(values - middle) > OUTLIER * max(scale, noise, _LEAST_SCALE)
+    return far & good_mask

@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 
 from nscc_runtime.calibrate.dark_fit import DarkFit
-from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
+from nscc_runtime.calibrate.levels import Level, LevelMoments, Mask
 from nscc_runtime.calibrate.line_fit import SURFACE_TERMS, line, shared_variance, surface
 
 _RANGE = (0.05, 0.95)
@@ -32,37 +32,21 @@ def response_variance(
     over the mean signal of the levels. If `dark` is None, each pixel has its own intercept, else
     the line passes through the fitted darks. A smooth surface, the fall-off of the light, is
     subtracted."""
-    halves = np.stack([_response(levels, level_moments, dark, good_mask, half) for half in (0, 1)])
-    smooth = surface((halves[0] + halves[1]) / 2, good_mask)
-    return shared_variance(halves - smooth, good_mask, SURFACE_TERMS)
-
-
-def _response(
-    levels: Sequence[Level],
-    level_moments: Sequence[LevelMoments],
-    dark: DarkFit | None,
-    good_mask: Mask,
-    half: int,
-) -> Map:
-    """Return each pixel's response to light relative to the mean, (rows, cols), from one `half` of
-    the frames: 0 for even and 1 for odd ones.
-
-    `levels` are the flats and `level_moments` their moments, in the same order; `good_mask` (rows,
-    cols) marks the pixels of the mean. The response is the slope of a weighted least-squares line
-    of the pixel's signal over the mean signal. If `dark` is None, the line has an intercept."""
     weight = np.array([moments.frames / moments.variance for moments in level_moments])
     signal = [
-        level.halves[half] - (0.0 if dark is None else dark.at(level.exposure_s)[half])
-        for level in levels
+        level.halves - (0.0 if dark is None else dark.at(level.exposure_s)) for level in levels
     ]
-    mean = np.array([values[good_mask].mean() for values in signal])
-    centre = float((weight * mean).sum() / weight.sum()) if dark is None else 0.0
+    # The mean signal of both halves of the frames in each level, (2, levels).
+    mean = np.array([[values[half][good_mask].mean() for values in signal] for half in (0, 1)])
+    centre = 0.0 if dark is not None else (weight * mean).sum(1, keepdims=True) / weight.sum()
     share = weight * (mean - centre)
     total = np.zeros_like(signal[0])
-    for level_share, values in zip(share, signal, strict=True):
-        total += level_share * values
+    for level_share, values in zip(share.T, signal, strict=True):
+        total += level_share[:, None, None] * values
     # `centre` cancels in every pixel: the weights of an intercept sum to 0.
-    return np.asarray(total / (share * (mean - centre)).sum())
+    halves = total / (share * (mean - centre)).sum(axis=1)[:, None, None]
+    smooth = surface((halves[0] + halves[1]) / 2, good_mask)
+    return shared_variance(halves - smooth, good_mask, SURFACE_TERMS)
 
 
 @dataclass(frozen=True)

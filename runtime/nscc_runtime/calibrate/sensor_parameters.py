@@ -8,7 +8,7 @@ twice."""
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 from typing import Literal
 
@@ -65,7 +65,7 @@ def parameters(
     attributed to them."""
     quantity = calibration.quantities
     chosen: dict[str, ParameterChoice] = {}
-    _contain(chosen, "analog_gain", value=1.0, sum_parameter="electrons_per_lsb")
+    _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
     for name, source in _TAKEN.items():
         _take(chosen, name, quantity[source])
     if "electrons_per_lsb" in chosen:  # frames give errors of words in codes of their converter
@@ -79,9 +79,7 @@ def parameters(
         if name not in chosen:
             reason = _unknown(name, quantity)
             remark = f"not measured: {reason}; {row.source}"
-            chosen[name] = ParameterChoice(
-                getattr(plain, name), se=None, status="default", remark=remark
-            )
+            chosen[name] = ParameterChoice(getattr(plain, name), None, "default", remark)
     return {name: _rounded(chosen[name]) for name in schema().by_path}
 
 
@@ -96,10 +94,8 @@ def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> 
     kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
     if quantity.value is not None and quantity.known in kinds:
         prefix = "" if quantity.known == "measured" else f"{quantity.known}: "
-        status = kinds[quantity.known]
-        chosen[name] = ParameterChoice(
-            quantity.value, se=quantity.se, status=status, remark=prefix + quantity.remark
-        )
+        remark = prefix + quantity.remark
+        chosen[name] = ParameterChoice(quantity.value, quantity.se, kinds[quantity.known], remark)
 
 
 def _contain(
@@ -107,12 +103,8 @@ def _contain(
 ) -> None:
     """Set the parameter `name` in `chosen`, in place, to `value`. Frames show its effect only
     together with others, in the parameter `sum_parameter`, which the remark names."""
-    chosen[name] = ParameterChoice(
-        value,
-        se=None,
-        status="contained",
-        remark=f"part of {sum_parameter}: frames show only the sum",
-    )
+    remark = f"part of {sum_parameter}: frames show only the sum"
+    chosen[name] = ParameterChoice(value, None, "contained", remark)
 
 
 def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
@@ -124,21 +116,18 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
     if noise.value is None or chain.reads < _NO_PART:
         return
     read_factor = sqrt(chain.reads)
+    value = noise.value / read_factor
     text = noise.remark if chain.reads == 1 else f"{noise.remark}; {chain.reads:.4g} reads a frame"
     if noise.known == "measured" and noise.se is not None:
-        chosen["read_noise_e"] = ParameterChoice(
-            noise.value / read_factor, se=noise.se / read_factor, status="measured", remark=text
-        )
+        choice = ParameterChoice(value, noise.se / read_factor, "measured", text)
     else:
-        chosen["read_noise_e"] = ParameterChoice(
-            noise.value / read_factor, se=None, status="bound", remark=f"at most: {text}"
-        )
+        choice = ParameterChoice(value, None, "bound", f"at most: {text}")
+    chosen["read_noise_e"] = choice
     # A program without resets shows no noise of them: it keeps the default.
     if chain.resets > _NO_PART:
-        _contain(chosen, "reset_noise_e", value=0.0, sum_parameter="read_noise_e")
-    _contain(chosen, "analog_noise_lsb", value=0.0, sum_parameter="read_noise_e")
-    _contain(chosen, "adc_noise_lsb", value=0.0, sum_parameter="read_noise_e")
-    _contain(chosen, "spread_noise_lsb", value=0.0, sum_parameter="read_noise_e")
+        _contain(chosen, "reset_noise_e", 0.0, "read_noise_e")
+    for name in ("analog_noise_lsb", "adc_noise_lsb", "spread_noise_lsb"):
+        _contain(chosen, name, 0.0, "read_noise_e")
 
 
 def _pattern(
@@ -158,32 +147,22 @@ def _pattern(
     # The measured pattern is the sum of several parameters; one gets all of it, the others 0.
     _take(chosen, "adc_pattern_lsb", pattern)
     for name in ("analog_pattern_lsb", "adc_smooth_lsb", "adc_level_lsb"):
-        _contain(chosen, name, value=0.0, sum_parameter="adc_pattern_lsb")
+        _contain(chosen, name, 0.0, "adc_pattern_lsb")
     words = abs(chain.word_sum)
     text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
     # If the words cancel the offset, no part of it can come from the analog side.
     if words < _NO_PART:
         remark = f"{offset.remark}; the program's words cancel what is not whole codes"
-        chosen["adc_offset_lsb"] = ParameterChoice(
-            offset.value, se=offset.se, status="measured", remark=remark
-        )
+        chosen["adc_offset_lsb"] = ParameterChoice(offset.value, offset.se, "measured", remark)
         return
     # The converter's part is whole codes; the remainder is a bias of the words before it.
     whole_codes = float(round(offset.value))
-    chosen["adc_offset_lsb"] = ParameterChoice(
-        whole_codes,
-        se=None,
-        status="measured",
-        remark=f"whole codes of {_shown(offset)}, {offset.remark}",
-    )
+    remark = f"whole codes of {_shown(offset)}, {offset.remark}"
+    chosen["adc_offset_lsb"] = ParameterChoice(whole_codes, None, "measured", remark)
     se = None if offset.se is None else offset.se / words
     bias = (offset.value - whole_codes) / chain.word_sum
-    chosen["analog_bias_lsb"] = ParameterChoice(
-        bias,
-        se=se,
-        status="measured",
-        remark=f"what adc_offset_lsb leaves of {_shown(offset)}{text}",
-    )
+    remark = f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
+    chosen["analog_bias_lsb"] = ParameterChoice(bias, se, "measured", remark)
 
 
 def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
@@ -197,17 +176,13 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
     if full.known == "measured":
         _take(chosen, "full_well_e", full)
     elif full.value > target.full_well_e:
-        remark = f"at least: {full.remark}"
-        chosen["full_well_e"] = ParameterChoice(full.value, se=None, status="bound", remark=remark)
-    remark = "at least: frames hold as much"
-    if full.value > target.register_max_e:
-        chosen["register_max_e"] = ParameterChoice(
-            full.value, se=None, status="bound", remark=remark
+        chosen["full_well_e"] = ParameterChoice(
+            full.value, None, "bound", f"at least: {full.remark}"
         )
-    if full.value > -target.register_min_e:
-        chosen["register_min_e"] = ParameterChoice(
-            -full.value, se=None, status="bound", remark=remark
-        )
+    for name, value in (("register_max_e", full.value), ("register_min_e", -full.value)):
+        if full.value > abs(getattr(target, name)):
+            remark = "at least: frames hold as much"
+            chosen[name] = ParameterChoice(value, None, "bound", remark)
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
@@ -235,9 +210,7 @@ def _rounded(choice: ParameterChoice) -> ParameterChoice:
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")
-    return ParameterChoice(
-        float(f"{choice.value:.6g}"), se=se, status=choice.status, remark=choice.remark
-    )
+    return replace(choice, value=float(f"{choice.value:.6g}"), se=se)
 
 
 @dataclass(frozen=True)

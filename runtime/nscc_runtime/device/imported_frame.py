@@ -282,7 +282,7 @@ def _bits(origin: str, picture: Bytes) -> Bools:
         raise _refused(
             origin, f"it has {len(values)} values, but the bits of a register are 0 and one other"
         )
-    return np.asarray(picture > 0)
+    return picture > 0
 
 
 def _refused(origin: Path | str, reason: str, helps: tuple[str, ...] = ()) -> Rejected:

@@ -6,10 +6,12 @@ invalid body comes from another version of the protocol, or an attacker."""
 from __future__ import annotations
 
 import json
-from dataclasses import asdict, astuple, dataclass
+from dataclasses import asdict, astuple
 from enum import IntEnum, IntFlag
 from struct import Struct, error
-from typing import Any, ClassVar, Self
+from typing import Any, Self
+
+from nscc.record import Record
 
 
 class LoaderState(IntEnum):
@@ -100,14 +102,14 @@ def plane_bytes(pixels: int) -> int:
     return (pixels + 7) // 8
 
 
-class _Body:
-    """A body of fixed layout (`layout`), whose fields are those of the dataclass, in order."""
+class _Body(Record):
+    """A body of fixed layout (`layout`), whose fields are those of the record, in order."""
 
-    layout: ClassVar[Struct]
+    layout = Struct("")  # not a field: only annotated attributes are
 
     def pack(self) -> bytes:
         """Return the bytes of the fields."""
-        return self.layout.pack(*astuple(self))  # type: ignore[call-overload]
+        return self.layout.pack(*astuple(self))
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
@@ -124,7 +126,6 @@ def _fields(layout: Struct, body: bytes) -> tuple[Any, ...]:
         raise ValueError(f"a body of {len(body)} bytes, not {layout.size}") from wrong
 
 
-@dataclass(frozen=True)
 class Hello(_Body):
     """The first and last version of the protocol that a host supports."""
 
@@ -133,7 +134,6 @@ class Hello(_Body):
     layout = Struct("<BBxx")
 
 
-@dataclass(frozen=True)
 class Info(_Body):
     """The description of a loader.
 
@@ -188,7 +188,6 @@ class Info(_Body):
         return cls(*fixed, *texts)
 
 
-@dataclass(frozen=True)
 class Begin(_Body):
     """The announcement of a program: digests of its target table and of the program, a label chosen
     by the host (nscc: SHA-256 of the container file), total bytes and number of objects. A
@@ -202,7 +201,6 @@ class Begin(_Body):
     layout = Struct("<32s32s32sIHxx")
 
 
-@dataclass(frozen=True)
 class ObjectEntry(_Body):
     """The announcement of an object: its kind (`ObjectKind`), the register of a plane (0 for other
     kinds), number of bytes, SHA-256."""
@@ -214,7 +212,6 @@ class ObjectEntry(_Body):
     layout = Struct("<BBI32s")
 
 
-@dataclass(frozen=True)
 class Declare(_Body):
     """Consecutive entries of a program, from entry number `first` on, counted from 0."""
 
@@ -232,7 +229,6 @@ MOST_ENTRIES = 26
 """Largest number of entries of one DECLARE packet."""
 
 
-@dataclass(frozen=True)
 class UploadProgress(_Body):
     """The progress of an upload.
 
@@ -247,7 +243,6 @@ class UploadProgress(_Body):
     layout = Struct("<BBHI")
 
 
-@dataclass(frozen=True)
 class CaptureRequest(_Body):
     """A request to expose a frame, unless the frame `number` exists or is being exposed.
     `channels`: bits of `Channel`.
@@ -259,7 +254,6 @@ class CaptureRequest(_Body):
     layout = Struct("<QBxxx")
 
 
-@dataclass(frozen=True)
 class CaptureReply(_Body):
     """The state of a capture.
 
@@ -289,7 +283,6 @@ class CaptureReply(_Body):
     layout = Struct("<QBBHIIIQIIIIIII")
 
 
-@dataclass(frozen=True)
 class ReadRequest(_Body):
     """A request for `length` bytes of the frame `number` from `offset` on, at most `chunk` bytes
     per packet. The host has all bytes before `confirmed`."""
@@ -302,7 +295,6 @@ class ReadRequest(_Body):
     layout = Struct("<QIIIHxx")
 
 
-@dataclass(frozen=True)
 class Status(_Body):
     """The state of a loader.
 
@@ -319,7 +311,6 @@ class Status(_Body):
     layout = Struct("<BxxxIQIII")
 
 
-@dataclass(frozen=True)
 class LoaderFailure(_Body):
     """The failure of a request. `request`: kind of its packet. `fault`: see `LoaderFault`; a newer
     loader may send others. `detail` depends on the fault, for example the number of a word."""

@@ -26,7 +26,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from enum import IntEnum
 from functools import cached_property
 from hashlib import sha256
@@ -94,8 +94,7 @@ class ObjectKind(IntEnum):
     PARAMS = 8
 
 
-@dataclass(frozen=True)
-class Object:
+class Object(Record):
     """An object of an upload. `register`: the register of a plane, 0 for other kinds."""
 
     kind: ObjectKind
@@ -108,8 +107,7 @@ class Object:
         return ObjectEntry(self.kind, self.register, len(self.data), sha256(self.data).digest())
 
 
-@dataclass(frozen=True)
-class Upload:
+class Upload(Record):
     """A program in the form that is sent.
 
     `target`, `label`: 32 bytes each, the digest of the target table and a label of the host.

@@ -16,9 +16,9 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.pictures.shutter_sheet import (
     CHART_INCHES,
-    chart_columns,
     open_share,
     subtitle,
+    time_axis,
     unit,
 )
 
@@ -207,7 +207,7 @@ def _shown(container: Container) -> list[tuple[str, Courses]]:
         code = int(np.flatnonzero(table.shutter_of_code == behaviour)[0])
         values = zip(table.fields, table.codes[code].tolist(), strict=True)
         name = ", ".join(f"{field} = {value}" for field, value in values)
-        if any(state.is_kept for state in machine.states):
+        if machine.keeps:
             frames = {0: "the first frame", _LATER: f"the same light {_LATER} frames later"}
             chosen_frames = frames if count == 1 else {0: frames[0]}
             for frame, frame_text in chosen_frames.items():
@@ -227,10 +227,7 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
 
     machine = container.machine
     lights, lanes = courses.opens.shape[:2]
-    edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-    scale, name = unit(float(edges_us[-1]))
-    edges = edges_us * scale
-    columns = chart_columns(edges)
+    edges, columns = time_axis(axes, container)
     if lanes == 1:
         rank = np.unique(courses.opens[:, 0] @ np.diff(edges), return_inverse=True)[1]
         most = int(rank.max())
@@ -250,10 +247,7 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     first, last = courses.wells[0] ** 2 / inner[0], courses.wells[-1] ** 2 / inner[-1]
     row_edges = np.concatenate(([first], inner, [last]))
     axes.pcolormesh(columns, row_edges, image.clip(0, 1), edgecolors="none")
-    axes.set_xlim(0, edges[-1])
     axes.set_ylim(courses.wells[0], courses.wells[-1])
-    axes.grid(False)
-    axes.spines[:].set_visible(False)
     for boundary in machine.looks:
         axes.axvline(edges[boundary], color=theme().ink, linewidth=0.6, linestyle=":", alpha=0.5)
     every = max(1, -(-len(courses.flips) // _MOST_FLIPS))
@@ -262,7 +256,6 @@ def _draw_chart(axes: Axes, container: Container, courses: Courses) -> None:
     # A reset before slot 0 is not drawn: it begins the frame.
     light, slot = np.nonzero(courses.resets[:, 1:])
     axes.plot(edges[slot + 1], courses.wells[light], "|", color=theme().series[1], markersize=2)
-    axes.set_xlabel(f"time in the frame, {name}")
     axes.set_ylabel("light of the frame, full wells")
     sheet.round_ticks(axes.yaxis)
 

@@ -20,6 +20,7 @@ import numpy as np
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
 from nscc.mappings import NamedValues
+from nscc_runtime.scenes.colour import luminance, srgb_to_linear
 
 MARKERS = "osD^vP"
 """Markers of series. Their number is coprime with that of the series colours, so 42 series differ
@@ -110,11 +111,7 @@ def contrast(colour: str, other_colour: str) -> float:
 
 def _luminance(colour: str) -> float:
     """Return the relative luminance of an sRGB colour (#rrggbb), 0..1 (WCAG 2)."""
-    linear = [
-        value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
-        for value in (level / 255 for level in _rgb_levels(colour))
-    ]
-    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    return float(luminance(srgb_to_linear(np.array(_rgb_levels(colour)) / 255)))
 
 
 def _mix(colour: str, target_colour: str, share: float) -> str:

@@ -51,7 +51,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     if count > _MOST_ROWS:
         chosen = np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
     shades = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
-    colours: Floats = colormaps[sheet.SCALE](shades)[:, :3]
+    colours = colormaps[sheet.SCALE](shades)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
     flow = KINDS.of(container).flow(container, CHART_INCHES)
     maps = [] if flow is not None and count == 1 else _maps(container, shutters, colours)
@@ -117,10 +117,7 @@ def _draw_chart(axes: Axes, container: Container, rows: Bools, row_colours: Floa
     from matplotlib.colors import to_rgb
 
     count, lanes, slots = rows.shape
-    edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-    scale, name = unit(float(edges_us[-1]))
-    edges = edges_us * scale
-    columns = chart_columns(edges)
+    edges, columns = time_axis(axes, container)
     buckets = [to_rgb(theme().of(lane)["color"]) for lane in range(lanes)]
     image = np.empty((count, lanes + 1, len(columns) - 1, 3))
     image[:] = to_rgb(theme().paper)  # the colour of the gap, the last lane
@@ -133,13 +130,9 @@ def _draw_chart(axes: Axes, container: Container, rows: Bools, row_colours: Floa
     lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
     heights = (np.arange(count)[:, None] + lines).ravel()
     axes.pcolorfast(columns, heights, image.reshape(count * (lanes + 1), -1, 3)[:-1].clip(0, 1))
-    axes.set_xlim(0, edges[-1])
     axes.set_ylim(count - 0.5, -0.5)
-    axes.grid(False)
     if slots <= _MOST_BOUNDARIES:
         axes.vlines(edges[1:-1], -0.5, count - 0.5, colors=theme().paper, linewidth=0.7)
-    axes.spines[:].set_visible(False)
-    axes.set_xlabel(f"time in the frame, {name}")
     axes.tick_params(axis="y", length=0, pad=13, labelcolor=theme().ink)
     axes.scatter(
         np.full(count, -0.009),
@@ -153,10 +146,18 @@ def _draw_chart(axes: Axes, container: Container, rows: Bools, row_colours: Floa
     _number_slots(axes, edges)
 
 
-def chart_columns(edges: Floats) -> Floats:
-    """Return the times at the edges of a chart's columns: `edges` (N + 1,), those of the slots, or
-    1201 evenly spaced ones if there are more."""
-    return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
+def time_axis(axes: Axes, container: Container) -> tuple[Floats, Floats]:
+    """Let `axes` show time in the frame of `container` to the right, without grid and spines.
+    Return in units of its label the times at the edges of the slots (N + 1,), and at the edges of
+    the columns of a chart: the same, or 1201 evenly spaced ones if there are more."""
+    edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
+    scale, name = unit(float(edges_us[-1]))
+    edges = edges_us * scale
+    axes.set_xlim(0, edges[-1])
+    axes.set_xlabel(f"time in the frame, {name}")
+    axes.grid(False)
+    axes.spines[:].set_visible(False)
+    return edges, edges if len(edges) <= _COLUMNS + 1 else np.linspace(0, edges[-1], _COLUMNS + 1)
 
 
 def open_share(opened: Bools, edges: Floats, columns: Floats) -> Floats:
@@ -165,7 +166,7 @@ def open_share(opened: Bools, edges: Floats, columns: Floats) -> Floats:
     edges of slots and of columns."""
     open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
     # The open time up to each edge of a column, by interpolation within slots.
-    return np.asarray(np.diff(np.interp(columns, edges, open_until)) / np.diff(columns))
+    return np.diff(np.interp(columns, edges, open_until)) / np.diff(columns)
 
 
 def _number_slots(axes: Axes, edges: Floats) -> None:

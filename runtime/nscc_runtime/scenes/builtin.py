@@ -12,9 +12,9 @@ from nscc.arrays import Floats, Floats32
 from nscc.diagnostics.diagnostic import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import exposure as exposures
-from nscc_runtime.scenes.exposure import BUILTIN, ExposureLevel
+from nscc_runtime.scenes.exposure import BUILTIN, ExposureLevel, scale
 from nscc_runtime.scenes.shapes import fractal, noise, smooth
+from nscc_runtime.scenes.timing import still
 
 _SUN = (0.66, 0.37)
 """Position of the sun, in fractions of width and height."""
@@ -158,8 +158,7 @@ def _box(x: Floats, y: Floats, sides: tuple[float, float, float, float], pixel: 
     x0, x1, y0, y1 = sides
     across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - x0, x1 - x))
     down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - y0, y1 - y))
-    result: Floats = across[None, :] * down[:, None]
-    return result
+    return across[None, :] * down[:, None]
 
 
 NAMES = ("hdr", "motion", "flat", "dark")
@@ -185,28 +184,38 @@ def load_builtin(
     least, most = {"flat": (1, 1), "motion": (0, 1)}.get(name, (0, 0))
     if name not in NAMES or not least <= len(arguments) <= most:
         raise _unknown(spec, name)
-    seconds = np.array(slot_us, np.float64) * 1e-6
     match name:
         case "motion":
             from nscc_runtime.scenes.builtin_motion import motion
 
-            share = _clip_share(spec, arguments[0]) if arguments else 1.0
+            share = 1.0
+            if arguments:
+                share = _number(
+                    arguments[0],
+                    lambda share: 0.0 <= share <= 1.0,
+                    f"'{arguments[0][:60]}' in '{spec[:80]}' is not a fraction from 0 to 1",
+                    "builtin:motion:PART shows this fraction of the clip, from its middle, in slow "
+                    "motion",
+                    "builtin:motion:0.2",
+                )
             return motion(slot_us, rows, cols, exposure or BUILTIN, spec, share)
         case "hdr":
             frame = landscape(rows, cols)
-            exposure_level: ExposureLevel | None = exposure or BUILTIN
+            level: ExposureLevel | None = exposure or BUILTIN
         case "flat":
-            electrons = _electrons(spec, arguments[0])
+            electrons = _number(
+                arguments[0],
+                lambda electrons: 0.0 <= electrons < 1e38,  # near the end of float32
+                f"invalid number of electrons '{arguments[0][:60]}' in '{spec[:80]}'",
+                "builtin:flat:E gives every pixel E electrons over the whole frame, 0 or more",
+                "builtin:flat:10000",
+            )
             frame = np.full((rows, cols), 1.0 if electrons else 0.0, np.float32)
-            exposure_level = exposure or (ExposureLevel(electrons) if electrons else None)
+            level = exposure or (ExposureLevel(electrons) if electrons else None)
         case _:
             frame = np.zeros((rows, cols), np.float32)
-            exposure_level = exposure
-    factor = 1.0
-    if exposure_level is not None:
-        open_sum = frame.astype(np.float64) * float(seconds.sum())
-        factor = exposures.scale(open_sum, exposure_level, spec)
-    return Light.of_still(frame, seconds * factor, factor)
+            level = exposure
+    return still(frame, slot_us, lambda open_sum: scale(open_sum, level, spec) if level else 1.0)
 
 
 def _number(text: str, within: Callable[[float], bool], message: str, *help_texts: str) -> float:
@@ -217,30 +226,6 @@ def _number(text: str, within: Callable[[float], bool], message: str, *help_text
             return float(text)
     note, example = help_texts
     raise rejected("NS0731", message, notes=(note,), helps=(f"for instance {example}",))
-
-
-def _clip_share(spec: str, text: str) -> float:
-    """Return the number `text`, PART of the scene `spec`, `builtin:motion:PART`: the fraction of
-    the clip that is shown. Raises Rejected (NS0731) outside 0..1."""
-    return _number(
-        text,
-        lambda share: 0.0 <= share <= 1.0,
-        f"'{text[:60]}' in '{spec[:80]}' is not a fraction from 0 to 1",
-        "builtin:motion:PART shows this fraction of the clip, from its middle, in slow motion",
-        "builtin:motion:0.2",
-    )
-
-
-def _electrons(spec: str, text: str) -> float:
-    """Return the electrons that `text` names in the scene `spec`, `builtin:flat:E`. Raises Rejected
-    (NS0731) below 0, from 1e38 on (near the end of float32) and for other text."""
-    return _number(
-        text,
-        lambda electrons: 0.0 <= electrons < 1e38,
-        f"invalid number of electrons '{text[:60]}' in '{spec[:80]}'",
-        "builtin:flat:E gives every pixel E electrons over the whole frame, 0 or more",
-        "builtin:flat:10000",
-    )
 
 
 def _unknown(spec: str, name: str) -> Exception:

@@ -95,9 +95,8 @@ def _on_curve(values: Array, curve: Curve, white: float | None) -> Floats:
     if values.dtype == np.uint8:
         # 8 bits have 256 values: the curve is computed once for each instead of for each sample.
         table = curve(np.arange(256, dtype=np.float64) / scale)
-        decoded: Floats = table[values]
-        return decoded
-    fractions: Floats = values.astype(np.float64)
+        return table[values]
+    fractions = values.astype(np.float64)
     if scale != 1:
         fractions /= scale
     return curve(fractions)
@@ -110,7 +109,7 @@ def pq_to_linear(values: Floats) -> Floats:
     m1, m2 = 2610 / 16384, 2523 / 4096 * 128
     c1, c2, c3 = 3424 / 4096, 2413 / 4096 * 32, 2392 / 4096 * 32
     power = np.clip(values, 0, 1) ** (1 / m2)
-    return np.asarray((np.maximum(power - c1, 0) / (c2 - c3 * power)) ** (1 / m1))
+    return (np.maximum(power - c1, 0) / (c2 - c3 * power)) ** (1 / m1)
 
 
 def hlg_to_linear(values: Floats) -> Floats:
@@ -132,13 +131,8 @@ def srgb_to_linear(values: Floats) -> Floats:
     return np.where(values <= 0.04045, values / 12.92, curve)
 
 
-def _unchanged(values: Floats) -> Floats:
-    """Return the values: the curve of linear light."""
-    return values
-
-
 _INVERSES: dict[Transfer, Curve] = {
-    "linear": _unchanged,
+    "linear": np.asarray,
     "srgb": srgb_to_linear,
     "pq": pq_to_linear,
     "hlg": hlg_to_linear,

@@ -13,12 +13,11 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 Path_or_name = Path | str
 
 
-def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
+def damaged(name: Path_or_name, reason: object) -> Rejected:
     """Return the error NS0732 that the file or scene `name` cannot be decoded.
 
     `reason` is what its reader said, an exception or a text: the first 200 characters become a
-    note, and an empty one none. `helps` are remedies; without them the remedy for an incomplete
-    file is named."""
+    note, and an empty one none."""
     words = " ".join(str(reason).split())[:200]
     ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
@@ -26,7 +25,7 @@ def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) ->
         "NS0732",
         f"cannot read '{name}' as {f'a {ending} file' if ending else 'a scene'}",
         notes=notes,
-        helps=helps or ("check that the file is complete and that its ending matches its format",),
+        helps=("check that the file is complete and that its ending matches its format",),
     )
 
 

@@ -55,30 +55,15 @@ def parse_exposure(exposure: str | float | ExposureLevel | None) -> ExposureLeve
     return parsed
 
 
-def checked_white(white: float | None) -> float | None:
-    """Return the white level if it is None, or finite and above 0. Raises Rejected (NS0739)
-    otherwise, also for NaN."""
+def check_white(white: float | None) -> None:
+    """Raise Rejected (NS0739) unless the white level is None, or finite and above 0."""
     if white is None or 0 < white < math.inf:
-        return white
+        return
     raise rejected(
         "NS0739",
         f"invalid white level --white {white:g}",
         notes=("--white W: the sample value of white, above 0",),
         helps=("for instance --white 4095 for 12 bits",),
-    )
-
-
-def needed(name: Path_or_name) -> ExposureLevel:
-    """Raise Rejected (NS0737), because the scene `name` has neither a unit nor an exposure. It
-    never returns."""
-    raise rejected(
-        "NS0737",
-        f"--exposure is missing: the scene '{name}' has no scale in electrons",
-        notes=("pictures and clips contain relative light; only `light` arrays contain electrons",),
-        helps=(
-            "add --exposure 30000: the pixel at percentile 99 then gets 30000 electrons over "
-            "the whole frame, a full well of scamp5",
-        ),
     )
 
 

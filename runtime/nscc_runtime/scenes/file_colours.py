@@ -56,12 +56,12 @@ def of_profile(data: bytes) -> Stated:
             weights = (red, green, blue)
         else:
             text = f"has the colour profile '{name}', which consists of tables: it is not used"
-            return Stated(colours=None, notes=((text, "convert the picture to sRGB"),))
+            return Stated(None, ((text, "convert the picture to sRGB"),))
         return _named(tuple(curves), weights, f"the colour profile '{name}'")
     except Exception as error:  # littleCMS reads what it can; a damaged profile fails anywhere
         reason = " ".join(str(error).split())[:80] or type(error).__name__
         text = f"has a damaged colour profile ({reason}), which is not used"
-        return Stated(colours=None, notes=((text, _TRANSFER),))
+        return Stated(None, ((text, _TRANSFER),))
 
 
 def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
@@ -78,10 +78,8 @@ def _named(curves: tuple[Curve, ...], weights: Weights, text: str) -> Stated:
         curves = curves[:1]
     is_srgb = all(np.abs(value - srgb_to_linear(ramp)).max() < _NEAR for value in values)
     if is_srgb and any(np.allclose(weights, usual, atol=_NEAR) for usual in (_SRGB_D50, LUMINANCE)):
-        return Stated(colours=Colours.of("srgb"))
-    return Stated(
-        colours=Colours(curves, weights, text), notes=((f"is converted with {text}", _TRANSFER),)
-    )
+        return Stated(Colours.of("srgb"))
+    return Stated(Colours(curves, weights, text), ((f"is converted with {text}", _TRANSFER),))
 
 
 def _profile_curve(data: bytes, tag: bytes) -> Curve:
@@ -178,22 +176,20 @@ def of_numbers(primaries: int, transfer: int) -> Stated:
     curve = _CURVES.get(transfer)
     if isinstance(curve, float):
         colours = Colours((partial(_power, curve),), weights, f"a curve of power {curve:g}")
-        return Stated(colours=colours, notes=notes)
+        return Stated(colours, notes)
     if curve is not None:
-        return Stated(colours=Colours.of(curve, weights), notes=notes)
+        return Stated(Colours.of(curve, weights), notes)
     if transfer not in _UNSPECIFIED:
         text = f"names the unknown transfer curve {transfer}: the sRGB curve is used"
         notes = (*notes, (text, _TRANSFER))
-    return Stated(
-        colours=Colours.of("srgb", weights) if weights != LUMINANCE else None, notes=notes
-    )
+    return Stated(Colours.of("srgb", weights) if weights != LUMINANCE else None, notes)
 
 
 def of_primaries(primaries: Array | None) -> Stated:
     """Return the colours of linear light with these `primaries`: CIE x and y of red, green, blue
     and white, eight numbers of any shape. None counts as Rec. 709; others are named in a note."""
     weights, notes = _weighted(None if primaries is None else np.ravel(primaries).tolist())
-    return Stated(colours=Colours.of("linear", weights), notes=notes)
+    return Stated(Colours.of("linear", weights), notes)
 
 
 def _weighted(primaries: Sequence[float] | None) -> tuple[Weights, tuple[Note, ...]]:
@@ -235,7 +231,7 @@ def of_pillow(path: Path, info: Mapping[Any, Any]) -> Stated:
         stated = _of_gamma(float(info["gamma"]), info.get("chromaticity"))
     else:
         stated = Stated()
-    return Stated(colours=stated.colours, notes=notes + stated.notes)
+    return Stated(stated.colours, notes + stated.notes)
 
 
 def _of_gamma(gamma: float, primaries: Sequence[float] | None) -> Stated:
@@ -247,11 +243,9 @@ def _of_gamma(gamma: float, primaries: Sequence[float] | None) -> Stated:
     standard: tuple[tuple[float, Transfer], ...] = ((1.0, "linear"), (1 / 2.2, "srgb"))
     for power, transfer in standard:
         if abs(gamma - power) <= _NEAR:
-            return Stated(colours=Colours.of(transfer, weights), notes=notes)
+            return Stated(Colours.of(transfer, weights), notes)
     if not 0.01 < gamma < 100:
-        return Stated(
-            colours=None, notes=((f"names the impossible gamma {gamma:g} (gAMA)", _TRANSFER),)
-        )
+        return Stated(None, ((f"names the impossible gamma {gamma:g} (gAMA)", _TRANSFER),))
     return _named((partial(_power, 1 / gamma),), weights, f"gamma {gamma:g} (gAMA)")
 
 

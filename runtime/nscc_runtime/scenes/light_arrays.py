@@ -17,6 +17,7 @@ from nscc.arrays import Array, Floats32
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.npy import MOST_BYTES, check_size, npy_header, npy_values
 from nscc_runtime.scenes.errors import damaged, refuse_no_light, size
+from nscc_runtime.scenes.pages import head_of
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _USER_BLOCKS = (0, 512, 1024, 2048, 4096)
@@ -34,12 +35,8 @@ _WIDEST_NUMBER = 8
 def is_hdf5(path: Path) -> bool:
     """Return whether the file `path` is HDF5 (MATLAB 7.3), also behind a block of up to 4096 bytes
     of other data. Raises OSError if it cannot be read."""
-    with open(path, "rb") as file:
-        for start in _USER_BLOCKS:
-            file.seek(start)
-            if file.read(len(_SIGNATURE)) == _SIGNATURE:
-                return True
-    return False
+    head = head_of(path)
+    return any(head.startswith(_SIGNATURE, start) for start in _USER_BLOCKS)
 
 
 def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:

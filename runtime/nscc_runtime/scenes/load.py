@@ -24,7 +24,7 @@ from nscc_runtime.scenes import exposure, light_arrays, timing
 from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
 from nscc_runtime.scenes.colour import Colours
 from nscc_runtime.scenes.errors import refuse_no_light
-from nscc_runtime.scenes.exposure import ExposureLevel, checked_white, parse_exposure
+from nscc_runtime.scenes.exposure import ExposureLevel, check_white, parse_exposure
 from nscc_runtime.scenes.film_times import evenly, from_frame, timed
 from nscc_runtime.scenes.pages import Edges, Pages
 from nscc_runtime.scenes.picture_light import picture_light
@@ -32,15 +32,11 @@ from nscc_runtime.scenes.placement import (
     Placement,
     Window,
     changes,
-    few_bits,
     in_colour,
-    no_colours,
     parse_crop,
     picture_note,
     placed,
     placement_of,
-    taken_for_srgb,
-    white_used,
 )
 
 Stored = tuple[Array, Colours]
@@ -83,13 +79,24 @@ class _Loading:
     def check_light(self, shape: tuple[int, ...]) -> None:
         """Raise NS0733 to NS0735 if a `light` array of this `shape` is not (slots, rows, cols) or
         (rows, cols) of the program and the array."""
-        light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
+        light_arrays.check_shape(self.name, shape, self.slots, self.window.array)
 
     def check_exposure(self) -> None:
         """Raise Rejected (NS0737) if the scene has no exposure and the request no factor to
         electrons. It is called for scenes without a unit only."""
         if self.factor is None and self.exposure_level is None:
-            exposure.needed(self.name)
+            raise rejected(
+                "NS0737",
+                f"--exposure is missing: the scene '{self.name}' has no scale in electrons",
+                notes=(
+                    "pictures and clips contain relative light; only `light` arrays contain "
+                    "electrons",
+                ),
+                helps=(
+                    "add --exposure 30000: the pixel at percentile 99 then gets 30000 electrons "
+                    "over the whole frame, a full well of scamp5",
+                ),
+            )
 
     def scale(self, open_sum: Floats, placement: Placement) -> float:
         """Return the factor from the scene's unit to electrons: `factor`, or the factor that gives
@@ -106,18 +113,13 @@ class _Loading:
     @property
     def on_array(self) -> Placement:
         """The placement of a scene that has the size of the array."""
-        size = (self.window.rows, self.window.cols)
-        return Placement("crop", size, size, size)
+        array = self.window.array
+        return Placement("crop", array, array, array)
 
     @property
     def slots(self) -> int:
         """The number of slots."""
         return len(self.slot_us)
-
-    @property
-    def slot_s(self) -> Floats:
-        """The lengths of the slots in seconds."""
-        return np.array(self.slot_us, np.float64) * 1e-6
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,7 +171,8 @@ def laid_lights(
     grey = load(warn=diagnostics.append)
     in_colours = scene.color and grey.colour
     if scene.color and not grey.colour:
-        diagnostics.append(no_colours(scene.name))
+        text = f"'{scene.name}' has no colours, so it is exposed once"
+        diagnostics.append(picture_note(text, "leave --color out"))
     for diagnostic in diagnostics:
         if not (in_colours and diagnostic.data.get("grey")):
             warn(diagnostic)
@@ -196,10 +199,10 @@ def laid_scene(
     Raises Rejected (status 2): NS0730 to NS0739, NS0776 for missing frames, NS0777 for a bracket.
     """
     crop, spec = parse_crop(scene.crop), scene.name
-    loading = _Loading(scene, Window(rows, cols, crop), slot_us, **about)
+    loading = _Loading(scene, Window((rows, cols), crop), slot_us, **about)
     exposure_level, times = loading.exposure_level, parse_times(scene.times)
     # Options that this kind of scene does not use are refused, not ignored.
-    checked_white(scene.white)
+    check_white(scene.white)
     if crop is not None and scene.fit != "crop":
         _refuse(loading, f"--fit {scene.fit} exposes the whole picture", "crop")
     if spec.startswith("builtin:"):
@@ -240,7 +243,7 @@ def light_of_array(
     needed, and `name` is for messages. float32 arrays in C order are not copied, and must not be
     modified while the light is in use. Raises Rejected (status 2, NS0733 to NS0736) for arrays that
     do not fit or that are not light."""
-    loading = _Loading(Scene(name), Window(rows, cols), slot_us)
+    loading = _Loading(Scene(name), Window((rows, cols)), slot_us)
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
     loading.check_light(values.shape)
@@ -387,11 +390,11 @@ def _electrons(loading: _Loading, values: Floats32) -> Light:
             factor = exposure.scale(clip.total_e(), exposure_level, loading.name)
             clip = Light.of_clip(values, factor)
         return timing.with_motion(clip) if loading.scene.frames_are == "samples" else clip
-    seconds = loading.slot_s
     if exposure_level is not None:
-        open_sum = values.astype(np.float64) * float(seconds.sum())
-        factor = loading.scale(open_sum, loading.on_array)
-        return Light.of_still(values, seconds * factor, factor)
+        return timing.still(
+            values, loading.slot_us, lambda open_sum: loading.scale(open_sum, loading.on_array)
+        )
+    seconds = np.array(loading.slot_us, np.float64) * 1e-6
     peak = float(values.max()) * float(seconds.max())
     if peak > float(np.finfo(np.float32).max):
         raise rejected(
@@ -413,9 +416,9 @@ def _still(loading: _Loading, read: Callable[[], Stored]) -> PlacedLight:
     stored, colours = read()
     frame, placement = _light(loading, stored, colours, loading.name)
     colour = _say_changes(loading, stored, colours, placement)
-    seconds = loading.slot_s
-    factor = loading.scale(frame.astype(np.float64) * float(seconds.sum()), placement)
-    light = Light.of_still(frame, seconds * factor, factor)
+    light = timing.still(
+        frame, loading.slot_us, lambda open_sum: loading.scale(open_sum, placement)
+    )
     return PlacedLight(light, placement, colour, tuple(loading.notes))
 
 
@@ -472,19 +475,12 @@ def _clip(loading: _Loading, frames_read: Iterator[Stored], edges: Edges = None)
 
 def _say_changes(loading: _Loading, stored: Array, colours: Colours, placement: Placement) -> bool:
     """Return whether the picture `stored` is in colour. Send notes on its changes to `warn`, if the
-    request is for the luminance: on size (by `placement`) and colours, and on the curve and white
-    level that were assumed for `colours`."""
+    request is for the luminance; `colours` and `placement`: see `changes`."""
     colour = in_colour(stored)
-    colours = Colours.of(loading.scene.transfer or colours)
     if loading.channel is None:
         # The first loading, for the luminance, sends the notes for all colours.
-        for note in changes(placement, colour, loading.name):
+        for note in changes(loading.scene, stored, colours, placement, colour):
             loading.warn(note)
-        floats = stored.dtype.kind == "f"
-        if loading.scene.transfer is None and colours.transfer == "srgb" and floats:
-            loading.warn(taken_for_srgb(loading.name))
-        if loading.scene.white is None and few_bits(stored):
-            loading.warn(white_used(loading.name, colours.text, stored))
     return colour
 
 
@@ -503,11 +499,7 @@ def _light(
     )
     window = None
     if placement.fit == "crop":
-        first_row, first_col = loading.window.place(placement.picture, loading.name)
-        window = (
-            slice(first_row, first_row + loading.window.rows),
-            slice(first_col, first_col + loading.window.cols),
-        )
+        window = loading.window.place(placement.picture, loading.name)
     values = picture_light(
         stored,
         colours,

@@ -25,7 +25,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
     differs from theirs in the frame number only. Hidden files, and files named like a picture but
     for the ending, do not count."""
     stems = {Path(name).stem for name in pictures}
-    split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
+    split_names = [_split(name) for name in pictures]
     part_index = _counting_part(split_names)
     unread = [
         name
@@ -46,7 +46,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
         read = {int(split_name[part_index]) for split_name in split_names}
         # Numbers of unread files are reported already.
         unread_numbers = {
-            int(re.split(r"(\d+)", Path(name).stem)[part_index])
+            int(_split(name)[part_index])
             for name in unread
             if _counts(name, split_names[0], part_index)
         }
@@ -69,12 +69,18 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
     )
 
 
+def _split(name: str) -> list[str]:
+    """Return the file name `name` without its ending, split into texts (even indices) and runs of
+    digits (odd indices)."""
+    return re.split(r"(\d+)", Path(name).stem)
+
+
 def _counting_part(split_names: Sequence[list[str]]) -> int | None:
     """Return the index of the part of file names that numbers the frames, None if there is none.
 
-    `split_names` are the names without endings, each split into texts (even indices) and runs of
-    digits (odd indices). The part must be the only one that differs, and a run of at most 18
-    digits. Fewer than two names, or names of different numbers of parts, have none."""
+    `split_names` are the names, each as `_split` returns it. The part must be the only one that
+    differs, and a run of at most 18 digits. Fewer than two names, or names of different numbers of
+    parts, have none."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [k for k, texts in enumerate(zip(*split_names, strict=True)) if len({*texts}) > 1]
@@ -88,7 +94,7 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
 def _counts(name: str, like: list[str], part_index: int) -> bool:
     """Return whether the file name `name` equals those of the frames but for its ending and its
     number at `part_index`. `like` is the name of a frame, split into texts and runs of digits."""
-    split_name = re.split(r"(\d+)", Path(name).stem)
+    split_name = _split(name)
     return len(split_name) == len(like) and all(
         split_name[k] == like[k] for k in range(len(like)) if k != part_index
     )

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from math import prod
 from pathlib import Path
+from typing import Any
 
 from nscc.arrays import Array, Floats
 from nscc.diagnostics.diagnostic import rejected
@@ -76,13 +77,8 @@ def head_of(path: Path) -> bytes:
 
 
 class UnsupportedPicture(Exception):
-    """An intact file of a kind that nscc does not decode: `reason` says what it has, `help_text`
-    what to do."""
-
-    def __init__(self, reason: str, help_text: str) -> None:
-        """Say why a picture cannot be read, and what helps."""
-        super().__init__(reason)
-        self.reason, self.help_text = reason, help_text
+    """An intact file of a kind that nscc does not decode. Its arguments are two texts: the reason,
+    which says what it has, and what to do."""
 
 
 def check_sizes(path: Path, pages: Pages, large: bool) -> None:
@@ -106,13 +102,14 @@ def check_sizes(path: Path, pages: Pages, large: bool) -> None:
 
 
 @contextmanager
-def without_pillow_limit() -> Iterator[None]:
-    """Switch off Pillow's limit on pixels, of the whole process, in a with block: `check_sizes`
-    applies the limits."""
+def opened_by_pillow(path: Path) -> Iterator[Any]:
+    """Open the file `path` by Pillow for a with block. Its limit on pixels, of the whole process,
+    is off meanwhile: `check_sizes` applies the limits."""
     from PIL import Image
 
     pillow_limit, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
     try:
-        yield
+        with Image.open(path) as image:
+            yield image
     finally:
         Image.MAX_IMAGE_PIXELS = pillow_limit

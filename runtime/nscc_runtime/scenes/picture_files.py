@@ -7,9 +7,9 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, redirect_stdout
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import NamedTuple
 
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Rejected, rejected
@@ -27,54 +27,46 @@ from nscc_runtime.scenes.film_times import evenly, timed
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture, check_sizes, head_of
 
 
-@dataclass(frozen=True)
-class SceneFormat:
+class SceneFormat(NamedTuple):
     """A format of scenes.
 
-    `endings`: those of its files, in lower case with the dot. `head`: a pattern of their first
-    bytes. `pages`: the function that opens a file. `is_light`: whether samples are linear light
-    (else sRGB)."""
+    `endings`: those of its files, in lower case with the dot, separated by spaces. `head`: a
+    pattern of their first bytes, in which a dot matches any byte. `pages`: the function that opens
+    a file. `is_light`: whether samples are linear light (else sRGB)."""
 
-    endings: tuple[str, ...]
-    head: re.Pattern[bytes]
+    endings: str
+    head: bytes
     pages: Callable[[Path], Pages]
     is_light: bool = False
-
-
-def _format(endings: str, head: bytes, pages: Callable[[Path], Pages], light: bool = False) -> Any:
-    """Return a format of scenes. `endings` are separated by spaces, `head` is a pattern of the
-    first bytes in which a dot matches any byte, `pages` opens a file, and `light` says that samples
-    are linear light."""
-    return SceneFormat(tuple(endings.split()), re.compile(head, re.DOTALL), pages, light)
 
 
 _TIFF = rb"II[*+]\0|MM\0[*+]"
 # fmt: off
 _PICTURE_FORMATS: tuple[SceneFormat, ...] = (
-    _format(".exr", rb"\x76\x2f\x31\x01", exr_pictures.exr_pages, light=True),
-    _format(".hdr", rb"#\?", opencv_pictures.radiance_pages, light=True),
-    _format(".pfm", rb"P[Ff]\s", opencv_pictures.pfm_pages, light=True),
-    _format(".arw .cr2 .dng .nef", _TIFF, raw_pictures.raw_pages, light=True),
-    _format(".avif", rb"....ftypavi[fs]", pillow_pictures.avif_pages),
-    _format(".bmp", rb"BM", pillow_pictures.pillow_pages),
-    _format(".heic .heif", rb"....ftyp(?:he|mif1|msf1)", pillow_pictures.heif_pages),
-    _format(".jpeg .jpg", rb"\xff\xd8\xff", pillow_pictures.pillow_pages),
-    _format(".png", rb"\x89PNG\r\n\x1a\n", opencv_pictures.png_pages),
-    _format(".tif .tiff", _TIFF, tiff_pictures.tiff_pages),
-    _format(".webp", rb"RIFF....WEBP", pillow_pictures.pillow_pages),
+    SceneFormat(".exr", rb"\x76\x2f\x31\x01", exr_pictures.exr_pages, is_light=True),
+    SceneFormat(".hdr", rb"#\?", opencv_pictures.radiance_pages, is_light=True),
+    SceneFormat(".pfm", rb"P[Ff]\s", opencv_pictures.pfm_pages, is_light=True),
+    SceneFormat(".arw .cr2 .dng .nef", _TIFF, raw_pictures.raw_pages, is_light=True),
+    SceneFormat(".avif", rb"....ftypavi[fs]", pillow_pictures.avif_pages),
+    SceneFormat(".bmp", rb"BM", pillow_pictures.pillow_pages),
+    SceneFormat(".heic .heif", rb"....ftyp(?:he|mif1|msf1)", pillow_pictures.heif_pages),
+    SceneFormat(".jpeg .jpg", rb"\xff\xd8\xff", pillow_pictures.pillow_pages),
+    SceneFormat(".png", rb"\x89PNG\r\n\x1a\n", opencv_pictures.png_pages),
+    SceneFormat(".tif .tiff", _TIFF, tiff_pictures.tiff_pages),
+    SceneFormat(".webp", rb"RIFF....WEBP", pillow_pictures.pillow_pages),
 )
 _CLIP_FORMATS: tuple[SceneFormat, ...] = (
-    _format(".gif", rb"GIF8", pillow_pictures.gif_pages),
-    _format(".avi .m4v .mkv .mov .mp4 .webm",
-            rb"RIFF....AVI |....(?:ftyp|moov|mdat|free|wide|skip)|\x1a\x45\xdf\xa3",
-            videos.video_pages),
+    SceneFormat(".gif", rb"GIF8", pillow_pictures.gif_pages),
+    SceneFormat(".avi .m4v .mkv .mov .mp4 .webm",
+                rb"RIFF....AVI |....(?:ftyp|moov|mdat|free|wide|skip)|\x1a\x45\xdf\xa3",
+                videos.video_pages),
 )
 # fmt: on
 
 
 def _endings(formats: Iterable[SceneFormat]) -> tuple[str, ...]:
     """Return all endings of formats."""
-    return tuple(ending for format_ in formats for ending in format_.endings)
+    return tuple(" ".join(format_.endings for format_ in formats).split())
 
 
 LINEAR = _endings(format_ for format_ in _PICTURE_FORMATS if format_.is_light)
@@ -90,13 +82,13 @@ def format_of(path: Path) -> SceneFormat | None:
     The format of the ending counts if the first bytes fit it, else the first format in the table
     that they fit. If they fit none, the ending counts. Raises OSError if the file cannot be
     read."""
-    by_ending = [format_ for format_ in _FORMATS if path.suffix.lower() in format_.endings]
-    if not by_ending:
+    own = next((f for f in _FORMATS if path.suffix.lower() in f.endings.split()), None)
+    if own is None:
         return None
     head = head_of(path)
+    fitting = [f for f in _FORMATS if re.match(f.head, head, re.DOTALL)]
     # Raw files begin like TIFF files: they are recognised by their ending only.
-    by_head = [f for f in _FORMATS if f.head.match(head) and ".dng" not in f.endings]
-    return next((f for f in (*by_ending, *by_head) if f.head.match(head)), by_ending[0])
+    return own if own in fitting else next((f for f in fitting if ".dng" not in f.endings), own)
 
 
 def open_pages(path: Path, large: bool = False) -> Pages:
@@ -178,7 +170,7 @@ def _readable(path: Path) -> Iterator[None]:
     except (Rejected, ImportError, GeneratorExit):
         raise
     except UnsupportedPicture as error:
-        raise unsupported(path, error.reason, error.help_text) from error
+        raise unsupported(path, *error.args) from error
     except Exception as error:  # each reader has its own exceptions
         raise damaged(path, error) from error
 

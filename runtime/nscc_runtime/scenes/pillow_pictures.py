@@ -12,7 +12,7 @@ import numpy as np
 
 from nscc.arrays import Array, Bytes, Floats
 from nscc_runtime.scenes.file_colours import of_adobe_rgb, of_film, of_pillow
-from nscc_runtime.scenes.pages import Note, Pages, Stated, head_of, without_pillow_limit
+from nscc_runtime.scenes.pages import Note, Pages, Stated, head_of, opened_by_pillow
 
 _GREY = ("1", "L", "LA", "La")
 """Pillow's modes of grey pictures of at most 8 bits."""
@@ -35,9 +35,7 @@ def pillow_pages(path: Path) -> Pages:
 
     Rows are copied in bands: Pillow needs 4 bytes per pixel while it decodes a picture. Raises the
     errors of Pillow for a damaged file."""
-    from PIL import Image
-
-    with without_pillow_limit(), Image.open(path) as image:
+    with opened_by_pillow(path) as image:
         count = int(getattr(image, "n_frames", 1))
         # A picture before an animation is its title, which viewers of animations do not show.
         first = int(bool(getattr(image, "default_image", False)))
@@ -52,7 +50,7 @@ def pillow_pages(path: Path) -> Pages:
 
     def read() -> Iterator[Array]:
         """Yield the pictures of a file that Pillow reads, without its limit on sizes."""
-        with without_pillow_limit(), Image.open(path) as image:
+        with opened_by_pillow(path) as image:
             for number in numbers:
                 if moving:
                     image.seek(number)
@@ -97,10 +95,8 @@ def pixels(image: Any, upright: bool = True) -> Bytes:
 def _durations_s(path: Path, numbers: range) -> Floats:
     """Return the durations in seconds of the frames with these `numbers` (from 0) in the file
     `path`; 0 for frames that state none or cannot be read, and for those after them."""
-    from PIL import Image
-
     durations_s = np.zeros(len(numbers))
-    with without_pillow_limit(), Image.open(path) as image, suppress(Exception):
+    with opened_by_pillow(path) as image, suppress(Exception):
         for k, number in enumerate(numbers):
             image.seek(number)
             image.load()  # WebP states a duration with the samples
@@ -122,7 +118,7 @@ def exif_of(path: Path) -> dict[int, Any]:
             return {**exif, **exif.get_ifd(_EXIF_IFD)}
     with suppress(ImportError):
         _register_heif()
-    with without_pillow_limit(), Image.open(path) as image:
+    with opened_by_pillow(path) as image:
         exif = image.getexif()
         return {**exif, **exif.get_ifd(_EXIF_IFD)}
 

@@ -6,6 +6,7 @@ afterwards."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import prod
 
@@ -16,8 +17,8 @@ from nscc.diagnostics.diagnostic import Diagnostic, Severity, rejected
 from nscc.mappings import JsonObject
 from nscc.words.container import Container
 from nscc_runtime.light import Light
-from nscc_runtime.scene_settings import Fit
-from nscc_runtime.scenes.colour import white_of
+from nscc_runtime.scene_settings import Fit, Scene
+from nscc_runtime.scenes.colour import Colours, white_of
 from nscc_runtime.scenes.errors import Path_or_name, size
 
 MOST_PIXELS = 1 << 26
@@ -26,44 +27,44 @@ MOST_PIXELS = 1 << 26
 
 @dataclass(frozen=True)
 class Window:
-    """The size of the array, and the position (row, column) of its top left corner in pictures.
+    """The size (rows, cols) of the array, and the position (row, column) of its top left corner in
+    pictures.
 
     If `corner` is None, the array is centred."""
 
-    rows: int
-    cols: int
+    array: tuple[int, int]
     corner: tuple[int, int] | None = None
 
-    def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
-        """Return row and column of the top left corner of the array in the picture `name` of size
+    def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[slice, slice]:
+        """Return the rows and the columns that the array takes from the picture `name` of size
         `have` (rows, cols).
 
         If the margins of a centred window cannot be equal, the smaller ones are above and to the
         left. Raises Rejected (NS0734) if the window does not fit."""
-        need = (self.rows, self.cols)
-        if have[0] < need[0] or have[1] < need[1]:
+        rows, cols = self.array
+        down, across = have[0] - rows, have[1] - cols
+        sizes = {"scene": list(have), "array": list(self.array)}
+        if min(down, across) < 0:
             raise rejected(
                 "NS0734",
-                f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
+                f"the scene '{name}' is {size(have)}, smaller than the array of {size(self.array)}",
                 notes=(
                     "sizes are rows x columns; without --fit pictures are cropped but not scaled",
                 ),
                 helps=("use a larger picture, `--fit scale`, or a target with a smaller array",),
-                data={"scene": list(have), "array": list(need)},
+                data=sizes,
             )
-        if self.corner is None:
-            return (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
-        first_row, first_col = self.corner
-        if not (0 <= first_row <= have[0] - need[0] and 0 <= first_col <= have[1] - need[1]):
+        row, col = self.corner or (down // 2, across // 2)
+        if not (0 <= row <= down and 0 <= col <= across):
             raise rejected(
                 "NS0734",
-                f"--crop {first_row},{first_col} puts the array of {size(need)} outside the scene "
+                f"--crop {row},{col} puts the array of {size(self.array)} outside the scene "
                 f"'{name}' of {size(have)}",
                 notes=("--crop R,C is the row and column of the top left corner",),
-                helps=(f"R may be 0 to {have[0] - need[0]} here, C 0 to {have[1] - need[1]}",),
-                data={"scene": list(have), "array": list(need), "crop": [first_row, first_col]},
+                helps=(f"R may be 0 to {down} here, C 0 to {across}",),
+                data={**sizes, "crop": [row, col]},
             )
-        return first_row, first_col
+        return slice(row, row + rows), slice(col, col + cols)
 
 
 def parse_crop(text: str | tuple[int, int] | None) -> tuple[int, int] | None:
@@ -190,11 +191,11 @@ def placement_of(
     By `fit` it is cropped to one array ("crop"), spread over several ("tiles"), or scaled with its
     aspect kept to fit into one ("scale"), also enlarged. Raises Rejected (NS0734) if it has too
     many pixels for tiles. Whether a crop fits is checked by `Window.place`."""
-    array = (window.rows, window.cols)
+    array = window.array
     if fit == "crop":
         return Placement(fit, picture, array, array)
     if fit == "tiles":
-        if picture[0] * picture[1] > MOST_PIXELS:
+        if prod(picture) > MOST_PIXELS:
             raise rejected(
                 "NS0734",
                 f"the scene '{name}' is {size(picture)}, which is too large for --fit tiles",
@@ -232,66 +233,47 @@ def in_colour(stored: Array) -> bool:
     return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
 
 
-def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
-    """Return notes (NS0773) on how the picture `name` was cut, scaled or turned grey to fit the
-    array by `placement`; none if it was not. `colour`: whether it is in colour. The note on colours
-    has the entry `grey` in its `data`, by which `laid_lights` leaves it out."""
-    notes = []
-    picture, array = size(placement.picture), size(placement.array)
+def changes(
+    scene: Scene, stored: Array, colours: Colours, placement: Placement, colour: bool
+) -> Iterator[Diagnostic]:
+    """Yield notes (NS0773) on how the picture `stored` of `scene` was cut, scaled or turned grey to
+    fit the array by `placement`, and on the curve and white level that were assumed for `colours`.
+
+    `colour`: whether it is in colour. The note on colours has the entry `grey` in its `data`, by
+    which `laid_lights` leaves it out."""
+    name, picture, array = scene.name, size(placement.picture), size(placement.array)
     if placement.fit == "crop" and placement.picture != placement.size:
-        share = (
-            placement.size[0] * placement.size[1] / (placement.picture[0] * placement.picture[1])
-        )
-        notes.append(
-            picture_note(
-                f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
-                "--fit scale exposes the whole picture, reduced; --fit tiles exposes all of it "
-                "in parts; --crop R,C selects the part",
-            )
+        share = prod(placement.size) / prod(placement.picture)
+        yield picture_note(
+            f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
+            "--fit scale exposes the whole picture, reduced; --fit tiles exposes all of it "
+            "in parts; --crop R,C selects the part",
         )
     elif placement.fit == "scale" and placement.picture != placement.size:
         text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
-        notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in parts"))
+        yield picture_note(text, "--fit tiles exposes every pixel of it, in parts")
     elif placement.fit == "tiles" and placement.arrays != (1, 1):
         text = f"'{name}' is {picture}: it is exposed in parts of {array}"
-        notes.append(picture_note(text, "--fit scale exposes it at once, reduced"))
+        yield picture_note(text, "--fit scale exposes it at once, reduced")
     if colour:
         text = f"'{name}' is in colour: its luminance is exposed"
         note = picture_note(text, "--color exposes red, green and blue one after the other")
-        notes.append(replace(note, data={"grey": True}))
-    return notes
-
-
-def no_colours(name: str) -> Diagnostic:
-    """Return the note NS0773 on a grey scene that is to be exposed in colours."""
-    return picture_note(f"'{name}' has no colours, so it is exposed once", "leave --color out")
-
-
-def taken_for_srgb(name: str) -> Diagnostic:
-    """Return the note (NS0773) that floating-point samples in a display format were treated as
-    sRGB."""
-    return picture_note(
-        f"the numbers of '{name}' are treated as sRGB, with white at 1",
-        "--transfer linear treats them as linear light",
-    )
-
-
-def few_bits(stored: Array) -> bool:
-    """Return whether the samples `stored` are integers of 16 bits or more and use at most a quarter
-    of their range, such as 12-bit samples in 16 bits."""
-    deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
-    return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
-
-
-def white_used(name: str, curve: str, stored: Array) -> Diagnostic:
-    """Return the note (NS0773) on the curve and the white level with which the samples `stored` of
-    the picture `name`, which use few bits, were converted. `curve` is the name of the curve in
-    messages."""
-    return picture_note(
-        f"the samples of '{name}' are converted with {curve} and white at "
-        f"{white_of(stored.dtype):g}; the largest is {stored.max():g}",
-        "--white W sets the sample value of white, such as --white 4095 for 12 bits",
-    )
+        yield replace(note, data={"grey": True})
+    kind = stored.dtype
+    if scene.transfer is None and colours.transfer == "srgb" and kind.kind == "f":
+        yield picture_note(
+            f"the numbers of '{name}' are treated as sRGB, with white at 1",
+            "--transfer linear treats them as linear light",
+        )
+    # Such as 12-bit samples in 16 bits, which use at most a quarter of their range.
+    deep = kind.kind in "ui" and kind.itemsize > 1
+    if scene.white is None and deep and int(stored.max()) <= int(np.iinfo(kind).max) // 4:
+        curve = Colours.of(scene.transfer or colours).text
+        yield picture_note(
+            f"the samples of '{name}' are converted with {curve} and white at {white_of(kind):g}; "
+            f"the largest is {stored.max():g}",
+            "--white W sets the sample value of white, such as --white 4095 for 12 bits",
+        )
 
 
 def picture_note(text: str, help_text: str) -> Diagnostic:

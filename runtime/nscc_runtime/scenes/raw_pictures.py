@@ -64,5 +64,5 @@ def _scale(raw: Any) -> None:
     if samples.ndim == 2:
         # One black level for each pixel, by the index of its colour in the mosaic.
         black = black[raw.raw_colors_visible if raw.num_colors > 1 else 0]
-    fractions = (samples - black) / (np.float32(raw.white_level) - black)
+    fractions = (samples - black) / (raw.white_level - black)
     samples[:] = np.rint(np.clip(fractions, 0, 1) * _TOP)

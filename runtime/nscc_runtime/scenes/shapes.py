@@ -14,8 +14,7 @@ def smooth(low: float, high: float, values: Floats) -> Floats:
     """Return, for each of `values`, 0 up to `low`, 1 from `high` on, and a smooth cubic in between.
     `low` is below `high`; both are in the unit of `values`."""
     t = np.clip((values - low) / (high - low), 0.0, 1.0)
-    result: Floats = t * t * (3.0 - 2.0 * t)
-    return result
+    return t * t * (3.0 - 2.0 * t)
 
 
 def hashed(x: Ints, y: Ints, seed: int) -> Floats:
@@ -26,8 +25,7 @@ def hashed(x: Ints, y: Ints, seed: int) -> Floats:
     h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
     h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
-    result: Floats = ((h ^ (h >> 14)) & 0xFFFFFF) / float(1 << 24)
-    return result
+    return ((h ^ (h >> 14)) & 0xFFFFFF) / float(1 << 24)
 
 
 def noise(x: Floats, y: Floats, seed: int) -> Floats:
@@ -46,8 +44,7 @@ def noise(x: Floats, y: Floats, seed: int) -> Floats:
     rows_below = lattice[row - first_row + 1]
     between = rows_above + (rows_below - rows_above) * v
     at_left = between[:, column - first_col]
-    result: Floats = at_left + (between[:, column - first_col + 1] - at_left) * u
-    return result
+    return at_left + (between[:, column - first_col + 1] - at_left) * u
 
 
 def fractal(x: Floats, y: Floats, seed: int, octaves: int) -> Floats:
@@ -61,8 +58,7 @@ def fractal(x: Floats, y: Floats, seed: int, octaves: int) -> Floats:
         total += strength * noise(x * factor, y * factor, seed + octave)
         sum_of_strengths += strength
         strength *= 0.5
-    result: Floats = total / sum_of_strengths
-    return result
+    return total / sum_of_strengths
 
 
 def turn(phase: float) -> tuple[float, float]:

@@ -102,6 +102,14 @@ def spread(
     return Light(frames, overlap.row_start, overlap.frame_index, weight, "clip", factor)
 
 
+def still(frame: Floats32, slot_us: Sequence[float], factor_of: Callable[[Floats], float]) -> Light:
+    """Return the light of the picture `frame` (rows, cols), light per second in any unit, in slots
+    of lengths `slot_us` (microseconds). `factor_of`: as in `spread`."""
+    seconds = np.array(slot_us, np.float64) * 1e-6
+    factor = factor_of(frame.astype(np.float64) * float(seconds.sum()))
+    return Light.of_still(frame, seconds * factor, factor)
+
+
 def with_motion(
     light: Light, seconds: Floats | None = None, fps: float = 1.0, edges: Edges = None
 ) -> Light:

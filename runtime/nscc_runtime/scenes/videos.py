@@ -150,32 +150,27 @@ def _notes(timing: _Timing, interlaced: bool, pixel: Fraction) -> tuple[Note, ..
     """Return notes on what is unusual about a video, () if nothing is. `timing` shows missing
     frames, `interlaced` says that rows come from two moments, and `pixel` is the width of a pixel
     over its height."""
-    notes: list[Note] = []
     have = len(timing.times)
-    if have < timing.declared:
-        notes.append(
-            (
-                f"is incomplete: it contains {have} of the {timing.declared} frames that its "
-                "header declares",
-                "copy the file again if you need the other frames",
-            )
-        )
-    if interlaced:
-        notes.append(
-            (
-                "is interlaced: even and odd rows of a frame come from two moments",
-                "convert it to progressive frames, for instance with FFmpeg's filter bwdif",
-            )
-        )
-    if pixel != 1:
-        notes.append(
-            (
-                f"has pixels of width to height {pixel.numerator}:{pixel.denominator}: its "
-                "columns are resampled to square pixels",
-                "convert it to square pixels if you want another filter",
-            )
-        )
-    return tuple(notes)
+    notes = (
+        (
+            have < timing.declared,
+            f"is incomplete: it contains {have} of the {timing.declared} frames that its header "
+            "declares",
+            "copy the file again if you need the other frames",
+        ),
+        (
+            interlaced,
+            "is interlaced: even and odd rows of a frame come from two moments",
+            "convert it to progressive frames, for instance with FFmpeg's filter bwdif",
+        ),
+        (
+            pixel != 1,
+            f"has pixels of width to height {pixel.numerator}:{pixel.denominator}: its columns are "
+            "resampled to square pixels",
+            "convert it to square pixels if you want another filter",
+        ),
+    )
+    return tuple((text, remedy) for applies, text, remedy in notes if applies)
 
 
 def _frames(path: Path, pixel: Fraction) -> Iterator[Array]:
@@ -223,7 +218,7 @@ def picture_of(frame: Any) -> Array:
     else:
         rgb = np.repeat(luma[..., None], 3, axis=-1)
     kind = np.uint8 if bits <= 8 else np.uint16
-    return np.asarray(np.rint(np.clip(rgb, 0, 1) * np.float32(np.iinfo(kind).max)).astype(kind))
+    return np.rint(np.clip(rgb, 0, 1) * np.iinfo(kind).max).astype(kind)
 
 
 def _planes(frame: Any, bits: int) -> list[Array]:
@@ -242,10 +237,10 @@ def _planes(frame: Any, bits: int) -> list[Array]:
     ]
 
 
-def _as_fractions(planes: Sequence[Array], bits: int, full: bool) -> list[Floats32]:
-    """Return luma 0..1 and chroma -0.5..0.5 of `planes`: luma, then no or two chromas, each (rows,
-    cols). `bits` is the number of bits of a sample. `full`: whether samples use the full range, not
-    the limited one of television."""
+def _as_fractions(planes: Sequence[Array], bits: int, full: bool) -> list[Array]:
+    """Return luma 0..1 and chroma -0.5..0.5 of `planes`, as float32: luma, then no or two chromas,
+    each (rows, cols). `bits` is the number of bits of a sample. `full`: whether samples use the
+    full range, not the limited one of television."""
     # The limited range is 16 to 235 for luma and 16 to 240 for chroma in 8 bits, and these numbers
     # times `step` in more.
     step = 1 << (bits - 8)
@@ -253,10 +248,9 @@ def _as_fractions(planes: Sequence[Array], bits: int, full: bool) -> list[Floats
     luma_black, luma_span = (0, most) if full else (16 * step, 219 * step)
     chroma_span = most if full else 224 * step
     luma, *chroma = (plane.astype(np.float32) for plane in planes)
-    middle, scale = np.float32(128 * step), np.float32(chroma_span)
     return [
-        (luma - np.float32(luma_black)) / np.float32(luma_span),
-        *((chroma_plane - middle) / scale for chroma_plane in chroma),
+        (luma - luma_black) / luma_span,
+        *((chroma_plane - 128 * step) / chroma_span for chroma_plane in chroma),
     ]
 
 
