@@ -6,12 +6,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from random import SystemRandom
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nscc.arrays import Array, Bools, Bytes, Floats
-from nscc.words.container import state_registers
+from nscc.chips.target import Target
+from nscc.words.container import Container, state_registers
 from nscc.words.file import to_bytes
 from nscc.words.reach import Reach, beyond_reaches
 from nscc.words.readout import converter_of
@@ -39,14 +39,10 @@ from nscc_runtime.device.objects import (
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.host_setting import HostSetting
+from nscc_runtime.neighbours.plane_summary import PlaneSummary
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.run_kinds import KINDS, Sent
 from nscc_runtime.sensor import Sensor, default_sensor
-
-if TYPE_CHECKING:
-    from nscc.chips.target import Target
-    from nscc.words.container import Container
-    from nscc_runtime.neighbours.plane_summary import PlaneSummary
 
 _STEP = 1024
 """Number of bytes per step of a progress bar."""
@@ -158,9 +154,7 @@ class DeviceChip:
         `setting`: what the host sets before the frame, by default the starts of the program. Raises
         Rejected: NS0774 if a lost program keeps states from frame to frame, because these cannot be
         restored, and status 3 if the device fails."""
-        program = self._program(container)
-        setting = setting or HostSetting.at_start(container)
-        return self._shot(container.target, container, program, setting)
+        return self._shot(container.target, container, setting or HostSetting.at_start(container))
 
     def capture_held(self, target: Target) -> Shot:
         """Capture one frame of the program that the device holds, decoded for `target`. Sets
@@ -175,16 +169,15 @@ class DeviceChip:
         self,
         target: Target,
         container: Container | None = None,
-        program: Upload | None = None,
         setting: HostSetting | None = None,
     ) -> Shot:
         """Expose a frame and fetch it, decoded for `target`.
 
-        `container` is the program and `program` the same in the form that is sent; both are None
-        for the program that the device has. `setting`: planes and values of parameters that the
-        host sets before the frame, None for none. Raises Rejected (NS0774) if the device has lost
-        the program, and with it the kept states."""
+        `container` is the program, None for the program that the device has. `setting`: planes and
+        values of parameters that the host sets before the frame, None for none. Raises Rejected
+        (NS0774) if the device has lost the program, and with it the kept states."""
         host = self.link.host
+        program = None if container is None else self._program(container)
         self._number += 1
         request = FrameRequest(self._number, 0, program, target.rows * target.cols)
         planes: dict[int, bytes] = {}

@@ -11,7 +11,7 @@ from nscc.diagnostics import diagnostic
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
 from nscc_runtime.device.loaders import MOST_CHANGES, MOST_PARAMS, RESOURCES, shortages
-from nscc_runtime.device.messages import Capability, Info, LoaderFault
+from nscc_runtime.device.messages import Capability, Info, LoaderFault, name_of
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, PacketKind
 from nscc_runtime.device.port import PortTrouble
@@ -161,10 +161,8 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
                 "enough",
             )
     # Any other fault means that the loader's rules differ from those of nscc.
-    name = {fault.value: fault.name for fault in LoaderFault}.get(failure.fault, str(failure.fault))
-    request = {kind.value: kind.name for kind in PacketKind}.get(
-        failure.request, str(failure.request)
-    )
+    name = name_of(LoaderFault, failure.fault)
+    request = name_of(PacketKind, failure.request)
     return rejected(
         "NS0767",
         f"{device} rejects the program or the request: {name.lower().replace('_', ' ')}, "

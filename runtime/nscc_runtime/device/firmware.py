@@ -18,18 +18,15 @@ from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import NamedTuple, Self
 
 from nscc.cache.folder import cache_folder, is_own
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import store_files
-from nscc_runtime.device.board import in_background
+from nscc_runtime.device.board import EmulatedChip, in_background
 from nscc_runtime.device.recording import BoardJob, ExecutedFrame, Recording
 from nscc_runtime.device.target_header import target_header
-
-if TYPE_CHECKING:
-    from nscc.chips.target import Target
-    from nscc_runtime.device.board import EmulatedChip
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 _INSTALLED = _PACKAGE / "firmware_files"

@@ -339,12 +339,16 @@ FRAME = Struct("<QI")
 """Body of the reply to READ: number of the capture and offset of the bytes that follow."""
 
 
+def name_of(kinds: type[IntEnum], number: int) -> str:
+    """Return the name of the member of `kinds` that is `number`; the number as text if there is
+    none, as in messages of a newer loader."""
+    return kinds(number).name if number in set(kinds) else str(number)
+
+
 def info_text(info: Info, status: Status) -> str:
     """Return the description `info` of a loader and its `status` as text, one property per line,
     with a newline at the end."""
-    state = (
-        LoaderState(info.state).name.lower() if info.state in set(LoaderState) else str(info.state)
-    )
+    state = name_of(LoaderState, info.state).lower()
     holds = f"program {info.label.hex()}" if any(info.program) else "no program"
     return "\n".join(
         [

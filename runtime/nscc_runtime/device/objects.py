@@ -150,18 +150,9 @@ class Upload(Record):
     def needs(self, channels: int) -> dict[str, int]:
         """Return how much the program needs of each of a loader's RESOURCES, by its name.
         `channels`, bits of `Channel`, are the parts of a frame that the host wants."""
-        return {
-            "words": self.words,
-            "kernels": self.kernels,
-            "rows": self.rows,
-            "runs": self.runs,
-            "frame_bytes": frame_bytes(
-                channels, self.pixels, self.readouts, self.states, self.report_bytes
-            ),
-            "frame_ms": self.frame_ms,
-            "params": self.params,
-            "changes": self.changes,
-        }
+        size = frame_bytes(channels, self.pixels, self.readouts, self.states, self.report_bytes)
+        fields = ("words", "kernels", "rows", "runs", "frame_ms", "params", "changes")
+        return {"frame_bytes": size, **{name: getattr(self, name) for name in fields}}
 
     @cached_property
     def stream(self) -> bytes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import os
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
@@ -102,10 +101,9 @@ def _trouble(error: OSError) -> PortTrouble:
     return PortTrouble("other", os.strerror(number) if number else str(error))
 
 
-def list_ports(list_comports: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
+def list_ports() -> list[tuple[str, str]]:
     """Return names and descriptions of this machine's serial ports, sorted by name; a description
-    may be "". `list_comports` returns the ports, None for pyserial's function; tests replace it."""
+    may be "". Raises ImportError without pyserial."""
     from serial.tools.list_ports import comports
 
-    ports = (list_comports or comports)()
-    return sorted((port.device, port.description or "") for port in ports)
+    return sorted((port.device, port.description or "") for port in comports())

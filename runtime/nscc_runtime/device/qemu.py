@@ -9,8 +9,10 @@ import socket
 import tempfile
 from pathlib import Path
 from struct import Struct
-from typing import TYPE_CHECKING, Literal
+from typing import Literal
 
+from nscc.chips.target import Target
+from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import (
     CORE_FLAGS,
     SOURCES,
@@ -20,11 +22,7 @@ from nscc_runtime.device.firmware import (
     RunningFirmware,
     compiled,
 )
-
-if TYPE_CHECKING:
-    from nscc.chips.target import Target
-    from nscc_runtime.device.board import EmulatedChip
-    from nscc_runtime.device.recording import BoardJob
+from nscc_runtime.device.recording import BoardJob
 
 Core = Literal["m0", "m4"]
 COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"

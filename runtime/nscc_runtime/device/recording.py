@@ -5,16 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from struct import Struct
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
+from nscc.chips.target import Target
 from nscc.operations import Word
 from nscc.words.container import Launch
 from nscc.words.encoding import decode
 from nscc_runtime.device.objects import RUN, WORD, unpacked_plane
 from nscc_runtime.emulator.chip_program import ChipProgram
-
-if TYPE_CHECKING:
-    from nscc.chips.target import Target
 
 _JOB = Struct("<5I")
 _READOUT = Struct("<Id")
@@ -147,7 +145,7 @@ class Recording:
                 kernel = numbers.setdefault((event, count), len(numbers))
                 launches.append(Launch(boundary, kernel, level))
                 level = None
-        commands = BoardCommands(
+        return BoardCommands(
             readouts=readouts,
             kernels=[
                 tuple(WORD.iter_unpack(self._words[first : first + count * WORD.size]))
@@ -159,8 +157,7 @@ class Recording:
             planes=self._planes,
             kept=kept,
             analog=self._analog,
-        )
-        return commands.program(self.target)
+        ).program(self.target)
 
 
 class BoardCommands(NamedTuple):

@@ -14,11 +14,11 @@ from dataclasses import dataclass
 from math import log
 from random import Random
 from time import monotonic, sleep
-from typing import TYPE_CHECKING
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.diagnostics.suggest import meant
 from nscc.mappings import NamedValues
+from nscc_runtime.device.firmware import RunningFirmware
 
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")
 _UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -180,9 +180,6 @@ class Accidents:
             del self._to_come[name]
         return due
 
-
-if TYPE_CHECKING:
-    from nscc_runtime.device.firmware import RunningFirmware
 
 _MOST_READ = 4096
 _ROOM = 4096

@@ -8,11 +8,12 @@ from pathlib import Path
 from typing import Literal
 
 from nscc.chips.target import Target
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
+from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware
 from nscc_runtime.scenes import Scene, scene_light
+from nscc_runtime.scenes.errors import Warn, unheard
 from nscc_runtime.sensor import Sensor
 
 Machine = Literal["host", "qemu", "qemu-m0"]
@@ -25,7 +26,7 @@ def emulated_chip(
     sensor: Sensor,
     device_seed: int = 0,
     *,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
+    warn: Warn = unheard,
     failed: Callable[[Exception], None] = lambda _: None,
 ) -> EmulatedChip:
     """Return an emulated chip of `target` that sees `scene` with any program. `sensor` has the
@@ -71,29 +72,23 @@ def loaded(
                 say(f"loader: the firmware on a Cortex-{core.upper()}, emulated by {qemu.EMULATOR}")
                 yield board
     except firmware.NotBuilt as reason:
-        raise _not_built(machine, reason) from None
-
-
-def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
-    """Return the error (NS0772) for firmware that cannot be compiled or started for `machine`, with
-    what to install. `reason` says what failed, by its class and text."""
-    problem = "cannot be compiled for this machine"
-    helps = (
-        "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "
-        "macOS with `xcode-select --install`",
-        "CXX names a compiler that is neither g++ nor clang++",
-    )
-    if isinstance(reason, firmware.NotStarted):
-        problem = "cannot be run on this machine"
+        problem = "cannot be compiled for this machine"
         helps = (
-            "CXX names another compiler, for instance CXX=clang++",
-            "allow the execution of programs in the cache folder (NSCC_CACHE_DIR)",
+            "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "
+            "macOS with `xcode-select --install`",
+            "CXX names a compiler that is neither g++ nor clang++",
         )
-    elif machine != "host":
-        problem = "cannot be run on an emulated microcontroller"
-        helps = (
-            "install both programs, on Debian and Ubuntu with `apt-get install "
-            "gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm`",
-            "or serve the firmware on this machine: leave --on out",
-        )
-    return rejected("NS0772", f"the firmware {problem}: {reason}", helps=helps)
+        if isinstance(reason, firmware.NotStarted):
+            problem = "cannot be run on this machine"
+            helps = (
+                "CXX names another compiler, for instance CXX=clang++",
+                "allow the execution of programs in the cache folder (NSCC_CACHE_DIR)",
+            )
+        elif machine != "host":
+            problem = "cannot be run on an emulated microcontroller"
+            helps = (
+                "install both programs, on Debian and Ubuntu with `apt-get install "
+                "gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm`",
+                "or serve the firmware on this machine: leave --on out",
+            )
+        raise rejected("NS0772", f"the firmware {problem}: {reason}", helps=helps) from None

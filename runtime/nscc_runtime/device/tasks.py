@@ -114,16 +114,20 @@ def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
     return checked(UploadProgress.unpack, reply)
 
 
-def _idle(host: Host, kind: PacketKind, body: bytes) -> Task[Packet]:
-    """Send a request with this `body` and return its reply. While the loader is busy, its exposure
-    is stopped, and the request is sent again. Raises the other exceptions of `Host.ask`."""
+def _idle(
+    host: Host, kind: PacketKind, body: bytes, extra_s: float = 0.0, stop: bool = True
+) -> Task[Packet]:
+    """Send a request with this `body` and return its reply. While the loader is busy, the request
+    is sent again, and with `stop` its exposure is stopped. `extra_s`: as in `Host.ask`, whose other
+    exceptions are raised."""
     while True:
         try:
-            return (yield from host.ask(kind, body))
+            return (yield from host.ask(kind, body, extra_s=extra_s))
         except RequestRefused as refused:
             if refused.fault != LoaderFault.BUSY:
                 raise
-            yield from host.cancel()
+            if stop:
+                yield from host.cancel()
             yield from pause(host, _BUSY_WAIT_S)
 
 
@@ -311,13 +315,7 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
     kind = PacketKind.CAPTURE_WITH if request.values else PacketKind.CAPTURE
     poll, extra, silent = _POLL_S, 0.0, False
     while True:
-        try:
-            reply = yield from host.ask(kind, body, extra_s=extra)
-        except RequestRefused as refused:
-            if refused.fault != LoaderFault.BUSY:
-                raise
-            yield from pause(host, _BUSY_WAIT_S)
-            continue
+        reply = yield from _idle(host, kind, body, extra, stop=False)
         captured = checked(CaptureReply.unpack, reply)
         if captured.number != request.number or captured.channels != request.channels:
             raise RequestRefused(LoaderFailure(kind, LoaderFault.MALFORMED, 0))

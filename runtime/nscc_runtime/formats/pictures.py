@@ -4,13 +4,14 @@ clips: .gif by Pillow, .mp4 by OpenCV."""
 from __future__ import annotations
 
 import io
-import os
 import tempfile
+from collections.abc import Iterable
 from itertools import chain
+from pathlib import Path
 
 import numpy as np
 
-from nscc.arrays import Array, Bytes, Floats32
+from nscc.arrays import Array, Bytes
 from nscc_runtime.formats.content import Content
 from nscc_runtime.scenes.picture_files import quiet
 
@@ -34,28 +35,21 @@ def hdr(content: Content) -> bytes:
     """Return the bytes of a Radiance file of the light of `content`, one picture, with 8 bits of
     mantissa per sample and a common exponent of colours. Raises OSError if OpenCV cannot write
     it."""
-    light = _light(content)
-    return _encoded(".hdr", light if light.ndim == 3 else np.repeat(light[..., None], 3, axis=-1))
+    (light,) = content.pictures
+    colours = light if light.ndim == 3 else np.repeat(light[..., None], 3, axis=-1)
+    return _encoded(".hdr", [colours])
 
 
 def pfm(content: Content) -> bytes:
     """Return the bytes of a portable float map of float32 of the light of `content`, one picture;
     lossless. Raises OSError if OpenCV cannot write it."""
-    return _encoded(".pfm", _light(content))
+    return _encoded(".pfm", content.pictures)
 
 
 def tiff(content: Content) -> bytes:
     """Return a lossless .tiff file of float32 of the light of `content`; a clip has one page per
     frame. Raises OSError if OpenCV cannot write it."""
-    import cv2
-
-    if not content.moving:
-        return _encoded(".tiff", _light(content))
-    pages = [np.ascontiguousarray(_to_opencv(picture), np.float32) for picture in content.pictures]
-    success, data = cv2.imencodemulti(".tiff", pages)
-    if not success:
-        raise OSError(0, "OpenCV cannot write .tiff")
-    return bytes(data)
+    return _encoded(".tiff", content.pictures)
 
 
 def exr(content: Content) -> bytes:
@@ -63,36 +57,29 @@ def exr(content: Content) -> bytes:
     picture; grey light is the channel Y. Raises ImportError without OpenEXR."""
     import OpenEXR
 
-    light = np.ascontiguousarray(_light(content))
+    (picture,) = content.pictures
+    light = np.ascontiguousarray(picture, np.float32)
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
     # The library can only write to a path.
     with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "picture.exr")
+        path = Path(folder, "picture.exr")
         channels = {"RGB" if content.colour else "Y": light}
         with OpenEXR.File(header, channels) as file:
-            file.write(path)
-        with open(path, "rb") as stream:
-            return stream.read()
+            file.write(str(path))
+        return path.read_bytes()
 
 
-def _light(content: Content) -> Floats32:
-    """Return the light of the one picture of `content`, float32 (rows, cols) or (rows, cols, 3)."""
-    (picture,) = content.pictures
-    return np.asarray(picture, np.float32)
-
-
-def _to_opencv(light: Array) -> Array:
-    """Return the picture `light` (rows, cols) or (rows, cols, 3) with channels blue, green, red, as
-    OpenCV requires; grey stays as it is."""
-    return light[..., ::-1] if light.ndim == 3 else light
-
-
-def _encoded(ending: str, light: Floats32) -> bytes:
-    """Return the bytes of a file of the picture `light`, (rows, cols) or (rows, cols, 3), in the
-    format of `ending`, such as ".pfm". Raises OSError if OpenCV cannot write it."""
+def _encoded(ending: str, pictures: Iterable[Array]) -> bytes:
+    """Return the bytes of a file of `pictures`, (rows, cols) or (rows, cols, 3) each, as float32 in
+    the format of `ending`, such as ".pfm". Raises OSError if OpenCV cannot write it."""
     import cv2
 
-    success, data = cv2.imencode(ending, np.ascontiguousarray(_to_opencv(light)))
+    # OpenCV orders colours blue, green, red.
+    pages = [
+        np.ascontiguousarray(light[..., ::-1] if light.ndim == 3 else light, np.float32)
+        for light in pictures
+    ]
+    success, data = cv2.imencodemulti(ending, pages)
     if not success:
         raise OSError(0, f"OpenCV cannot write {ending}")
     return bytes(data)
@@ -135,11 +122,11 @@ def mp4(content: Content) -> bytes:
     first = next(frames)
     size = (first.shape[1], first.shape[0])
     with tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "clip.mp4")
+        path = Path(folder, "clip.mp4")
         for codec in _CODECS:
             four = cv2.VideoWriter.fourcc(*codec)
             with quiet():
-                video = cv2.VideoWriter(path, cv2.CAP_FFMPEG, four, FRAMES_A_SECOND, size)
+                video = cv2.VideoWriter(str(path), cv2.CAP_FFMPEG, four, FRAMES_A_SECOND, size)
             if video.isOpened():
                 break
         else:
@@ -149,8 +136,7 @@ def mp4(content: Content) -> bytes:
             for frame in chain([first], frames):
                 video.write(np.ascontiguousarray(frame))
             video.release()
-        with open(path, "rb") as stream:
-            return stream.read()
+        return path.read_bytes()
 
 
 def _even(frame: Bytes) -> Bytes:

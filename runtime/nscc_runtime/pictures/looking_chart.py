@@ -16,6 +16,7 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.pictures.shutter_sheet import (
     CHART_INCHES,
+    bucket_handles,
     open_share,
     subtitle,
     time_axis,
@@ -122,10 +123,9 @@ def _next_start(machine: StateMachine, ended: Nodes) -> Nodes:
     # The nodes of the first stage, one for each behaviour and possible values at the start.
     first = slice(0, int(machine.first[1]))
     known = np.column_stack([machine.behaviour[first], machine.values[first]])
-    start_values = np.where(is_kept, machine.values[ended], starts)
-    start_values = np.column_stack([machine.behaviour[ended], start_values])
-    place = {tuple(row): number for number, row in enumerate(known.tolist())}
-    return np.array([place[tuple(row)] for row in start_values.tolist()], np.int64)
+    values = np.where(is_kept, machine.values[ended], starts)
+    start_values = np.column_stack([machine.behaviour[ended], values])
+    return np.asarray((start_values[:, None] == known).all(axis=2).argmax(axis=1))
 
 
 if TYPE_CHECKING:
@@ -157,7 +157,6 @@ def course_sheet(container: Container, title: str) -> Figure:
     It shows for some codes when pixels are open (across) in each light (up), with looks and
     thresholds. A second panel shows the total open time and the states that are read."""
     from matplotlib.lines import Line2D
-    from matplotlib.patches import Patch
 
     machine = container.machine
     shown = _shown(container)
@@ -179,11 +178,7 @@ def course_sheet(container: Container, title: str) -> Figure:
         handles.append(
             Line2D([], [], color=theme().series[1], marker="|", linestyle="", label="PIX is reset")
         )
-    if len(container.buckets) > 1:
-        handles += [
-            Patch(color=theme().of(b)["color"], label=name)
-            for b, name in enumerate(container.buckets)
-        ]
+    handles += bucket_handles(container)
     looks = machine.stages - 1
     look_count_text = f"{looks} look{'s' * (looks != 1)}"
     sheet.head(figure, title, subtitle(container, look_count_text), handles)

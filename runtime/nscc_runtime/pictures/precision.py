@@ -204,9 +204,6 @@ def _draw(
     `looks` gives each line's colour and marker by name. `beaten` says by `id` of a point whether
     another point dominates it."""
     lines = reading.lines(panel.points)
-    bounds = {
-        name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound
-    }
     bottom = axes.get_ylim()[0]
     names, labels = [], []
     for name, line_points in lines.items():
@@ -231,11 +228,12 @@ def _draw(
             text, sought = reading.text(point), len(line_points) == 1
             labels.append((hollow, ChartLabel(text, time, error, colour, sought=sought)))
         names.append(ChartLabel(name, medians[-1], errors[-1], colour, name=True))
-        if name in bounds:
-            axes.axhline(bounds[name], color=colour, linewidth=1, linestyle="--")
+        bound = line_points[0].bound
+        if bound:
+            axes.axhline(bound, color=colour, linewidth=1, linestyle="--")
             left_time, right_time = axes.get_xlim()
             edge = left_time * (right_time / left_time) ** 0.05
-            labels.append((False, ChartLabel(f"{bounds[name]:g}", edge, bounds[name], colour)))
+            labels.append((False, ChartLabel(f"{bound:g}", edge, bound, colour)))
     for guide in panel.guides:
         line: NamedValues = {"color": theme().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:

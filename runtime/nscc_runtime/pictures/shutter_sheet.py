@@ -15,6 +15,7 @@ from nscc_runtime.pictures.sheet import theme
 from nscc_runtime.run_kinds import KINDS
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -42,7 +43,6 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     """Return a drawing of a program under `title`: the time chart of its shutters, and below it the
     map of codes with a magnified tile, or the data flow of images and planes."""
     from matplotlib import colormaps
-    from matplotlib.patches import Patch
 
     shutters = shutters_of(container)
     count, lanes = len(shutters.rows), len(container.buckets)
@@ -70,10 +70,16 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     note = subtitle(container, f"{count} shutter{'s' * (count != 1)}")
     if len(chosen) < count:
         note += f"   ·   {len(chosen)} of them shown, evenly chosen"
-    bars = enumerate(container.buckets) if lanes > 1 else ()
-    handles = [Patch(color=theme().of(b)["color"], label=name) for b, name in bars]
-    sheet.head(figure, title, note, handles)
+    sheet.head(figure, title, note, bucket_handles(container))
     return figure
+
+
+def bucket_handles(container: Container) -> list[Artist]:
+    """Return an entry of the legend for each bucket of a program; none for an only bucket."""
+    from matplotlib.patches import Patch
+
+    names = container.buckets if len(container.buckets) > 1 else ()
+    return [Patch(color=theme().of(b)["color"], label=name) for b, name in enumerate(names)]
 
 
 def subtitle(container: Container, subject: str) -> str:

@@ -161,7 +161,8 @@ def _box(x: Floats, y: Floats, sides: tuple[float, float, float, float], pixel: 
     return across[None, :] * down[:, None]
 
 
-NAMES = ("hdr", "motion", "flat", "dark")
+_ARGUMENTS = {"hdr": (0,), "motion": (0, 1), "flat": (1,), "dark": (0,)}
+"""How many arguments may follow the name of each scene, as in `builtin:flat:10000`."""
 
 
 def load_builtin(
@@ -180,10 +181,15 @@ def load_builtin(
     unknown name or an invalid argument, NS0738 for an `exposure` of a dark scene or beyond
     float32."""
     _, name, *arguments = spec.split(":")
-    # How many arguments may follow the name, as in `builtin:flat:10000`.
-    least, most = {"flat": (1, 1), "motion": (0, 1)}.get(name, (0, 0))
-    if name not in NAMES or not least <= len(arguments) <= most:
-        raise _unknown(spec, name)
+    if len(arguments) not in _ARGUMENTS.get(name, ()):
+        suggestion = name if name in _ARGUMENTS else closest(name, [*_ARGUMENTS])
+        written = f"builtin:{suggestion}" + (":10000" if suggestion == "flat" else "")
+        raise rejected(
+            "NS0731",
+            f"unknown scene '{spec[:80]}'",
+            notes=("builtin scenes: builtin:hdr, builtin:motion, builtin:flat:E, builtin:dark",),
+            helps=(did_you_mean(written) if suggestion else "choose one of these, or name a file",),
+        )
     match name:
         case "motion":
             from nscc_runtime.scenes.builtin_motion import motion
@@ -226,18 +232,3 @@ def _number(text: str, within: Callable[[float], bool], message: str, *help_text
             return float(text)
     note, example = help_texts
     raise rejected("NS0731", message, notes=(note,), helps=(f"for instance {example}",))
-
-
-def _unknown(spec: str, name: str) -> Exception:
-    """Return the error (NS0731) for the scene `spec` that is none of the built-in ones, or has the
-    wrong number of arguments. It suggests the scene most similar to `name`, the part after
-    `builtin:`."""
-    suggestion = name if name in NAMES else closest(name, NAMES)
-    written = f"builtin:{suggestion}" + (":10000" if suggestion == "flat" else "")
-    help_text = did_you_mean(written) if suggestion else "choose one of these, or name a file"
-    return rejected(
-        "NS0731",
-        f"unknown scene '{spec[:80]}'",
-        notes=("builtin scenes: builtin:hdr, builtin:motion, builtin:flat:E, builtin:dark",),
-        helps=(help_text,),
-    )

@@ -3,9 +3,9 @@ frame."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import partial
 from math import ceil
 
 import numpy as np
@@ -56,43 +56,36 @@ def frames(count: int, rows: int, cols: int, share: float = 1.0) -> Floats32 | D
     The functions below draw its parts. They use coordinates from the centre of the picture, x to
     the right and y downwards, in units of its shorter side. Sizes, speeds and luminances were
     chosen by eye."""
+    x, y, _, _ = _coordinates(rows, cols)
+    wall = _wall(x, y)
+    drawn = DrawnFrames((count, rows, cols), partial(_draw, wall, count, share))
+    return drawn if wall.nbytes * count > _MOST_BYTES else drawn[:]
+
+
+def _coordinates(rows: int, cols: int) -> tuple[Floats, Floats, Point, float]:
+    """Return the coordinates of columns and of rows from the centre, half the width and half the
+    height of a picture, and the size of a pixel, all in units of its shorter side."""
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
-    clip = _Clip(count, share, x, y, _wall(x, y), (cols / 2 / unit, rows / 2 / unit), 1.0 / unit)
-    drawn = DrawnFrames((count, rows, cols), clip.draw)
-    return drawn if clip.wall.nbytes * count > _MOST_BYTES else drawn[:]
+    return x, y, (cols / 2 / unit, rows / 2 / unit), 1.0 / unit
 
 
-@dataclass(frozen=True, eq=False)
-class _Clip:
-    """The clip of `count` pictures that shows the middle `share` of the motion before `wall` (rows,
-    cols). It can be pickled, and so can light that is drawn by it.
-
-    `x`, `y`: coordinates of columns and rows from the centre. `half`: half the width and half the
-    height of a picture; `pixel`: the size of a pixel; in the same unit."""
-
-    count: int
-    share: float
-    x: Floats
-    y: Floats
-    wall: Picture
-    half: Point
-    pixel: float
-
-    def draw(self, numbers: range, rows: slice) -> Floats32:
-        """Draw some rows of the pictures with these numbers, (len(numbers), rows, cols)."""
-        x, y, half, pixel = self.x, self.y[rows], self.half, self.pixel
-        clip = np.empty((len(numbers), len(y), len(x)), np.float32)
-        clip[:] = self.wall[rows]
-        wheel = _Wheel(x, y, pixel)
-        for k, picture in zip(numbers, clip, strict=True):
-            phase = (1.0 - self.share) / 2 + self.share * ((k + 0.5) / self.count)
-            _train(picture, x, y, phase, half, pixel)
-            wheel.draw(picture, phase)
-            _ball(picture, x, y, phase, half, pixel)
-            _spark(picture, x, y, phase, half)
-        return clip
+def _draw(wall: Picture, count: int, share: float, numbers: range, rows: slice) -> Floats32:
+    """Draw some rows of the pictures with these numbers, (len(numbers), rows, cols), of the clip of
+    `count` pictures that shows the middle `share` of the motion before `wall` (rows, cols)."""
+    x, all_y, half, pixel = _coordinates(*wall.shape)
+    y = all_y[rows]
+    clip = np.empty((len(numbers), len(y), len(x)), np.float32)
+    clip[:] = wall[rows]
+    draw_wheel = _wheel(x, y, pixel)
+    for k, picture in zip(numbers, clip, strict=True):
+        phase = (1.0 - share) / 2 + share * ((k + 0.5) / count)
+        _train(picture, x, y, phase, half, pixel)
+        draw_wheel(picture, phase)
+        _ball(picture, x, y, phase, half, pixel)
+        _spark(picture, x, y, phase, half)
+    return clip
 
 
 def _wall(x: Floats, y: Floats) -> Picture:
@@ -138,37 +131,37 @@ def _train(picture: Picture, x: Floats, y: Floats, phase: float, half: Point, pi
     picture[rows] += ((body + (1.9 - body) * window + lamp) - picture[rows]) * on
 
 
-class _Wheel:
-    """A wheel of five spokes that makes one and a half turns; its static parts are cached."""
+def _wheel(x: Floats, y: Floats, pixel: float) -> Callable[[Picture, float], None]:
+    """Return a function that draws a wheel of five spokes, turned by `phase` (0..1) x 1.5 turns,
+    into `picture` (rows, cols), in place. Its static parts are computed once.
 
-    def __init__(self, x: Floats, y: Floats, pixel: float) -> None:
-        """Prepare the wheel on the rows and columns that it covers. `x` and `y` are the coordinates
-        of columns and rows from the centre, `pixel` is the size of a pixel."""
-        centre, radius = (-0.2, -0.05), 0.21
-        self.rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
-        self.cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
-        self.dx = (x[self.cols] - centre[0]).astype(np.float32)[None, :]
-        self.dy = (y[self.rows] - centre[1]).astype(np.float32)[:, None]
-        r = np.sqrt(self.dx * self.dx + self.dy * self.dy)
-        self.still = np.maximum(np.minimum(radius - r, r - 0.84 * radius), 0.2 * radius - r)
-        self.reach = 0.9 * radius - r
-        self.radius, self.pixel = radius, pixel
+    `x` and `y` are the coordinates of columns and rows from the centre, `pixel` is the size of a
+    pixel."""
+    centre, radius = (-0.2, -0.05), 0.21
+    rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
+    cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
+    dx = (x[cols] - centre[0]).astype(np.float32)[None, :]
+    dy = (y[rows] - centre[1]).astype(np.float32)[:, None]
+    r = np.sqrt(dx * dx + dy * dy)
+    still = np.maximum(np.minimum(radius - r, r - 0.84 * radius), 0.2 * radius - r)
+    reach = 0.9 * radius - r
 
-    def draw(self, picture: Picture, phase: float) -> None:
-        """Draw the wheel, turned by `phase` (0..1) x 1.5 turns, into `picture` (rows, cols), in
-        place."""
-        shape = self.still
+    def draw(picture: Picture, phase: float) -> None:
+        """Draw the wheel at the time `phase` of the clip."""
+        shape = still
         for spoke in range(5):
             c, s = turn(phase * 1.5 + spoke / 5)
-            forward = self.dx * c + self.dy * s
-            aside = np.abs(self.dy * c - self.dx * s)
+            forward = dx * c + dy * s
+            aside = np.abs(dy * c - dx * s)
             arm = np.minimum(0.014 + 0.05 * forward - aside, forward)
-            shape = np.maximum(shape, np.minimum(arm, self.reach))
-        cover = np.clip(shape / self.pixel + 0.5, 0.0, 1.0)
+            shape = np.maximum(shape, np.minimum(arm, reach))
+        cover = np.clip(shape / pixel + 0.5, 0.0, 1.0)
         c, s = turn(phase * 1.5)
-        glint = 0.55 + (self.dx * c + self.dy * s) * (0.35 / self.radius)
-        region = picture[self.rows, self.cols]
+        glint = 0.55 + (dx * c + dy * s) * (0.35 / radius)
+        region = picture[rows, cols]
         region += (glint - region) * cover
+
+    return draw
 
 
 def _ball(picture: Picture, x: Floats, y: Floats, phase: float, half: Point, pixel: float) -> None:

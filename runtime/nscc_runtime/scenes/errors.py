@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +11,12 @@ from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity, rejected
 
 Path_or_name = Path | str
+Warn = Callable[[Diagnostic], object]
+"""A function that is called with messages about a scene."""
+
+
+def unheard(_message: Diagnostic) -> None:
+    """Ignore a message: the default of `Warn`."""
 
 
 def damaged(name: Path_or_name, reason: object) -> Rejected:
@@ -53,7 +59,7 @@ def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
     )
 
 
-_NOT_LIGHT = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": "negative"}
+_NOT_LIGHT = ("not a number (NaN)", "too large", "negative")
 
 
 def refuse_no_light(values: Array, name: Path_or_name, corner: tuple[int, int] = (0, 0)) -> None:
@@ -73,21 +79,20 @@ def refuse_no_light(values: Array, name: Path_or_name, corner: tuple[int, int] =
         if values.dtype.kind == "f" and values.dtype.itemsize < 8:
             values = values.astype(np.float64)  # `top` would be infinite in float16
     masks = np.isnan(values), np.abs(values) > top, (values < 0) & (values >= -top)
-    counts = {
-        kind: int(np.count_nonzero(mask)) for kind, mask in zip(_NOT_LIGHT, masks, strict=True)
-    }
-    mask = next(mask for mask in masks if mask.any())
-    index = np.argwhere(mask)[0].tolist()
-    position = [*index[:-2], *(at + start for at, start in zip(index[-2:], corner, strict=True))]
-    counted = ", ".join(f"{count} {_NOT_LIGHT[kind]}" for kind, count in counts.items() if count)
-    total = sum(counts.values())
+    counts = [int(np.count_nonzero(mask)) for mask in masks]
+    first = np.argwhere(next(mask for mask in masks if mask.any()))[0]
+    value = values[tuple(first)]
+    first[-2:] += corner
+    position = first.tolist()
+    kinds = zip(counts, _NOT_LIGHT, strict=True)
+    counted = ", ".join(f"{count} {kind}" for count, kind in kinds if count)
+    total = sum(counts)
     axes = "[slot, row, column]" if len(position) == 3 else "[row, column]"
     raise rejected(
         "NS0736",
         f"{total} light value{'s' if total > 1 else ''} in '{name}' cannot be light: {counted}",
         notes=(
-            f"the first of them is {values[tuple(index)]:g}, at {axes} = "
-            f"[{', '.join(map(str, position))}]",
+            f"the first of them is {value:g}, at {axes} = [{', '.join(map(str, position))}]",
             "light is a count of electrons: finite (below 3.4e38) and not negative",
         ),
         helps=("repair the array, for instance with np.nan_to_num and np.clip(a, 0, None)",),

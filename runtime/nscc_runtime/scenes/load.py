@@ -23,7 +23,7 @@ from nscc_runtime.scene_settings import Scene
 from nscc_runtime.scenes import exposure, light_arrays, timing
 from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
 from nscc_runtime.scenes.colour import Colours
-from nscc_runtime.scenes.errors import refuse_no_light
+from nscc_runtime.scenes.errors import Warn, refuse_no_light, unheard
 from nscc_runtime.scenes.exposure import ExposureLevel, check_white, parse_exposure
 from nscc_runtime.scenes.film_times import evenly, from_frame, timed
 from nscc_runtime.scenes.pages import Edges, Pages
@@ -60,7 +60,7 @@ class _Loading:
     scene: Scene
     window: Window
     slot_us: Sequence[float]
-    warn: Callable[[Diagnostic], None] = lambda _: None
+    warn: Warn = unheard
     progress: Progress = unseen
     channel: int | None = None
     factor: float | None = None
@@ -139,7 +139,7 @@ def scene_light(
     scene: Scene,
     slot_us: Sequence[float],
     target: Target,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
+    warn: Warn = unheard,
     progress: Progress = unseen,
 ) -> Light:
     """Return the light of `scene` on one array of `target`, in slots of `slot_us` microseconds. The
@@ -154,7 +154,7 @@ def laid_lights(
     scene: Scene,
     slot_us: Sequence[float],
     target: Target,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
+    warn: Warn = unheard,
     progress: Progress = unseen,
 ) -> tuple[PlacedLight, ...]:
     """Return the light of `scene` in slots of `slot_us` microseconds, on as many arrays of `target`
@@ -430,14 +430,15 @@ def _clip(loading: _Loading, frames_read: Iterator[Stored], edges: Edges = None)
     the slots last. `edges`: the starts of frames that last unequally, and the end, in steps; None
     if every frame lasts one. Raises Rejected: NS0735 for a clip that is too short, NS0737 without
     an exposure."""
-    if loading.scene.single:
-        read = partial(timing.only_frame, loading.name, frames_read, loading.scene.first)
+    scene = loading.scene
+    if scene.single:
+        read = partial(timing.only_frame, loading.name, frames_read, scene.first)
         return _still(loading, read)
     loading.check_exposure()
-    fps = None if loading.scene.fps is None else timing.check_fps(loading.scene.fps)
+    fps = None if scene.fps is None else timing.check_fps(scene.fps)
     frames_read, edges = (
-        islice(frames_read, loading.scene.first, None),
-        from_frame(edges, loading.scene.first),
+        islice(frames_read, scene.first, None),
+        from_frame(edges, scene.first),
     )
     if fps is None:
         need, frames_read = loading.slots, evenly(frames_read, edges)
@@ -446,7 +447,7 @@ def _clip(loading: _Loading, frames_read: Iterator[Stored], edges: Edges = None)
     frames, placement = np.empty((0, 0, 0), np.float32), loading.on_array
     have, colour = 0, False
     for picture, colours in loading.progress(frames_read, "reading frames", need):
-        name = f"{loading.name}, frame {loading.scene.first + have}"
+        name = f"{loading.name}, frame {scene.first + have}"
         frame, placement = _light(loading, picture, colours, name)
         if have == 0:
             colour = _say_changes(loading, picture, colours, placement)
@@ -458,9 +459,7 @@ def _clip(loading: _Loading, frames_read: Iterator[Stored], edges: Edges = None)
         if have == need:
             break
     if have < need:
-        raise timing.too_short(
-            loading.name, have, need, loading.slots, loading.scene.fps, loading.scene.first
-        )
+        raise timing.too_short(loading.name, have, need, loading.slots, scene.fps, scene.first)
     if fps is None:
         factor = loading.scale(frames.sum(axis=0, dtype=np.float64), placement)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
@@ -468,7 +467,7 @@ def _clip(loading: _Loading, frames_read: Iterator[Stored], edges: Edges = None)
         overlap = timing.overlaps(loading.slot_us, fps, edges)
         clip = timing.spread(frames, overlap, lambda open_sum: loading.scale(open_sum, placement))
         seconds, rate = overlap.seconds, float(fps)
-    if loading.scene.frames_are == "samples":
+    if scene.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate, edges)
     return PlacedLight(clip, placement, colour, tuple(loading.notes))
 

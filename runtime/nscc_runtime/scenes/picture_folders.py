@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 from nscc.arrays import Array
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
-from nscc_runtime.scenes.errors import damaged
+from nscc.diagnostics.diagnostic import Rejected, rejected
+from nscc_runtime.scenes.errors import Warn, damaged, unheard
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages
 from nscc_runtime.scenes.picture_files import (
@@ -20,9 +20,7 @@ from nscc_runtime.scenes.picture_files import (
 )
 
 
-def files_of(
-    folder: Path, skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
-) -> list[Path]:
+def files_of(folder: Path, skip: bool = False, warn: Warn = unheard) -> list[Path]:
     """Return the pictures of a `folder` in natural order (2 before 10).
 
     Hidden files, and files that belong to no sequence of frames, are ignored. Missing frames are
@@ -77,7 +75,7 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 
 
 def read_folder(
-    pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
+    pictures: list[Path], skip: bool = False, warn: Warn = unheard
 ) -> Iterator[tuple[Array, Pages]]:
     """Yield each of the files `pictures` as stored, (R, C) or (R, C, 3), with the pages of its
     file.

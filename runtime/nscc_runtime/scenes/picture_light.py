@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from math import prod
 
 import numpy as np
 
 from nscc.arrays import Array, Floats
-from nscc.diagnostics.diagnostic import Diagnostic
 from nscc_runtime.scene_settings import Transfer
 from nscc_runtime.scenes import pages
 from nscc_runtime.scenes.colour import Colours, grey, white_of
-from nscc_runtime.scenes.errors import clamped, refuse_no_light
+from nscc_runtime.scenes.errors import Warn, clamped, refuse_no_light, unheard
 from nscc_runtime.scenes.light_arrays import check_type
 
 _STRIP = 256
@@ -30,7 +29,7 @@ def picture_light(
     white: float | None = None,
     window: tuple[slice, slice] | None = None,
     size: tuple[int, int] | None = None,
-    warn: Callable[[Diagnostic], object] = lambda _: None,
+    warn: Warn = unheard,
 ) -> Floats:
     """Convert a stored picture to linear light (rows, cols).
 

@@ -184,9 +184,9 @@ def _of_one_channel(pages: list[_Page]) -> tuple[list[_Page], tuple[Note, ...]]:
     note, if there is no choice or the stated counts do not fit their number."""
     text = _description(pages[0])
     if text.startswith("ImageJ="):
-        stated = dict(re.findall(r"^(channels|slices|frames)=(\d+)", text, re.MULTILINE))
-        names = {"C": "channels", "Z": "slices", "T": "frames"}
-        counts = {axis: int(stated.get(name, 1)) for axis, name in names.items()}
+        stated = re.findall(r"^(channels|slices|frames)=(\d+)", text, re.MULTILINE)
+        axes = {"channels": "C", "slices": "Z", "frames": "T"}
+        counts = {axes[name]: int(count) for name, count in stated}
         order = "CZT"
     elif "<OME" in text and (pixels_tag := re.search(r"<Pixels\b[^>]*>", text)):
         counts = {a: int(n) for a, n in re.findall(r'Size([CZT])="(\d+)"', pixels_tag[0])}

@@ -109,10 +109,11 @@ def test_a_port_that_is_unplugged_raises_port_gone() -> None:
         closed.read()
 
 
-def test_the_list_of_ports_is_sorted() -> None:
+def test_the_list_of_ports_is_sorted(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ports come in the order of their names. A port without a description has an empty one."""
     found = [SimpleNamespace(device=name, description=None) for name in ("/dev/b", "/dev/a")]
-    assert list_ports(lambda: found) == [("/dev/a", ""), ("/dev/b", "")]
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: found)
+    assert list_ports() == [("/dev/a", ""), ("/dev/b", "")]
 
 
 @pytest.mark.parametrize(
