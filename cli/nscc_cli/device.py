@@ -161,7 +161,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
     """Expose frames with FILE, or with the program that the device at PORT already holds.
 
     `meta` in each frame file contains the time of exposure and the program's SHA-256."""
-    from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
+    from nscc_runtime.device.device_chip import capture_to, numbered_paths, target_of
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.host_setting import host_settings
 
@@ -223,7 +223,7 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     The measurement overwrites the program on the device."""
     from nscc.chips.load import target_toml
     from nscc.files import write_whole
-    from nscc_runtime.device.captured_frames import target_of
+    from nscc_runtime.device.device_chip import target_of
     from nscc_runtime.device.measured_times import measured
 
     with chip_at(port, options) as chip:

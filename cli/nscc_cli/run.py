@@ -250,7 +250,7 @@ def run_on_device(program: Path, options: NamedValues, keep: tuple[str, ...]) ->
     drives. `options` are those of the command line, `keep` the arrays to add to the frame file. A
     scene is only recorded in the files."""
     from nscc.words.readout import converter_of
-    from nscc_runtime.device.captured_frames import exposed
+    from nscc_runtime.device.device_chip import exposed
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.host_setting import host_settings
     from nscc_runtime.response import response_of

@@ -21,13 +21,12 @@ from nscc.chips.target import Target
 from nscc.words.container import Container, Readout
 from nscc.words.legality import decoded
 from nscc_runtime.device import firmware, tasks
-from nscc_runtime.device.board import EmulatedChip
+from nscc_runtime.device.board import BoardProgram, EmulatedChip
 from nscc_runtime.device.firmware import RunningFirmware
-from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.recording import BoardProgram
 from nscc_runtime.device.serving import LineFaults
+from nscc_runtime.device.tasks import FrameRequest
 from nscc_runtime.emulator import expose
 from nscc_runtime.emulator.chip_program import ChipProgram
 from nscc_runtime.light import Light

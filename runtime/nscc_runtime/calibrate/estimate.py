@@ -11,12 +11,18 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import rejected
-from nscc_runtime.calibrate.dark_fit import DarkFit, dark_of
 from nscc_runtime.calibrate.frame_stacks import Stack, grouped, load_stack
 from nscc_runtime.calibrate.levels import QUIET, LevelMoments, Mask, level_of, moments
 from nscc_runtime.calibrate.line_fit import propagated, root, shared_variance
-from nscc_runtime.calibrate.pixel_selection import good_pixels, refuse_uneven, valid_pixels
-from nscc_runtime.calibrate.response import linearity, response_variance
+from nscc_runtime.calibrate.pixels import (
+    DarkFit,
+    dark_of,
+    good_pixels,
+    linearity,
+    refuse_uneven,
+    response_variance,
+    valid_pixels,
+)
 from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
 from nscc_runtime.progress import Progress, unseen
 
@@ -219,32 +225,28 @@ def _noise(
     None, because all darks (frames without light) are then clipped at an end of the scale. `curve`
     is the fitted photon transfer curve, `darks` are the moments of the darks."""
 
-    def at_most(most: float, why: str) -> dict[str, Quantity]:
-        """Return the upper limit `most` of the dark noise, in converter codes, as quantities in
-        codes and in electrons. `why` is the reason."""
-        in_electrons = (most / curve.gain, None)
-        return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
-
     if dark is None:
         return _unknown(_CUT_OFF, "dark_noise_lsb", "dark_noise_e")
+    most, why = 0.0, ""
     if not any(level in curve.used for level in darks):
-        most = sqrt(QUIET)
         # `transfer` leaves out darks whose variance is below `QUIET`.
-        return at_most(
-            most, f"the noise of the darks is below {most:.2f} codes, so rounding hides it"
-        )
-    if curve.noise <= ROUNDING:
+        most = sqrt(QUIET)
+        why = f"the noise of the darks is below {most:.2f} codes, so rounding hides it"
+    elif curve.noise <= ROUNDING:
         # Two standard errors above the fitted value.
         error = sqrt(float(curve.covariance[1, 1]))
         most = sqrt(max(curve.noise - ROUNDING, 0.0) + 2 * error)
-        return at_most(most, "the line of variance over mean leaves no noise without charge")
+        why = "the line of variance over mean leaves no noise without charge"
+    if why:
+        in_electrons = most / curve.gain, None
+        return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
     remark = "of a frame without charge, rounding taken away"
     if dark.current is None:
         remark = "of the darks, shot noise of their dark charge included; rounding taken away"
     errors, values = curve.covariance[:2, :2], [curve.gain, curve.noise]
     in_codes = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)), values, errors)
-    in_electrons = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)) / v[0], values, errors)
-    return _quantities(remark, dark_noise_lsb=in_codes, dark_noise_e=in_electrons)
+    electrons = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)) / v[0], values, errors)
+    return _quantities(remark, dark_noise_lsb=in_codes, dark_noise_e=electrons)
 
 
 def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Quantity]:

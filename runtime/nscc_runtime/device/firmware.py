@@ -24,8 +24,13 @@ from nscc.cache.folder import cache_folder, is_own
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import store_files
-from nscc_runtime.device.board import EmulatedChip, in_background
-from nscc_runtime.device.recording import BoardJob, ExecutedFrame, Recording
+from nscc_runtime.device.board import (
+    BoardJob,
+    EmulatedChip,
+    ExecutedFrame,
+    Recording,
+    in_background,
+)
 from nscc_runtime.device.target_header import target_header
 
 _PACKAGE = Path(__file__).resolve().parents[1]

@@ -17,7 +17,6 @@ from nscc.operations import Op, op
 from nscc.words.encoding import encode
 from nscc_runtime.device import tasks
 from nscc_runtime.device.device_errors import rejected
-from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import SerialLink
 from nscc_runtime.device.messages import CaptureReply, Channel
@@ -103,7 +102,7 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
 def _captured(link: SerialLink, program: Upload) -> CaptureReply:
     """Upload a program, capture and fetch a frame of it, and return the loader's reply about it.
     Raises Rejected (status 3) if the device fails."""
-    request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
+    request = tasks.FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.FetchedFrame]:
         """Upload the program, capture a frame of it and return that frame."""

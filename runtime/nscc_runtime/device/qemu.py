@@ -12,7 +12,7 @@ from struct import Struct
 from typing import Literal
 
 from nscc.chips.target import Target
-from nscc_runtime.device.board import EmulatedChip
+from nscc_runtime.device.board import BoardJob, EmulatedChip
 from nscc_runtime.device.firmware import (
     CORE_FLAGS,
     SOURCES,
@@ -22,7 +22,6 @@ from nscc_runtime.device.firmware import (
     RunningFirmware,
     compiled,
 )
-from nscc_runtime.device.recording import BoardJob
 
 Core = Literal["m0", "m4"]
 COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"

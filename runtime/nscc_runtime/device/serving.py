@@ -222,21 +222,18 @@ class Terminal:
                 os.close(spare)
         os.set_blocking(master, False)
         self.fd = master
-        self.opened = False
 
     def read(self) -> bytes | None:
         """Return the bytes written by the other side, b"" if there are none; None while the port is
         not open."""
         try:
-            data = os.read(self.fd, _MOST_READ)
+            return os.read(self.fd, _MOST_READ)
         except BlockingIOError:
             return b""
         except OSError as error:
             if error.errno != errno.EIO:
                 raise
             return None
-        self.opened = True
-        return data
 
     def write(self, data: bytes) -> int:
         """Write `data` and return how many of its bytes, from the start, were accepted: 0 if the

@@ -124,9 +124,9 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     `_COLUMNS` columns of `score` from `first` on. Coordinates are columns to the right and lines
     downwards."""
     nodes = score.network.nodes
-    shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
-    end = score.column[shown[-1]] + 1
-    _draw_bands(axes, score, shown, first)
+    shown = {n: at - first for n, at in score.column.items() if first <= at < first + _COLUMNS}
+    end = first + max(shown.values()) + 1
+    _draw_bands(axes, score, shown)
     rows = list(score.row.values())
     axes.hlines(rows, 0, end - first, color=theme().grid, linewidth=0.7, zorder=1)
     for register, row in score.row.items():
@@ -143,19 +143,19 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
         if bar_left < bar_right:
             bars.append((row, bar_left - first, bar_right - first))
     axes.hlines(*zip(*bars, strict=True), color=theme().bar, linewidth=4, zorder=2)
-    _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] in _WRITING], first)
-    _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
+    _draw_gates(axes, score, shown)
+    _draw_demands(axes, score, shown)
 
 
-def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
+def _draw_bands(axes: Axes, score: _Score, shown: dict[str, int]) -> None:
     """Draw into `axes` a band for each boundary of the nodes `shown` (gates and demands of this
-    row), alternately shaded, with the numbers of boundaries and kernels. `score` is the layout, and
-    `first` the column at the left edge."""
+    row, with their columns in it), alternately shaded, with the numbers of boundaries and kernels.
+    `score` is the layout."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
     boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
         inside = list(group)
-        band_left = score.column[inside[0]] - first
+        band_left = shown[inside[0]]
         # Counted over all rows, so that the shades of a picture alternate.
         if boundaries.index(boundary) % 2 == 0:
             axes.axvspan(band_left, band_left + len(inside), color=theme().closed, zorder=0)
@@ -165,21 +165,23 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
         edge = [band_left, band_left], [top - 1.2, bottom]
         axes.plot(*edge, color=theme().grid, linewidth=0.7, clip_on=False)
     kernel = None
-    for node in shown:
+    for node, column in shown.items():
         if nodes[node].get("kernel", kernel) != kernel:
             kernel = nodes[node]["kernel"]
-            x = score.column[node] - first + 0.1
-            axes.text(x, top - 0.1, f"k{kernel}", size=6.5, color=theme().faint, va="bottom")
+            axes.text(
+                column + 0.1, top - 0.1, f"k{kernel}", size=6.5, color=theme().faint, va="bottom"
+            )
 
 
-def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
-    """Draw the nodes `gates` into `axes`: a box on the line that each writes, and a dot on each
-    line that it reads, joined by a vertical line.
-
-    `score` is the layout, and `first` the column at the left edge."""
+def _draw_gates(axes: Axes, score: _Score, shown: dict[str, int]) -> None:
+    """Draw the gates among the nodes `shown`, given with their columns, into `axes`: a box on the
+    line that each writes, and a dot on each line that it reads, joined by a vertical line. `score`
+    is the layout."""
     nodes = score.network.nodes
-    for node in gates:
-        x = score.column[node] - first + 0.5
+    for node, column in shown.items():
+        if nodes[node]["kind"] not in _WRITING:
+            continue
+        x = column + 0.5
         row = score.row[nodes[node]["register"]]
         read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
         kind = _SERIES.get(nodes[node]["function"])
@@ -207,13 +209,15 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
         )
 
 
-def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
-    """Draw an arrow on the FLAG line into `axes` for each of the nodes `demands`: FLAG then decides
-    which pixels add or reset. `score` is the layout, and `first` the column at the left edge. FLAG
-    is the bit that lets a pixel act."""
-    row = len(score.row) - 1
-    for node in demands:
-        x = score.column[node] - first + 0.5
+def _draw_demands(axes: Axes, score: _Score, shown: dict[str, int]) -> None:
+    """Draw an arrow on the FLAG line into `axes` for each demand among the nodes `shown`, given
+    with their columns: FLAG then decides which pixels add or reset. `score` is the layout. FLAG is
+    the bit that lets a pixel act."""
+    nodes, row = score.network.nodes, len(score.row) - 1
+    for node, column in shown.items():
+        if nodes[node]["kind"] != "demand":
+            continue
+        x = column + 0.5
         axes.plot(
             [x, x],
             [row, row + 0.85],
@@ -225,5 +229,6 @@ def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> 
             markersize=4,
             markevery=[1],
         )
-        edge = score.network.nodes[node]["edge"]
-        axes.text(x, row + 1.2, edge, size=6.5, color=theme().ink, ha="center", va="top")
+        axes.text(
+            x, row + 1.2, nodes[node]["edge"], size=6.5, color=theme().ink, ha="center", va="top"
+        )

@@ -25,7 +25,6 @@ from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_tim
 from nscc_runtime.scenes.colour import Colours
 from nscc_runtime.scenes.errors import Warn, refuse_no_light, unheard
 from nscc_runtime.scenes.exposure import ExposureLevel, check_white, parse_exposure
-from nscc_runtime.scenes.film_times import evenly, from_frame, timed
 from nscc_runtime.scenes.pages import Edges, Pages
 from nscc_runtime.scenes.picture_light import picture_light
 from nscc_runtime.scenes.placement import (
@@ -38,6 +37,7 @@ from nscc_runtime.scenes.placement import (
     placed,
     placement_of,
 )
+from nscc_runtime.scenes.timing import evenly, from_frame, timed
 
 Stored = tuple[Array, Colours]
 """A picture as stored, and the meaning of its samples."""

@@ -48,7 +48,7 @@ class Pages:
     `read` yields each picture as stored, (R, C) grey or (R, C, 3) red, green, blue. `stated`: the
     colours that the file states. `notes`: unexpected choices of the reader. `durations_s` returns
     the durations of the pictures in seconds; None if the file has no clock. `edges`: the starts of
-    frames that last unequally (see `film_times`). `is_clip`: whether the file is a clip even if it
+    frames that last unequally (see `timing`). `is_clip`: whether the file is a clip even if it
     has one picture. `is_light`: whether samples are linear light unless the file states otherwise.
     `has_8_bits`: whether samples have at most 8 bits."""
 

@@ -23,8 +23,8 @@ from nscc_runtime.scenes import (
     videos,
 )
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
-from nscc_runtime.scenes.film_times import evenly, timed
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture, check_sizes, head_of
+from nscc_runtime.scenes.timing import evenly, timed
 
 
 class SceneFormat(NamedTuple):

@@ -5,8 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from loader_twin.parsing import Held
-from nscc_runtime.device.board import EmulatedChip, in_background
-from nscc_runtime.device.recording import ExecutedFrame
+from nscc_runtime.device.board import EmulatedChip, ExecutedFrame, in_background
 
 
 class BackgroundChip:

@@ -16,7 +16,6 @@ from loader_twin.parsing import Held, Limits, Refusal
 from loader_twin.timing import ON_TIME
 from nscc.chips.target import Target
 from nscc_runtime.device import messages, packets
-from nscc_runtime.device.frame_request import LONGEST_US
 from nscc_runtime.device.messages import (
     DATA,
     FRAME,
@@ -28,6 +27,7 @@ from nscc_runtime.device.messages import (
     plane_bytes,
 )
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Packet, PacketKind
+from nscc_runtime.device.tasks import LONGEST_US
 
 MOST_OUT = 8192
 """Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""

@@ -30,6 +30,7 @@ from nscc.words.container import Launch
 from nscc.words.encoding import matching
 from nscc.words.legality import picture_fault, split_pairs
 from nscc.words.soundness import MOST_SLOTS
+from nscc_runtime.device.board import IMAGE, BoardCommands, BoardProgram, ExecutedFrame
 from nscc_runtime.device.loaders import MOST_CHANGES, MOST_PARAMS
 from nscc_runtime.device.messages import Channel, LoaderFault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
@@ -50,7 +51,6 @@ from nscc_runtime.device.objects import (
     WORD,
     ObjectKind,
 )
-from nscc_runtime.device.recording import IMAGE, BoardCommands, BoardProgram, ExecutedFrame
 
 
 @dataclass(eq=False)

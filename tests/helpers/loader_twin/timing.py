@@ -14,8 +14,8 @@ from nscc.chips.target import Target
 from nscc.operations import Word
 from nscc.words.encoding import matching
 from nscc_runtime.device.device_errors import FADES, NO_BREATH, TOO_LONG
-from nscc_runtime.device.frame_request import LONGEST_US
 from nscc_runtime.device.objects import AS_IT_IS
+from nscc_runtime.device.tasks import LONGEST_US
 
 TICK = 1 << 32
 LONGEST_SLOT_US = 1 << 31

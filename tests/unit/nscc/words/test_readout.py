@@ -26,9 +26,9 @@ from nscc.words.legality import decoded
 from nscc.words.readout import converter_of, preparation_of, spreading
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.device_chip import frame_of
-from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
+from nscc_runtime.device.tasks import FrameRequest
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out

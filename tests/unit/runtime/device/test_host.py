@@ -24,12 +24,12 @@ from loader_twin.parsing import Held
 
 from nscc.operations import op
 from nscc_runtime.device import tasks
-from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
 from nscc_runtime.device.messages import Channel, Hello, Info, LoaderFault, UploadProgress
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Packet, PacketKind, Unpacker
 from nscc_runtime.device.serving import LineFaults
+from nscc_runtime.device.tasks import FrameRequest
 from nscc_runtime.light import Light
 
 LARGE = target_of((256, 256))

@@ -34,9 +34,9 @@ from nscc.source import Source
 from nscc.words.container import Container, Launch
 from nscc_runtime.device import tasks
 from nscc_runtime.device.device_chip import channels_of, frame_of
-from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import upload_of
+from nscc_runtime.device.tasks import FrameRequest
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light

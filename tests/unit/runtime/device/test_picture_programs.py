@@ -32,12 +32,12 @@ from nscc.words.legality import picture_words
 from nscc.words.reach import Reach, beyond_reaches
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
+from nscc_runtime.device.board import BoardProgram, ExecutedFrame
 from nscc_runtime.device.device_chip import channels_of, frame_of
 from nscc_runtime.device.firmware import RunningFirmware
-from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.objects import packed_plane, upload_of
-from nscc_runtime.device.recording import BoardProgram, ExecutedFrame
+from nscc_runtime.device.tasks import FrameRequest
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.host_setting import HostSetting, host_settings

@@ -12,7 +12,7 @@ from PIL import Image
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc_runtime.scenes import ExposureLevel
-from nscc_runtime.scenes.numbering import missing_frames
+from nscc_runtime.scenes.picture_folders import missing_frames
 
 ROWS, COLS = 8, 10
 
@@ -140,7 +140,7 @@ def test_bad_pixels_are_named_by_their_place_in_the_file(
 
 def test_frames_are_counted_from_the_clips_first(tmp_path: Path) -> None:
     from nscc_runtime.formats.content import Content
-    from nscc_runtime.formats.pictures import tiff
+    from nscc_runtime.formats.format_table import tiff
 
     clip = np.ones((5, ROWS, COLS), np.float32)
     clip[3, 2, 1] = -1

@@ -54,7 +54,7 @@ def test_pages_of_a_tiff_are_a_clip(tmp_path: Path, big: bool) -> None:
 
 def test_clips_survive_tiff(tmp_path: Path) -> None:
     from nscc_runtime.formats.content import Content
-    from nscc_runtime.formats.pictures import tiff
+    from nscc_runtime.formats.format_table import tiff
 
     clip = RNG.random((5, ROWS, COLS)).astype(np.float32)
     (tmp_path / "c.tiff").write_bytes(tiff(Content({"video": clip}, clip, True)))

@@ -12,8 +12,8 @@ from one_scene import load_scene
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.scenes import ExposureLevel
-from nscc_runtime.scenes.film_times import timed
 from nscc_runtime.scenes.picture_files import open_pages, read_frames
+from nscc_runtime.scenes.timing import timed
 
 av = pytest.importorskip("av")
 ROWS, COLS = 32, 64
