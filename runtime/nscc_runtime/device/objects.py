@@ -227,26 +227,25 @@ def program_of(
     kept = [target.analog_registers.index(name) for same in starts.values() for name in same]
     roles = [(r, role | IS_KEPT * (r in kept), gain) for r, role, gain in readouts]
     roles += [(r, IS_KEPT, 1.0) for r in kept if r not in {row[0] for row in readouts}]
-    objects = [Object(ObjectKind.READOUTS, 0, _counted(READOUT, roles))]
-    if states:
-        objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
-    if reported:
-        report_rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
-        objects.append(Object(ObjectKind.REPORTS, 0, _counted(_REPORT, report_rows)))
+    report_rows = [(number_of(name), most, *reach) for name, (most, reach) in reported.items()]
     lengths = [len(kernel.words) for kernel in container.kernels]
     # The kernel without words of `schedule_rows`, if a row uses it.
     lengths += [0] * any(row.kernel == len(lengths) for row in rows)
     words = [word for kernel in container.kernels for word in kernel.words]
     kernels = COUNT.pack(len(lengths)) + np.array(lengths, "<u4").tobytes()
     kernels += np.array(words, "<u4").reshape(-1, 5).tobytes()
-    objects.append(Object(ObjectKind.KERNELS, 0, kernels))
-    if sets_in:
-        objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
-    objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
-    if pictures.params or kept:
-        ranges = [(param.low, param.high, param.start) for param in pictures.params]
-        data = _counted(PARAM, ranges) + _counted(CHANGE, changes)
-        objects.append(Object(ObjectKind.PARAMS, 0, data))
+    ranges = [(param.low, param.high, param.start) for param in pictures.params]
+    # The objects in the order of sending, and whether the program has each.
+    parts = (
+        (ObjectKind.READOUTS, True, _counted(READOUT, roles)),
+        (ObjectKind.STATES, states, _counted(_REGISTER, states)),
+        (ObjectKind.REPORTS, reported, _counted(_REPORT, report_rows)),
+        (ObjectKind.KERNELS, True, kernels),
+        (ObjectKind.LEVELS, sets_in, _counted(LEVEL, levels)),
+        (ObjectKind.SCHEDULE, True, schedule),
+        (ObjectKind.PARAMS, ranges or kept, _counted(PARAM, ranges) + _counted(CHANGE, changes)),
+    )
+    objects = [Object(kind, 0, data) for kind, is_part, data in parts if is_part]
     if with_planes:
         objects += _plane_objects(container)
     return Upload(

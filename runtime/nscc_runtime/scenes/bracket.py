@@ -4,7 +4,6 @@ range."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from glob import glob
 from pathlib import Path
 
@@ -31,7 +30,10 @@ def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | Non
     if not isinstance(text, str):
         return text
     try:
-        times = tuple(float(Fraction(item.strip())) for item in text.split(","))
+        quotients = (item.partition("/") for item in text.split(","))
+        times = tuple(
+            float(top) / (float(bottom) if slash else 1.0) for top, slash, bottom in quotients
+        )
     except (ValueError, ZeroDivisionError):
         times = ()
     if not times or not all(0 < time < np.inf for time in times):
