@@ -6,18 +6,19 @@ from functools import partial
 from struct import Struct
 
 from nscc_runtime.device.board import EmulatedChip
-from nscc_runtime.device.firmware import Built, Firmware
+from nscc_runtime.device.firmware import Built, RunningFirmware
 
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
 _STEP = Struct("<QI")
 
 
-class Lockstep(Firmware):
+class Lockstep(RunningFirmware):
     """A loader that answers when it is asked."""
+
+    busy = True
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
         super().__init__([str(loader.path), "--lockstep"], loader.target, chip)
-        self.busy = True
         self._arrived = b""
 
     def watched(self) -> list[int]:

@@ -190,21 +190,24 @@ def passing_folder() -> Path:
     return Path(folder)
 
 
-class Firmware:
-    """The process of the loader. The frames that it requests (jobs) arrive as records and run on
-    `chip`."""
+class RunningFirmware:
+    """The process of the loader, in real time behind a non-blocking file descriptor, its line to
+    the host. The frames that it requests (jobs) arrive as records and run on `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         """Start the firmware by `command`, a program and its arguments, as a process with pipes.
         `chip` executes the words that it sends to its board, recorded as words of `target`. Raises
         OSError if it cannot be started."""
-        self.chip, self.target = chip, target
+        self.chip = chip
         self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._in, self._out = self._process.stdin, self._process.stdout
         self._held = bytearray()
         self._recording = Recording(target)
+        self._line = -1
+        self._unsent = b""
+        self._exposing: list[tuple[BoardJob, Future[ExecutedFrame]]] = []
 
     def __enter__(self) -> Self:
         """Return the process, which ends at the end of the `with` block."""
@@ -272,30 +275,6 @@ class Firmware:
         send less."""
         return frame
 
-    def close(self) -> int:
-        """End the process and return its exit status, not 0 if a sanitizer found an error."""
-        with suppress(OSError):
-            self._in.close()
-        try:
-            self._process.wait(_START_S)
-        except subprocess.TimeoutExpired:
-            self._process.kill()
-            self._process.wait()
-        self._out.close()
-        return self._process.returncode
-
-
-class RunningFirmware(Firmware):
-    """A loader in real time behind a non-blocking file descriptor, its line to the host."""
-
-    def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
-        """Start the firmware by `command`, without a port and with no frame being exposed. `chip`
-        executes words of `target`."""
-        super().__init__(command, target, chip)
-        self._line = -1
-        self._unsent = b""
-        self._exposing: list[tuple[BoardJob, Future[ExecutedFrame]]] = []
-
     @property
     def busy(self) -> bool:
         """Whether bytes wait for the loader, or a frame is being exposed."""
@@ -340,7 +319,15 @@ class RunningFirmware(Firmware):
         error."""
         if self._line >= 0:
             os.close(self._line)
-        return super().close()
+        with suppress(OSError):
+            self._in.close()
+        try:
+            self._process.wait(_START_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._out.close()
+        return self._process.returncode
 
 
 class Process(RunningFirmware):

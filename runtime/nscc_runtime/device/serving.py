@@ -297,10 +297,6 @@ class StandInServer:
         """Return whether the time of the server has passed."""
         return self._until is not None and monotonic() >= self._until
 
-    def _now_us(self) -> int:
-        """Return the time of a steady clock in microseconds."""
-        return int(monotonic() * 1e6)
-
     def _turn(self, data: bytes | None) -> None:
         """Pass on the bytes that are due in both directions. `data` are bytes from the host, None
         or empty for none.
@@ -308,17 +304,18 @@ class StandInServer:
         Bytes are delayed and damaged as `faults` says. A rebooting loader receives and sends
         nothing."""
         now = monotonic()
+        now_us = int(now * 1e6)
         if data:
             self._arriving.append((now + self.faults.delay_s, self._up.spoiled(data)))
             self._accident(len(data))
         while self._arriving and self._arriving[0][0] <= now:
             _, piece = self._arriving.popleft()
             if now >= self._boots_until:
-                self.loader.receive(piece, self._now_us())
+                self.loader.receive(piece, now_us)
         # Only bytes that are due occupy the buffer.
         late = sum(len(piece) for due, piece in self._leaving if due <= now)
         if now >= self._boots_until and late < _ROOM:
-            out = self.loader.poll(self._now_us(), _ROOM)
+            out = self.loader.poll(now_us, _ROOM)
             if out:
                 self._leaving.append((now + self.faults.delay_s, self._down.spoiled(out)))
                 self._accident(len(out))
