@@ -23,7 +23,6 @@ from nscc_runtime.device.objects import RUN, WORD, packed_plane, unpacked_plane
 from nscc_runtime.emulator.chip_program import ChipProgram
 
 if TYPE_CHECKING:
-    from nscc.chips.target import Target
     from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
 

@@ -52,10 +52,9 @@ def missing() -> str | None:
     return next((name for name in (COMPILER, EMULATOR) if shutil.which(name) is None), None)
 
 
-def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Built:
-    """Return the loader for `target`, compiled for a Cortex of the kind `core`. `folder`: where it
-    is cached, None for nscc's cache folder. Raises NotBuilt if a program is missing or compiling
-    fails."""
+def built(target: Target, core: Core = "m4") -> Built:
+    """Return the loader for `target`, compiled for a Cortex of the kind `core`. Raises NotBuilt if
+    a program is missing or compiling fails."""
     absent = missing()
     if absent is not None:
         raise NotBuilt(f"{absent} is not installed")
@@ -66,7 +65,7 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
         f"-L{SOURCES / 'port'}",
         f"-T{SOURCES / 'qemu/mps2.ld'}",
     ]
-    return Built(compiled(command, _PARTS, target, folder), COMPILER, target)
+    return Built(compiled(command, _PARTS, target), COMPILER, target)
 
 
 def command(core: Core, image: Path, time: str) -> list[str]:
