@@ -420,12 +420,14 @@ class Light:
             strips = (np.asarray(light.frames)[used] for _, _, light in self.strips())
             if len(weight) and (weight == weight[0]).all():
                 sums = [
-                    (frames[0] if len(frames) == 1 else frames.sum(axis=0)) * weight[0]
+                    (frames[0] if len(frames) == 1 else frames.sum(axis=0)) * np.float32(weight[0])
                     for frames in strips
                 ]
             else:
-                sums = [np.einsum("t,trc->rc", weight, frames) for frames in strips]
-            total = np.concatenate(sums).astype(np.float32)
+                sums = [
+                    np.einsum("t,trc->rc", weight, frames).astype(np.float32) for frames in strips
+                ]
+        total = np.ascontiguousarray(sums[0]) if len(sums) == 1 else np.concatenate(sums)
         largest = float(total.max())
         if largest <= _MOST_E:  # False if a pixel is NaN
             return total, largest

@@ -8,7 +8,8 @@ import numpy as np
 
 from nscc.arrays import Bytes, Floats
 from nscc_runtime.loop import Words, Written, loop, record
-from nscc_runtime.noise.noise_loops import row_normals
+from nscc_runtime.noise.gaussian import normal_fast
+from nscc_runtime.noise.noise_loops import row_normals, uniform
 
 WEIGHTS = 6
 """Number of weights of the noise of a pixel and of those below it, which the loop adds up."""
@@ -16,14 +17,15 @@ WEIGHTS = 6
 
 class ReadoutErrors(NamedTuple):
     """Errors of codes before rounding, in codes. `pattern`: fixed errors of the rows, which begin
-    again after the last. `common`: the error that all codes of a bucket share. `weights` (6,):
-    standard deviations of the parts that a pixel's own noise, and that of the five pixels below it
-    in its column, have in its error; empty without noise. `keys`: the random key of the noise of
-    each bucket."""
+    again after the last. `common` (1,): standard deviation of the error that all codes of a bucket
+    share. `weights` (6,): standard deviations of the parts that a pixel's own noise, and that of
+    the five pixels below it in its column, have in its error; empty without noise. `common_keys`,
+    `keys`: the random key of the common error and of the noise of each bucket."""
 
     pattern: Annotated[Floats, "pattern_rows cols"]
-    common: Annotated[Floats, "buckets"]
+    common: Floats
     weights: Annotated[Floats, "weights"]
+    common_keys: Annotated[Words, "buckets"]
     keys: Annotated[Words, "buckets"]
 
 
@@ -61,6 +63,7 @@ def convert(
     cols, top, weights = converting.cols, converting.top, of.weights
     below = 5 if converting.weights else 0
     for bucket in range(converting.buckets):
+        common = of.common[0] * float(normal_fast(uniform(of.common_keys[bucket], 0)))
         for last in range(converting.rows + below):
             fifth = last % 6 * cols
             if below:
@@ -71,7 +74,7 @@ def convert(
             first, fixed = row * cols, row % converting.pattern_rows * cols
             at = first if converting.keeps_errors else 0
             for i in range(cols):
-                errors[at + i] = of.pattern[fixed + i] + of.common[bucket]
+                errors[at + i] = of.pattern[fixed + i] + common
             start, second, third = (
                 (last + 1) % 6 * cols,
                 (last + 2) % 6 * cols,

@@ -11,7 +11,7 @@ import numpy as np
 from nscc.arrays import Bytes, Floats
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.noise import key, normals
+from nscc_runtime.noise import keys
 from nscc_runtime.readout_loop import WEIGHTS, Converting, ReadoutErrors, convert
 
 
@@ -21,13 +21,13 @@ class ReadoutNoise:
 
     All are in converter codes. `weights_lsb` (6,): standard deviations of the parts of a code's
     noise that the pixel and each of the five pixels below it draw; empty without noise.
-    `pattern_lsb` (rows, cols): fixed errors. `common_lsb`: standard deviation of an error that all
-    codes of a bucket share. Numbers are 0 for effects that are off. `streams`: random streams of
-    noise and of the common error."""
+    `pattern_lsb` (rows, cols): fixed errors. `common_lsb` (1,): standard deviation of an error that
+    all codes of a bucket share. Numbers are 0 for effects that are off. `streams`: random streams
+    of noise and of the common error."""
 
     weights_lsb: Floats
     pattern_lsb: Floats
-    common_lsb: float
+    common_lsb: Floats
     streams: tuple[int, int]
 
     @classmethod
@@ -41,15 +41,10 @@ class ReadoutNoise:
     def drawn(self, seed: int, frame: int, buckets: int) -> ReadoutErrors:
         """Return what the errors of frame number `frame` are computed from. `seed`: of the noise.
         Buckets are independent but for the pattern."""
-        one, common = np.zeros(1, np.int64), np.zeros(buckets)
-        noise_keys, common_keys = (
-            np.array([key(seed, stream, frame=frame, group=b) for b in range(buckets)], np.uint64)
-            for stream in self.streams
+        noise_keys, common_keys = (keys(seed, each, 0, frame, buckets) for each in self.streams)
+        return ReadoutErrors(
+            self.pattern_lsb, self.common_lsb, self.weights_lsb, common_keys, noise_keys
         )
-        if self.common_lsb:
-            for bucket, shared in enumerate(common_keys):
-                common[bucket] = self.common_lsb * float(normals(shared, one)[0])
-        return ReadoutErrors(self.pattern_lsb, common, self.weights_lsb, noise_keys)
 
     def codes(self, seed: int, frame: int, buckets: int) -> Floats:
         """Return the errors of frame number `frame`, in converter codes before rounding, shape
@@ -76,8 +71,8 @@ def codes_and_errors(
         buckets, rows = ahead
     else:
         pattern = np.ascontiguousarray(np.broadcast_to(errors, exposure.shape), np.float64)
-        one = np.zeros(1, np.uint64)
-        errors = ReadoutErrors(pattern.reshape(rows, cols), np.zeros(1), np.empty(0), one)
+        pattern, no_key = pattern.reshape(rows, cols), np.zeros(1, np.uint64)
+        errors = ReadoutErrors(pattern, np.zeros(1), np.empty(0), no_key, no_key)
     codes = np.empty(exposure.shape, np.uint8)
     kept = np.empty(exposure.shape if keeps_errors else cols)
     convert(
@@ -119,6 +114,6 @@ def _readout_noise(
     return ReadoutNoise(
         sigma_lsb * weights if sigma_lsb else np.empty(0),
         pattern,
-        hypot(*(sigma(sensor) for _, sigma in common)),
+        np.array([hypot(*(sigma(sensor) for _, sigma in common))]),
         streams,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
@@ -13,8 +13,9 @@ from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.registry import registered
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Device, Places
-from nscc_runtime.noise.keys import base
+from nscc_runtime.effects.views import Device, OnDevice, Places
+from nscc_runtime.loop import Words
+from nscc_runtime.noise.arrays import bases
 
 
 @lru_cache(64)
@@ -42,8 +43,15 @@ def figures(sensor: Sensor, effects: Selection) -> Mapping[str, float]:
 def patterns(effects: Selection, device: Device) -> dict[str, Floats]:
     """Return the fixed patterns of effects for all pixels of the `device`, each (pixels,), by field
     of `FixedPatterns`; zeros for effects that are not in `effects`. Callers do not change them."""
+    return {name: device.fixed(pattern) for name, pattern in _patterns_on(effects).items()}
+
+
+@lru_cache(64)
+def _patterns_on(effects: Selection) -> Mapping[str, OnDevice]:
+    """Return the functions that make the fixed patterns of `patterns`, by field of
+    `FixedPatterns`."""
     return {
-        name: device.fixed(pattern if effect in effects else _none)
+        name: pattern if effect in effects else _none
         for effect, loop in _in_loops()
         for name, pattern in loop.patterns.items()
     }
@@ -59,19 +67,23 @@ def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:
     group (`nscc_runtime.noise.keys.base`), by field of `WordKeys`. The keys are for all effects,
     also those that are off. `seed`: of the noise. `source`: number that distinguishes uses of an
     effect's stream."""
-    keys_by_name: dict[str, np.uint64] = {
-        error_part.at: base(seed, effect.stream, source)
-        for effect in registered()
+    names, streams = _streams(registered())
+    return dict(zip(names, bases(seed, streams, source), strict=True))
+
+
+@lru_cache(4)
+def _streams(effects: tuple[Effect, ...]) -> tuple[list[str], Words]:
+    """Return the fields of `WordKeys`, and for each the random stream of its errors; `effects` are
+    all that are registered."""
+    streams = {
+        error_part.at: effect.stream
+        for effect in effects
         for error_part in effect.parts_of_kind(Errors)
     }
-    for effect, loop in _in_loops():
-        if loop.draws is not None:
-            keys_by_name[loop.draws] = base(seed, effect.stream, source)
-    return keys_by_name
+    streams |= {loop.draws: effect.stream for effect, loop in _in_loops() if loop.draws}
+    return [*streams], np.array([*streams.values()], np.uint64)
 
 
-def _in_loops() -> Iterator[tuple[Effect, InLoop]]:
-    """Yield the effects that the loops over words apply, with their declarations."""
-    for effect in registered():
-        if isinstance(effect.words, InLoop):
-            yield effect, effect.words
+def _in_loops() -> list[tuple[Effect, InLoop]]:
+    """Return the effects that the loops over words apply, with their declarations."""
+    return [(effect, effect.words) for effect in registered() if isinstance(effect.words, InLoop)]

@@ -135,8 +135,15 @@ def optional() -> tuple[str, ...]:
 
 
 def marks() -> dict[str, Mark]:
-    """Return the saturation marks of all effects by kind, the keys of `MARKED`."""
-    return {at: mark for effect in registered() for at, mark in effect.marks.items()}
+    """Return the saturation marks of all effects by kind, the keys of `MARKED`. Callers must not
+    change them."""
+    return _marks(registered())
+
+
+@cache
+def _marks(effects: tuple[Effect, ...]) -> dict[str, Mark]:
+    """Return the saturation marks of `effects` by kind; cached."""
+    return {at: mark for effect in effects for at, mark in effect.marks.items()}
 
 
 def always_on() -> frozenset[str]:

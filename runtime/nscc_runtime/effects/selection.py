@@ -35,7 +35,7 @@ class Selection:
         """Pickle names only: declarations of effects contain functions."""
         return Selection, (self.on, self.forced, self.auto)
 
-    @property
+    @cached_property
     def without_effects(self) -> bool:
         """Whether only permanent effects are selected: the exposure is the sum of light, without
         noise, losses or saturation."""
@@ -62,6 +62,7 @@ class Selection:
         take), in the order in which they are called; empty if no effect acts there."""
         return [does for _, does in self.acting(stage)]
 
+    @remembered
     def marking(self, at: str) -> Mark | None:
         """Return the saturation mark of kind `at` (see `MARKED`); None if no effect on sets it."""
         return next((effect.marks[at] for effect in self.effects if at in effect.marks), None)

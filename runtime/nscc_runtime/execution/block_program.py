@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -93,6 +93,7 @@ class BlockProgram:
         return int(np.diff(self.stretches.start).max()) - 1
 
 
+@OfContainer
 def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str, ...]:
     """Return the reasons, each a text, why only the reference simulates a program with these
     effects; empty if the block loop does. There is one for each effect that the loop lacks, and one
@@ -108,6 +109,7 @@ def lacks(container: Container, sensor: Sensor, effects: Selection) -> tuple[str
     return tuple(reasons)
 
 
+@OfContainer
 def block_program(container: Container, sensor: Sensor, effects: Selection) -> BlockProgram:
     """Return a program for the block loop with these effects; cached with the container (a compiled
     program).
@@ -317,6 +319,7 @@ def readouts_of(container: Container, words: Sequence[RunningWord]) -> Readouts:
     )
 
 
+@OfContainer
 def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
     """Return the parameters of `effects` for the compiled loop, with the values of `sensor`; 0 for
     effects that are off. `frame_s`, the sum of the slots, is always set."""
@@ -328,6 +331,7 @@ def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numb
     )
 
 
+@lru_cache(8)
 def switches_of(program: BlockProgram, effects: Selection) -> Switches:
     """Return which effects the compiled loop simulates, the bits of their saturation marks (0 for
     marks that no effect sets), and the numbers of analog registers in use and of buckets."""

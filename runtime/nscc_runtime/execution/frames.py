@@ -193,10 +193,12 @@ def frame_source(
     # Sums of light expose all pixels. Pixels that may saturate or leak unlike most also run their
     # words, whose results replace the sums; with strong crosstalk all do. `program.recent` stores
     # the search by light: planning made it for all effects (`Work.of`).
-    has_words = np.full(program.lane.size, exchanges_much(effects, program))
-    has_words[near_saturation(program, light, device_seed, effects).places] = True
-    has_words[on_chip(program, effects, device_seed).uneven] = True
-    near = np.flatnonzero(has_words)
+    near = near_saturation(program, light, device_seed, effects).places
+    uneven = on_chip(program, effects, device_seed).uneven
+    if exchanges_much(effects, program):
+        near = np.arange(program.lane.size)
+    elif len(uneven):
+        near = np.union1d(near, uneven)
     moments = scene_moments(program, light, effects, device_seed, count)
     block = None
     if len(near):

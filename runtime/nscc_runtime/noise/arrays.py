@@ -10,7 +10,7 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats, Ints
 from nscc_runtime.loop import Words
-from nscc_runtime.noise.keys import base
+from nscc_runtime.noise.keys import stream_of
 
 Pixels = Ints
 
@@ -19,8 +19,18 @@ def keys(seed: int, effect: int, source: int, frame: int, groups: int) -> Words:
     """Return the random keys (`nscc_runtime.noise.keys.key`) of the first `groups` groups."""
     from nscc_runtime.noise.noise_loops import Groups, fill_keys
 
-    out = np.empty(groups, np.uint64)
-    fill_keys(of=Groups(base=base(seed, effect, source), frame=frame, groups=groups), out=out)
+    out, stream = np.empty(groups, np.uint64), stream_of(effect, source)
+    fill_keys(of=Groups(seed=seed, stream=stream, frame=frame, groups=groups), out=out)
+    return out
+
+
+def bases(seed: int, streams: Words, source: int) -> Words:
+    """Return the parts of the random keys of `streams`, numbers of effects, that do not depend on
+    frame and group (`nscc_runtime.noise.keys.base`)."""
+    from nscc_runtime.noise.noise_loops import Streams, fill_bases
+
+    out, stream = np.empty_like(streams), streams | np.uint64(stream_of(0, source))
+    fill_bases(of=Streams(seed=seed, streams=len(streams)), stream=stream, out=out)
     return out
 
 

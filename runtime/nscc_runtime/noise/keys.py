@@ -62,8 +62,8 @@ _MULTIPLIERS = 0xD251_1F53, 0xCD9E_8D57
 _WEYL = 0x9E37_79B9, 0xBB67_AE85
 _LIMITS = {"seed": 64, "effect": 32, "source": 32, "frame": 64, "group": 64}
 
-# The fractional digits of pi: the key with which keys are mixed.
-_START = 0x243F_6A88, 0x85A3_08D3
+START = np.uint64(0x85A3_08D3_243F_6A88)
+"""The key with which keys are mixed: fractional digits of pi."""
 
 
 @lru_cache(maxsize=1024)
@@ -82,11 +82,16 @@ def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0)
     return np.uint64(last[0] | last[1] << 32)
 
 
+def stream_of(effect: int, source: int) -> int:
+    """Return the numbers of an effect's stream and of a source as one number."""
+    return effect | source << 32
+
+
 @lru_cache(maxsize=1024)
 def base(seed: int, effect: int, source: int = 0) -> np.uint64:
     """Return the first half of `key`, which does not depend on frame and group: `key` is
     `nscc_runtime.noise.keys.bits(base, frame, group)`."""
-    first = philox((*_halves(seed), effect, source), _START)
+    first = philox((*_halves(seed), effect, source), _halves(int(START)))
     return np.uint64(first[0] | first[1] << 32)
 
 

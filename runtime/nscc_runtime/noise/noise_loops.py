@@ -12,7 +12,7 @@ import numpy as np
 from nscc.arrays import Bytes, Floats, Ints
 from nscc_runtime.loop import Words, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.gaussian import normal, normal_fast
-from nscc_runtime.noise.keys import bits, both_bits, unit
+from nscc_runtime.noise.keys import START, bits, both_bits, unit
 from nscc_runtime.noise.poisson_law import RATE_CAP, poisson_exact
 
 _Places = Annotated[Ints, "count"]
@@ -54,19 +54,41 @@ class Draws:
 
 @record
 class Groups:
-    """The first half of random keys (`nscc_runtime.noise.keys.base`), the number of the frame, and
-    how many groups have keys."""
+    """What random keys depend on: `seed`, the `stream` of the effect and source (`stream_of`), the
+    number of the frame, and how many groups have keys."""
 
-    base: np.uint64
+    seed: np.uint64
+    stream: np.uint64
     frame: int
     groups: int
 
 
 @loop
 def fill_keys(of: Groups, out: Written[Annotated[Words, "groups"]]) -> None:
-    """Set out[g] to the random key of group g."""
+    """Set out[g] to the random key of group g (`nscc_runtime.noise.keys.key`)."""
+    base = bits(START, of.seed, of.stream)
     for group in range(of.groups):
-        out[group] = bits(of.base, of.frame, np.uint64(group))
+        out[group] = bits(base, of.frame, np.uint64(group))
+
+
+@record
+class Streams:
+    """The seed of random keys, and how many streams have them."""
+
+    seed: np.uint64
+    streams: int
+
+
+@loop
+def fill_bases(
+    of: Streams,
+    stream: Annotated[Words, "streams"],
+    out: Written[Annotated[Words, "streams"]],
+) -> None:
+    """Set out[s] to the first half of the keys of stream[s] (`nscc_runtime.noise.keys.base`), which
+    is as in `Groups`."""
+    for s in range(of.streams):
+        out[s] = bits(START, of.seed, stream[s])
 
 
 @loop
