@@ -64,7 +64,7 @@ class Recent:
         if result is None:
             result = make()
         self._found[key] = result
-        for oldest in [*self._found][: -self._most]:
+        for oldest in [*self._found][: -self._most] if len(self._found) > self._most else ():
             self._found.pop(oldest, None)
         return cast(R, result)
 
@@ -95,9 +95,15 @@ class OfContainer(Generic[P, T]):
 
         Keyword arguments are passed on but do not distinguish analyses. Threads wait for each
         other."""
+        analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, _Cache())
+        entry = self, key
+        try:
+            known: T = analyses[entry]
+            return known
+        except KeyError:
+            pass
         with self._making:  # threads that share a program wait for a single analysis
-            analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, _Cache())
-            if (self, key) not in analyses:
-                analyses[self, key] = self._make(container, *key, **named)
-            analysis: T = analyses[self, key]
+            if entry not in analyses:
+                analyses[entry] = self._make(container, *key, **named)
+            analysis: T = analyses[entry]
             return analysis

@@ -26,6 +26,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.toml.arguments import checked
 from nscc.words.readout import converter_of
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.captured import Capture, capture_of
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -51,6 +52,9 @@ from nscc_runtime.run_kinds import refuse_planless
 from nscc_runtime.scene_settings import Fit, FramesAre, Scene, Transfer
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Listener
+
+_converter_of = OfContainer(converter_of)
+"""The target with the converter's values for a container (a compiled program); cached."""
 
 
 @refuse_removed
@@ -131,7 +135,7 @@ def capture(
     scene = laid_of(call, light, container, diagnostics.append)
     settings = host_settings(container, params, inputs)
     request = Request.of(**checked(call, Request, given), turn=turn, settings=settings)
-    chip = sensor_of(call, sensor, converter_of(container))
+    chip = sensor_of(call, sensor, _converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)
     result = exposed.simulated
@@ -250,7 +254,7 @@ def plan(
     container = container_of(call, program)
     diagnostics: list[Diagnostic] = []
     scene = laid_of(call, light, container, diagnostics.append)[0].light
-    chip = sensor_of(call, sensor, converter_of(container))
+    chip = sensor_of(call, sensor, _converter_of(container))
     request = Request.of(**checked(call, Request, given))
     check(container, scene)
     refuse_planless(container, call)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field, replace
+from functools import lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -19,7 +20,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.light import Light
-from nscc_runtime.planning.tolerance import check_tolerance
+from nscc_runtime.planning.tolerance import ToleranceInput, check_tolerance
 from nscc_runtime.pool import keep_memory
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.request import Request
@@ -30,7 +31,7 @@ from nscc_runtime.timings import Timings
 if TYPE_CHECKING:  # a frame without effects starts without planning
     from nscc_runtime.loop import Loop
     from nscc_runtime.planning.audit import Audit
-    from nscc_runtime.planning.plan import Plan
+    from nscc_runtime.planning.plan import Plan, PlanRequest
     from nscc_runtime.planning.planned_scene import PlannedScene
 
 
@@ -200,7 +201,6 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
     `digest`: that of the program, which a plan file must have. A plan for a file or an audit has
     every figure. Raises Rejected for a plan file that is invalid or of another program."""
     from nscc_runtime.planning.make import make_plan, measured_again, served_plan
-    from nscc_runtime.planning.plan import PlanRequest
     from nscc_runtime.planning.plan_file import read_plan
 
     if isinstance(request.plan, Path) and plan_given:
@@ -210,7 +210,7 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
         return measured_again(scene, request.plan)
     turn, repeat = request.turn, request.repeat or 1
     figures = request.audit or request.plan is not None
-    plan_request = PlanRequest(request.effects, request.tolerance, repeat, figures)
+    plan_request = _plan_request(request.effects, request.tolerance, repeat, figures)
     # Effects that the user named are not left to a plan of another scene.
     if turn is None or not request.effects.auto:
         return make_plan(scene, plan_request)
@@ -221,6 +221,16 @@ def _plan_of(scene: PlannedScene, digest: str, request: Request, plan_given: boo
         lambda frames: make_plan(scene, replace(plan_request, frames=frames * repeat)),
         lambda plan: served_plan(scene, plan, request.tolerance),
     )
+
+
+@lru_cache(64)
+def _plan_request(
+    effects: Selection, tolerance: ToleranceInput, frames: int, figures: bool
+) -> PlanRequest:
+    """Return the `PlanRequest` of these fields, cached, because it caches names of effects."""
+    from nscc_runtime.planning.plan import PlanRequest
+
+    return PlanRequest(effects, tolerance, frames, figures)
 
 
 def _gathered(frames_made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:

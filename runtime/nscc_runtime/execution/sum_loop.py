@@ -352,8 +352,8 @@ def light_sums(
     for batch, of_frames in weights.batches(light):
         arrays: NamedValues = {
             "frames": frames,
-            "share": np.require(share.reshape(shape), np.float32, ["C", "A"]),
-            "lanes": np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
+            "share": share.reshape(shape),
+            "lanes": lanes.reshape(shape),
             "table": of_frames.weights,
             "lit_sums": of_frames.lit_sums,
             "alike": of_frames.alike,

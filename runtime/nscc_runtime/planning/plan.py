@@ -165,7 +165,7 @@ class Plan:
         """
         return [decision.name for decision in self.decisions if decision.decision == choice]
 
-    @property
+    @cached_property
     def kept(self) -> Selection:
         """The effects that are simulated: all but the dropped ones; those that change nothing here
         ("absent") are on, too."""

@@ -9,14 +9,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nscc_runtime.caches import remembered
+from nscc.words.container import Container
+from nscc_runtime.caches import OfContainer, remembered
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, Leak, Saturates
 from nscc_runtime.effects.parts import Errors as SmallErrors
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.block_program import block_program
 from nscc_runtime.execution.moments import exchanges_much, on_chip
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.planning.planned_scene import PlannedScene
+from nscc_runtime.run_kinds import KINDS
 
 FRAME_NS, _COUNTS_NS, _EXCHANGE_NS, _ERRORS_NS = 15.0, 15.0, 6.0, 7.0
 """A frame by sums, for each pixel and bucket: the frame, counts of light or dark charge, their
@@ -32,6 +35,20 @@ error to a word, and each source of charge in each stretch. A stretch is the slo
 reads or resets of PIX, the photodiode."""
 SLOT_NS, _TRIAL_MS = 250.0, 1.2
 """A slot of the reference, for each pixel, and each set of effects on a sample."""
+
+
+@OfContainer
+def _words_and_stretches(container: Container, sensor: Sensor) -> tuple[float, float]:
+    """Return the numbers of words and of stretches of slots of a pixel under every effect, as means
+    over lanes (the pixels of one distinct shutter each); all words if pixels look. A stretch is the
+    slots between two reads or resets of PIX, the photodiode."""
+    program = block_program(container, sensor, everything())
+    lanes, counted = len(program.segments.start) - 1, np.diff(program.stretches.start)
+    # Lanes whose counts also end where a neighbour's do follow those of the words.
+    counted = counted[lanes:] if len(counted) > lanes else counted
+    looks = not KINDS.of(container).open_times_known
+    words = len(program.words.words) if looks else len(program.segments.word) / lanes
+    return words, float(counted.mean()) - 1.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,12 +76,7 @@ class Work:
             uneven = len(on_chip(analysis, effects, scene.device_seed).uneven)
         if scene.needs_reference(effects):
             return cls(scene, 0.0, 0.0, near, uneven)
-        program = block_program(scene.container, scene.sensor, effects)
-        lanes, counted = len(program.segments.start) - 1, np.diff(program.stretches.start)
-        # Lanes whose counts also end where a neighbour's do follow those of the words.
-        counted = counted[lanes:] if len(counted) > lanes else counted
-        words = len(program.words.words) if scene.looks else len(program.segments.word) / lanes
-        return cls(scene, words, float(counted.mean()) - 1.0, near, uneven)
+        return cls(scene, *_words_and_stretches(scene.container, scene.sensor), near, uneven)
 
     def loop_ns(self, effects: Selection) -> float:
         """Return the predicted nanoseconds of one core for one pixel that runs through its words in

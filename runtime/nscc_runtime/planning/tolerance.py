@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Protocol
 
 import numpy as np
@@ -124,6 +125,7 @@ def unit_of(tolerance: ToleranceInput) -> str | None:
     return match[2] if match else None
 
 
+@lru_cache(64)
 def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene; `sensor` gives the
     electrons of a converter code. The check does not see the scene, so it accepts a percentage also
