@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import prod
 from typing import Annotated, NamedTuple
 
 import numpy as np
@@ -91,3 +92,45 @@ def convert(
                 code = np.rint(code + converting.offset)  # the offset may be a fraction
                 code = code if code > 0.0 else 0.0  # also for NaN
                 codes[first + i] = np.uint8(code if code < top else top)
+
+
+def codes_and_errors(
+    exposure: Floats,
+    errors: ReadoutErrors | Floats | float,
+    scale: tuple[float, float, int],
+    keeps_errors: bool = False,
+) -> tuple[Bytes, Floats]:
+    """Return the converter codes of exposures in electrons, and with `keeps_errors` their errors
+    before rounding, in arrays like `exposure`.
+
+    `errors`: those of each code, one for all, or what they are drawn from, for exposures (buckets,
+    rows, cols). `scale`: the electrons of a code, the code of 0 e, and the largest code."""
+    *ahead, cols = exposure.shape
+    buckets, rows = 1, prod(ahead)
+    if isinstance(errors, ReadoutErrors):
+        buckets, rows = ahead
+    else:
+        pattern = np.ascontiguousarray(np.broadcast_to(errors, exposure.shape), np.float64)
+        pattern, no_key = pattern.reshape(rows, cols), np.zeros(1, np.uint64)
+        errors = ReadoutErrors(pattern, np.zeros(1), np.empty(0), no_key, no_key)
+    codes = np.empty(exposure.shape, np.uint8)
+    kept = np.empty(exposure.shape if keeps_errors else cols)
+    convert(
+        converting=Converting(
+            buckets=buckets,
+            rows=rows,
+            cols=cols,
+            pattern_rows=len(errors.pattern),
+            weights=len(errors.weights),
+            keeps_errors=keeps_errors,
+            electrons_per_lsb=scale[0],
+            offset=scale[1],
+            top=scale[2],
+        ),
+        of=errors,
+        exposure=np.ascontiguousarray(exposure, np.float64),
+        drawn=np.empty(WEIGHTS * cols),
+        errors=kept,
+        codes=codes,
+    )
+    return codes, kept

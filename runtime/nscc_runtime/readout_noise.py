@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import hypot, prod
+from math import hypot
 
 import numpy as np
 
-from nscc.arrays import Bytes, Floats
+from nscc.arrays import Floats
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import keys
-from nscc_runtime.readout_loop import WEIGHTS, Converting, ReadoutErrors, convert
+from nscc_runtime.readout_loop import WEIGHTS, ReadoutErrors, codes_and_errors
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,48 +52,6 @@ class ReadoutNoise:
         nothing = np.zeros((buckets, *self.pattern_lsb.shape))
         errors = self.drawn(seed, frame, buckets)
         return codes_and_errors(nothing, errors, (1.0, 0.0, 255), True)[1]
-
-
-def codes_and_errors(
-    exposure: Floats,
-    errors: ReadoutErrors | Floats | float,
-    scale: tuple[float, float, int],
-    keeps_errors: bool = False,
-) -> tuple[Bytes, Floats]:
-    """Return the converter codes of exposures in electrons, and with `keeps_errors` their errors
-    before rounding, in arrays like `exposure`.
-
-    `errors`: those of each code, one for all, or what they are drawn from, for exposures (buckets,
-    rows, cols). `scale`: the electrons of a code, the code of 0 e, and the largest code."""
-    *ahead, cols = exposure.shape
-    buckets, rows = 1, prod(ahead)
-    if isinstance(errors, ReadoutErrors):
-        buckets, rows = ahead
-    else:
-        pattern = np.ascontiguousarray(np.broadcast_to(errors, exposure.shape), np.float64)
-        pattern, no_key = pattern.reshape(rows, cols), np.zeros(1, np.uint64)
-        errors = ReadoutErrors(pattern, np.zeros(1), np.empty(0), no_key, no_key)
-    codes = np.empty(exposure.shape, np.uint8)
-    kept = np.empty(exposure.shape if keeps_errors else cols)
-    convert(
-        converting=Converting(
-            buckets=buckets,
-            rows=rows,
-            cols=cols,
-            pattern_rows=len(errors.pattern),
-            weights=len(errors.weights),
-            keeps_errors=keeps_errors,
-            electrons_per_lsb=scale[0],
-            offset=scale[1],
-            top=scale[2],
-        ),
-        of=errors,
-        exposure=np.ascontiguousarray(exposure, np.float64),
-        drawn=np.empty(WEIGHTS * cols),
-        errors=kept,
-        codes=codes,
-    )
-    return codes, kept
 
 
 @lru_cache(8)

@@ -54,7 +54,7 @@ def _codes(
     """Return converter codes 0..`top`, at most 255, of exposures in electrons; 0 for NaN. `noise`:
     codes added before rounding, an array like `exposure` or one number, or errors to be drawn for
     exposures (buckets, rows, cols)."""
-    from nscc_runtime.readout_noise import codes_and_errors
+    from nscc_runtime.readout_loop import codes_and_errors
 
     scale = ELECTRONS_PER_LSB(sensor), OFFSET(sensor), top
     return codes_and_errors(exposure, noise, scale)[0]

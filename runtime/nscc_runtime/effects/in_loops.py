@@ -75,7 +75,7 @@ def draws_keys(seed: int, source: int) -> dict[str, np.uint64]:
 def _streams(effects: tuple[Effect, ...]) -> tuple[list[str], Words]:
     """Return the fields of `WordKeys`, and for each the random stream of its errors; `effects` are
     all that are registered."""
-    streams = {
+    streams: dict[str, int] = {
         error_part.at: effect.stream
         for effect in effects
         for error_part in effect.parts_of_kind(Errors)

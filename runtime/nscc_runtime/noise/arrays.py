@@ -19,8 +19,8 @@ def keys(seed: int, effect: int, source: int, frame: int, groups: int) -> Words:
     """Return the random keys (`nscc_runtime.noise.keys.key`) of the first `groups` groups."""
     from nscc_runtime.noise.noise_loops import Groups, fill_keys
 
-    out, stream = np.empty(groups, np.uint64), stream_of(effect, source)
-    fill_keys(of=Groups(seed=seed, stream=stream, frame=frame, groups=groups), out=out)
+    out, stream = np.empty(groups, np.uint64), np.uint64(stream_of(effect, source))
+    fill_keys(of=Groups(seed=np.uint64(seed), stream=stream, frame=frame, groups=groups), out=out)
     return out
 
 
@@ -30,7 +30,7 @@ def bases(seed: int, streams: Words, source: int) -> Words:
     from nscc_runtime.noise.noise_loops import Streams, fill_bases
 
     out, stream = np.empty_like(streams), streams | np.uint64(stream_of(0, source))
-    fill_bases(of=Streams(seed=seed, streams=len(streams)), stream=stream, out=out)
+    fill_bases(of=Streams(seed=np.uint64(seed), streams=len(streams)), stream=stream, out=out)
     return out
 
 

@@ -25,7 +25,9 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 
 
 @inlined
-def both_bits(key: np.uint64, pixel: int, lane: np.uint64) -> tuple[np.uint64, np.uint64]:
+def both_bits(
+    key: np.uint64, pixel: int | np.uint64, lane: np.uint64
+) -> tuple[np.uint64, np.uint64]:
     """Return two independent numbers of 64 random bits that depend on `key`, the place `pixel` (at
     least 0) and `lane` only. `lane`: 0, 1, .. for several independent results at one pixel; not a
     lane of codes."""
@@ -41,7 +43,7 @@ def both_bits(key: np.uint64, pixel: int, lane: np.uint64) -> tuple[np.uint64, n
 
 
 @inlined
-def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
+def bits(key: np.uint64, pixel: int | np.uint64, lane: np.uint64) -> np.uint64:
     """Return the first number of `both_bits`."""
     return both_bits(key, pixel, lane)[0]
 
