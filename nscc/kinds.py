@@ -30,7 +30,7 @@ class HasKind(Protocol):
 
 
 _BELONGS: Mapping[str, Callable[[HasKind], bool]] = {
-    "images": lambda program: bool(program.pictures.reads or program.pictures.reports),
+    "images": lambda program: bool(program.pictures.outputs),
     "looks": lambda program: program.machine.stages > 0,
     "stream": lambda program: program.target.kind == "stream",
 }
