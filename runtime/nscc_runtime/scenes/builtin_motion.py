@@ -119,6 +119,8 @@ def _train(picture: Picture, x: Floats, y: Floats, phase: float, half: Point, pi
     clip, 0..1. `half` is half the width and half the height of the picture, and `pixel` the size of
     a pixel, in the same unit."""
     rows = _span(y, half[1] - 0.22, half[1] - 0.05)
+    if rows.start >= rows.stop:
+        return
     u = (x - (phase * 1.5 - 0.75) * (2 * half[0] + 0.6)) * 9.0
     v = ((y[rows] - (half[1] - 0.22)) / 0.17)[:, None]
     on = np.clip(4.5 - np.abs(u) + 0.5, 0.0, 1.0)
@@ -149,6 +151,8 @@ def _wheel(x: Floats, y: Floats, pixel: float) -> Callable[[Picture, float], Non
     def draw(picture: Picture, phase: float) -> None:
         """Draw the wheel at the time `phase` of the clip."""
         shape = still
+        if not shape.size:
+            return
         for spoke in range(5):
             c, s = turn(phase * 1.5 + spoke / 5)
             forward = dx * c + dy * s
@@ -177,6 +181,8 @@ def _ball(picture: Picture, x: Floats, y: Floats, phase: float, half: Point, pix
     cy = half[1] - 0.3 - 2.2 * bounce * (1.0 - bounce) * min(half[1], 1.0)
     rows = _span(y, cy - radius - pixel, cy + radius + pixel)
     cols = _span(x, cx - radius - pixel, cx + radius + pixel)
+    if rows.start >= rows.stop:
+        return
     dx, dy = (x[cols] - cx)[None, :] / radius, (y[rows] - cy)[:, None] / radius
     r2 = dx * dx + dy * dy
     cover = np.clip((1.0 - np.sqrt(r2)) * radius / pixel + 0.5, 0.0, 1.0)
@@ -191,5 +197,7 @@ def _spark(picture: Picture, x: Floats, y: Floats, phase: float, half: Point) ->
     half the width and half the height of the picture."""
     cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
     rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)
+    if rows.start >= rows.stop:
+        return
     r2 = (x[cols] - cx)[None, :] ** 2 + (y[rows] - cy)[:, None] ** 2
     picture[rows, cols] += 8.0 * np.clip(1.0 - r2 / 0.0081, 0.0, 1.0) ** 2 / (1.0 + r2 / 0.0001)
