@@ -61,12 +61,11 @@ class Charge(NamedTuple):
 class BlockScratch(NamedTuple):
     """Working memory of a block.
 
-    `waiting`: the number of pixels that wait before each segment (a part of a path between two
-    comparisons). `segment`: the segment before which each of the `WORD_BLOCK` pixels waits, -1 if
-    it has reached an ending. `keys`: for each word, the random key of its read or reset, then those
-    of its comparison or destinations (1 + `numbered` keys)."""
+    `segment`: the segment (a part of a path between two comparisons) before which each of the
+    `WORD_BLOCK` pixels waits, or -1 - e if it has reached ending e. `keys`: for each word, the
+    random key of its read or reset, then those of its comparison or destinations (1 + `numbered`
+    keys)."""
 
-    waiting: Written[Annotated[Ints, "segments"]]
     segment: Written[Ints]
     keys: Written[Words]
 
@@ -158,18 +157,6 @@ def _fall(
         fill(switches, numbers, count, state, base)
 
 
-@inlined
-def _hand_on(segment: int, at: int, i: int, block: BlockScratch, ends: Ints32) -> int:
-    """Queue pixel i of a block for `segment`, and return 1. If `segment` is -1 - e, the pixel has
-    reached ending e: store e in ends[at], and return 0. `at` is the pixel's index in the result."""
-    if segment < 0:
-        block.segment[i], ends[at] = -1, -1 - segment
-        return 0
-    block.segment[i] = segment
-    block.waiting[segment] += 1
-    return 1
-
-
 @compiled
 def _along(
     switches: Switches,
@@ -180,20 +167,18 @@ def _along(
     base: int,
     count: int,
     places: Ints,
-    chosen: Ints,
     program: LoopProgram,
     segments: Segments,
     charge: Charge,
     block: BlockScratch,
     state: PixelState,
-    ends: Ints32,
-) -> int:
-    """Run the words of `segment` in `count` pixels from number `base` of a block on, queue each for
-    its next segment, and return the number of pixels that have reached an ending.
+) -> None:
+    """Run the words of `segment` in `count` pixels from number `base` of a block on, and set the
+    next segment of each.
 
     `first`: number of the first of these pixels among the charged pixels. `places`: places of those
-    on the chip. `chosen`: their indices in the result, where `ends` gets their endings. `block` and
-    `state` are updated. A segment is the part of a path between two comparisons."""
+    on the chip. `block` and `state` are updated. A segment is the part of a path between two
+    comparisons."""
     asks = False
     for e in range(segments.start[segment], segments.start[segment + 1]):
         w = segments.word[e]
@@ -211,18 +196,21 @@ def _along(
             compare(switches, numbers, count, state, base, WORD_BLOCK)
             continue
         write(switches, numbers, word, count, program, state, base, WORD_BLOCK)
-    block.waiting[segment] -= count
     # Without a comparison, all pixels go on as if the answer were 0.
-    following, ended = segments.following[2 * segment], 0
-    if not asks and following < 0:
-        for j in range(count):
-            block.segment[base + j], ends[chosen[first + j]] = -1, -1 - following
-        return count
+    after_0, after_1 = segments.following[2 * segment], segments.following[2 * segment + 1]
     for j in range(count):
-        answer = 1 if asks and state.total[j] > 0.0 else 0
-        following = segments.following[2 * segment + answer]
-        ended += 1 - _hand_on(following, chosen[first + j], base + j, block, ends)
-    return ended
+        block.segment[base + j] = after_1 if asks and state.total[j] > 0.0 else after_0
+
+
+@inlined
+def _first_waiting(sizes: BlockSizes, count: int, block: BlockScratch) -> int:
+    """Return the first segment (a part of a path between two comparisons) for which one of the
+    first `count` pixels of a block waits; the number of segments if all have ended."""
+    segment = sizes.segments
+    for i in range(count):
+        waits = block.segment[i] if block.segment[i] >= 0 else sizes.segments
+        segment = min(segment, waits)
+    return segment
 
 
 @loop
@@ -252,8 +240,7 @@ def run_blocks(
     (a part of a path between two comparisons) of each, or -1 - e if it has reached ending e
     already. `places`: its place on the chip, which names its random numbers. `chosen`: its index in
     the results. Pixels with the same first segments run together if they are neighbours in these
-    arrays. `block` and `state` are working memory; block.waiting must be 0 everywhere, and is
-    so again at the end."""
+    arrays. `block` and `state` are working memory."""
     _set_keys(sizes, keys, program, block)
     for first in range(sizes.first, sizes.end, WORD_BLOCK):
         count = min(WORD_BLOCK, sizes.end - first)
@@ -263,40 +250,38 @@ def run_blocks(
             state.pattern[i] = patterns.error_e[place]
             state.leak[i] = patterns.leak_per_s[place]
             state.offset[i] = patterns.offset_e[place]
-        waiting, segment = 0, sizes.segments
         for i in range(count):
-            waiting += _hand_on(begins[first + i], chosen[first + i], i, block, ends)
-            if 0 <= begins[first + i] < segment:
-                segment = begins[first + i]
-        # Answers lead only to later segments, so one pass in ascending order meets all of them.
-        while waiting > 0:
-            base, end = 0, 0
-            while block.waiting[segment] > 0:
-                # The next neighbours that wait for this segment.
+            block.segment[i] = begins[first + i]
+        # Answers lead only to later segments: the first for which a pixel waits is next.
+        segment = _first_waiting(sizes, count, block)
+        while segment < sizes.segments:
+            end = 0
+            while end < count:
                 base = end
-                while block.segment[base] != segment:
+                while base < count and block.segment[base] != segment:
                     base += 1
                 end = base
                 while end < count and block.segment[end] == segment:
                     end += 1
-                waiting -= _along(
-                    switches,
-                    sizes,
-                    numbers,
-                    segment,
-                    first + base,
-                    base,
-                    end - base,
-                    places,
-                    chosen,
-                    program,
-                    segments,
-                    charge,
-                    block,
-                    state,
-                    ends,
-                )
-            segment += 1
+                if base < end:
+                    _along(
+                        switches,
+                        sizes,
+                        numbers,
+                        segment,
+                        first + base,
+                        base,
+                        end - base,
+                        places,
+                        program,
+                        segments,
+                        charge,
+                        block,
+                        state,
+                    )
+            segment = _first_waiting(sizes, count, block)
+        for i in range(count):
+            ends[chosen[first + i]] = -1 - block.segment[i]
         read_out(
             switches, numbers, count, readouts, state, sizes.pixels, chosen, first, out, marked
         )

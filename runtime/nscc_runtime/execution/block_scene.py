@@ -499,7 +499,6 @@ def _run_words(
                 frame=frame,
             ),
             block=BlockScratch(
-                waiting=np.zeros(segments, np.int64),
                 segment=np.empty(WORD_BLOCK, np.int64),
                 keys=np.empty(words * (1 + program.numbered), np.uint64),
             ),
