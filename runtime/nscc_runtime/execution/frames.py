@@ -73,12 +73,14 @@ class FrameSource:
         """Return frame `number` before the converter, with the noise of `seed`.
 
         It is computed by the reference, or all pixels by sums. Pixels near saturation then run
-        through their words, whose results replace their sums. Values that are not finite are
-        invalid, and so are pixels whose light is NaN."""
+        through their words, whose results replace their sums; if all do, there are no sums. Values
+        that are not finite are invalid, and so are pixels whose light is NaN."""
         if isinstance(self.simulator, Reference):
             scene = reference_scene(self.container, self.light)
             return self.simulator.expose(scene, seed, self.device_seed, number, self.threads)
-        exposure_e = draw_exposures(self.simulator, seed, number, self.threads)
+        exposure_e = np.empty(self.simulator.mean_e.shape)
+        if len(self.near) < exposure_e.shape[1]:
+            exposure_e = draw_exposures(self.simulator, seed, number, self.threads)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
         if self.block is not None:
             endings = np.empty(exposure_e.shape[1], np.int32)
