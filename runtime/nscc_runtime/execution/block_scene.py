@@ -12,7 +12,6 @@ from copy import copy
 from dataclasses import dataclass, replace
 from functools import partial
 from math import prod
-from typing import Any
 
 import numpy as np
 
@@ -54,18 +53,16 @@ from nscc_runtime.execution.program import light_under
 from nscc_runtime.execution.stretch_loop import (
     NEIGHBOURS,
     NONE,
-    OWN,
     STRETCH_BLOCK,
     Exchanging,
+    LightBlock,
     Sites,
     SiteSizes,
     StretchMeans,
     StretchSizes,
-    charge_means,
-    dark_means,
     exchange_counts,
     find_sites,
-    light_means,
+    stretch_means,
 )
 from nscc_runtime.execution.sum_loop import drawn_at
 from nscc_runtime.light import DrawnFrames, Light
@@ -255,86 +252,77 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
         "sites": count,
         "slots": scene.light.slots,
         "own": pixels,
-        "pixels": program.lane.size,
         "even": scene.light.even,
         "counts_light": bool(lit),
+        "counts_dark": bool(dark),
         "slow_words": slow,
         "exchanged": exchanged,
     }
-    shared: NamedValues = {"stretches": program.stretches, "sites": sites, "means": means}
-
-    def compute(means_loop: Any, begin: int, end: int) -> None:
-        """Run a loop that completes `means` from `begin` up to before `end`."""
-        means_loop(sizes=StretchSizes(begin=begin, end=end, **sizes), **shared)
-
-    def with_light() -> list[Floats]:
-        """Add up the light in `means`, and return those that contain it."""
-        separate = program.counted is not program.lane
-        charged = {**sizes, "counts_light": False} if separate else sizes
-        _add_light(scene, sites, means, charged, threads)
-        if separate and lit:
-            counts, beside = {**sizes, "own": 0}, np.empty((len(sites.beside), 0), np.int32)
-            at_counts = sites._replace(lane=sites.counted, beside=beside)
-            _add_light(scene, at_counts, means, counts, threads)
-        return [means.lit, means.charge, means.pace]
-
     if scene.known_means is None:
-        with_light()
+        _add_light(scene, sites, means, sizes, threads)
     else:
-        key = program, effects.names(Moving, Echo, Response, Exchange, CountedLight, SlowWords)
-        for own, known in zip(
-            (means.lit, means.charge, means.pace),
-            scene.known_means.of(key, lambda: [each.copy() for each in with_light()]),
-            strict=True,
-        ):
-            np.copyto(own, known)
-    if dark:
-        in_parts(partial(compute, dark_means), count, threads, _FEWEST)
-    in_parts(partial(compute, charge_means), pixels, threads, _FEWEST)
+        changing = Moving, Echo, Response, Exchange, CountedLight, CountedDark, SlowWords
+        means = scene.known_means.of(
+            (program, effects.names(*changing)),
+            lambda: _add_light(scene, sites, means, sizes, threads),
+        )
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = whole_device(scene.sensor, scene.device_seed, program.lane.size)
     fixed = FixedPatterns(**patterns(effects, device))
-    invalid = np.flatnonzero(np.isnan(means.charge).any(axis=0))
+    invalid = np.flatnonzero(np.isnan(means.charge[0]))
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
 
 
 def _add_light(
     scene: BlockScene, sites: Sites, means: StretchMeans, sizes: NamedValues, threads: int
-) -> None:
-    """Add up, in `means`, the light of all `sites` for each stretch of slots. `sizes`: the fields
-    of `StretchSizes` but for `begin` and `end`."""
-    light, at_light, count = scene.light, sites, len(sites.place)
-    order = np.arange(count) if light.even else np.argsort(sites.place)
-    if scene.known_means is not None and isinstance(light.frames, DrawnFrames):
+) -> StretchMeans:
+    """Return `means`, which are 0 before, of all `sites`. `sizes`: the fields of `StretchSizes`
+    that do not follow from the light's place in memory."""
+    light, count, cols = scene.light, len(sites.place), scene.light.shape[1]
+    is_drawn = isinstance(light.frames, DrawnFrames)
+    # In the order of places, neighbours share cache lines of every frame. Of a single frame, all
+    # sites are taken together, as they are.
+    at_once = light.even and not is_drawn
+    order = np.arange(count) if at_once else np.argsort(sites.place, kind="stable")
+    together = count if at_once else STRETCH_BLOCK
+    room, number = min(count, together + 2 * cols), np.empty(count, np.int32)
+    number[order] = np.arange(count)
+    taken = Sites(*(values[order] for values in sites[:-1]), number[sites.beside])
+    places = taken.place
+    if scene.known_means is not None and is_drawn:
         # The planner exposes the same pixels many times, so their light is drawn once.
-        key, places = (count, scene.effects.names(Moving)), sites.place[order]
+        key = (count, scene.effects.names(Moving))
         light = scene.known_means.of(key, lambda: drawn_at(scene.light, places))
-        at_light = sites._replace(place=np.argsort(order))
+        taken = taken._replace(place=np.arange(count))
 
     def add_part(strip: Light, own: Sites, first: int, begin: int, end: int) -> None:
-        """Add up the light of the sites order[first + begin : first + end]. `own`: the sites with
-        their places in `strip`."""
-        bounds = {"begin": first + begin, "end": first + end, "pixels": prod(strip.shape)}
-        light_means(
-            sizes=StretchSizes(**{**sizes, **bounds}),
+        """Add up the light of the sites order[first + begin : first + end]. `own`: all sites in
+        this order with their places in `strip`."""
+        stretch_means(
+            sizes=StretchSizes(
+                begin=first + begin,
+                end=first + end,
+                pixels=prod(strip.shape),
+                together=together,
+                room=room,
+                **sizes,
+            ),
             stretches=scene.program.stretches,
             sites=own,
             light=strip.matrix,
-            order=order,
+            index=order,
             means=means,
-            reached=np.empty(STRETCH_BLOCK, np.int64),
-            added=np.empty(2 * STRETCH_BLOCK),
+            block=LightBlock.of(room),
         )
 
     for rows, top, strip in light.strips(1):
-        own, first, stop = at_light, 0, count
+        own, first, stop = taken, 0, count
         if strip is not light:
-            cols = strip.shape[1]
-            own = sites._replace(place=sites.place - top * cols)
-            edges = rows.start * cols, rows.stop * cols
-            first, stop = np.searchsorted(sites.place, edges, sorter=order).tolist()
+            own = taken._replace(place=places - top * cols)
+            first, stop = np.searchsorted(places, [rows.start * cols, rows.stop * cols]).tolist()
         in_parts(partial(add_part, strip, own, first), stop - first, threads, _FEWEST)
+    return means
 
 
 def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
@@ -342,10 +330,9 @@ def _sites_of(scene: BlockScene, places: Places, exchanges: bool) -> Sites:
     `exchanges` charge, those of their neighbours that are not in `places` follow in ascending
     order.
 
-    Without exchange, no pixel has a site beside it."""
+    Without exchange, no pixel has another site beside it."""
     effects, sensor, (rows, cols) = scene.effects, scene.sensor, scene.program.lane.shape
-    beside = np.full((NEIGHBOURS + 1, len(places)), NONE, np.int32)
-    beside[OWN] = np.arange(len(places))
+    beside = np.tile(np.arange(len(places), dtype=np.int32), (NEIGHBOURS + 1, 1))
     every, count = places, np.zeros(1, np.int64)
     if exchanges:
         every = np.empty(rows * cols, np.int64)
@@ -448,7 +435,6 @@ def _charge_of_frame(
             sites=charge.sites,
             mean_e=charge.means.charge,
             away=away,
-            part=np.empty(WORD_BLOCK),
             charge=charge_e,
         )
 

@@ -19,10 +19,10 @@ from nscc_runtime.loop import Written, compiled, inlined, loop, record
 from nscc_runtime.noise.poisson_law import RATE_CAP
 
 NEIGHBOURS, NONE = 4, -1
-"""Number of neighbours of a pixel. What stands for a site that does not exist."""
+"""Number of neighbours of a pixel. What stands for a number that is not known yet."""
 OWN = NEIGHBOURS
 """The number of the pixel itself among its neighbours."""
-STRETCH_BLOCK = 128
+STRETCH_BLOCK = 2048
 """Number of sites whose light is added up together."""
 
 
@@ -53,8 +53,8 @@ class Sites(NamedTuple):
     number of the lane whose stretches (groups of slots between reads or resets of PIX) the site
     has. `counted`: number of the lane in whose stretches its electrons are counted. `factor`:
     multiplies its light. `dark_e_per_s`: its dark current. `beside`: for each pixel that runs
-    through its words, the indices of the sites above, below, left and right, -1 beyond the border,
-    and then its own."""
+    through its words, the indices of the sites above, below, left and right, its own beyond the
+    border, and then its own."""
 
     place: Annotated[Ints, "sites"]
     lane: Annotated[Ints32, "sites"]
@@ -95,12 +95,12 @@ def find_sites(
     for i in range(own):
         p = own_places[i]
         col = np.uint32(p) % np.uint32(cols)
-        beside[i] = p - cols if p >= cols else NONE
-        beside[own + i] = p + cols if p + cols < sizes.pixels else NONE
-        beside[2 * own + i] = p - 1 if col > 0 else NONE
-        beside[3 * own + i] = p + 1 if col + 1 < cols else NONE
+        beside[i] = p - cols if p >= cols else p
+        beside[own + i] = p + cols if p + cols < sizes.pixels else p
+        beside[2 * own + i] = p - 1 if col > 0 else p
+        beside[3 * own + i] = p + 1 if col + 1 < cols else p
     for at in range(NEIGHBOURS * own):
-        if beside[at] != NONE and number[beside[at]] == NONE:
+        if number[beside[at]] == NONE:
             number[beside[at]] = wanted
     found = own
     for p in range(sizes.pixels):
@@ -109,7 +109,7 @@ def find_sites(
             found += 1
     count[0] = found
     for at in range(NEIGHBOURS * own):
-        beside[at] = number[beside[at]] if beside[at] != NONE else NONE
+        beside[at] = number[beside[at]]
 
 
 class StretchMeans(NamedTuple):
@@ -117,9 +117,10 @@ class StretchMeans(NamedTuple):
     electrons.
 
     `lit`, `dark` (stretches, sites): counted charge of the sites (pixels whose charge is computed).
-    `charge` (stretches, pixels): charge of the pixels after crosstalk. `pace` (stretches + 1,
-    pixels): the fraction of it that is collected per microsecond of the stretch's first slot, then,
-    after the pixel's last stretch, of the last slot. An array that is not needed is (1, 1)."""
+    `charge` (stretches, pixels): charge of the pixels after crosstalk; row 0 is NaN for pixels with
+    light that is NaN in any slot. `pace` (stretches + 1, pixels): the fraction of it that is
+    collected per microsecond of the stretch's first slot, then, after the pixel's last stretch, of
+    the last slot. An array that is not needed is (1, 1)."""
 
     lit: Written[Floats]
     dark: Written[Floats]
@@ -129,173 +130,255 @@ class StretchMeans(NamedTuple):
 
 @record
 class StretchSizes:
-    """Sizes and switches for the means: sites (pixels whose charge is computed) or pixels `begin`
-    to `end` - 1 are computed. `sites`, `slots`: how many there are. Switches are 1 if the effect is
-    on, else 0."""
+    """Sizes and switches for the means of the sites (pixels whose charge is computed) number
+    `begin` to `end` - 1 in the order in which they are taken. `sites`, `slots`: how many there are.
+    Switches are 1 if the effect is on, else 0."""
 
     begin: int
     end: int
     sites: int
     slots: int
     own: int
-    """Number of pixels that run through their words: the first sites. `pixels`: on the chip."""
+    """Number of pixels that run through their words: the first sites. `pixels`: in a frame of
+    light. `together`: number of sites whose light is added up together. `room`: length of the
+    arrays of a `LightBlock`."""
     pixels: int
+    together: int
+    room: int
     even: int
     """Whether all slots have the same light."""
     counts_light: int
+    counts_dark: int
     slow_words: int
     exchanged: float
     """Fraction of a pixel's charge that moves to each neighbour."""
 
 
-@inlined
-def _light_of_slot(
-    sizes: StretchSizes, light: LightMatrix, sites: Sites, start: int, stop: int, site: int
-) -> float:
-    """Return the mean light of a slot at the site of index `site`, in electrons, between 0 and
-    `RATE_CAP`, or NaN. The slot is the weighted sum of the frames of `light` in its entries
-    `start` to `stop` - 1. A site is a pixel whose charge is computed."""
-    total, place = 0.0, sites.place[site]
-    for k in range(start, stop):
-        at = light.frame_index[k] * sizes.pixels + place
-        total += float(light.frames[at]) * light.weight[k]
-    # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
-    rate = float(np.float32(total)) * sites.factor[site]
-    rate = 0.0 if rate < 0.0 else rate
-    capped: float = RATE_CAP if rate > RATE_CAP else rate
-    return capped
+class LightBlock(NamedTuple):
+    """Working memory for sites (pixels whose charge is computed) that are taken together.
+
+    `slot_e`: the light of these and of their neighbours in a slot. `frame_e`: the same in the frame
+    so far, where NaN counts as 0. Without neighbours: `stretch_e`, the light in the stretch so far;
+    `gained_e`, what came from neighbours in the frame until the stretch began; `dark_e_per_s`, the
+    dark current after crosstalk; `beside`, the numbers of the neighbours.
+
+    A run is some successive sites of one lane (the pixels of one distinct shutter). Of each run:
+    `run`, the number of its first site; `due`, the slot at which its next stretch begins;
+    `counted`, `reached`, the numbers of its stretch of counts and of its stretch of charge, NONE
+    before the frame. A stretch is a group of slots between reads or resets of PIX."""
+
+    slot_e: Written[Floats]
+    frame_e: Written[Floats]
+    stretch_e: Written[Floats]
+    gained_e: Written[Floats]
+    dark_e_per_s: Written[Floats]
+    run: Written[Ints]
+    due: Written[Ints]
+    counted: Written[Ints]
+    reached: Written[Ints]
+    beside: Written[Ints]
+
+    @classmethod
+    def of(cls, room: int) -> LightBlock:
+        """Allocate the arrays for `room` sites (pixels whose charge is computed); the contents are
+        arbitrary."""
+        floats, ints = np.empty((5, room)), np.empty((4, room + 1), np.int64)
+        return cls(*floats, *ints, np.empty(NEIGHBOURS * room, np.int64))
 
 
 @inlined
-def _exchanged(
-    sizes: StretchSizes, light: LightMatrix, sites: Sites, start: int, stop: int, i: int, own: float
+def _positive(value: float) -> float:
+    """Return `value`, or 0 if it is negative or NaN."""
+    return value if value > 0.0 else 0.0
+
+
+@inlined
+def _gained(
+    sizes: StretchSizes, block: LightBlock, first: int, p: int, values: Floats, begin: int
 ) -> float:
-    """Return the light of one slot that pixel `i` collects after crosstalk, in electrons. `own` is
-    its light before. The slot has the entries `start` to `stop` - 1 of `light`. A neighbour beyond
-    the border neither gives nor takes, and light of a neighbour that is NaN counts as 0."""
-    flow = 0.0
+    """Return what site number p gains by crosstalk; the block begins with number `first`. `values`:
+    charge of the sites from number `begin` on; NaN counts as 0."""
+    own, flow = _positive(values[p - begin]), 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
-        other = sites.beside[side * sizes.own + i]
-        if other >= 0:
-            given = _light_of_slot(sizes, light, sites, start, stop, other)
-            flow += (given if given >= 0.0 else 0.0) - own
-    return own + sizes.exchanged * flow
+        flow += _positive(values[block.beside[side * sizes.room + p - first] - begin]) - own
+    return sizes.exchanged * flow
 
 
-@inlined
-def _store(
-    sizes: StretchSizes, means: StretchMeans, e: int, i: int, own: float, total: float
+@compiled
+def _set_up(
+    sizes: StretchSizes, sites: Sites, index: Ints, first: int, stop: int, block: LightBlock
+) -> tuple[int, int, int]:
+    """Set up `block` for the sites number `first` to `stop` - 1. Return the number of its runs, the
+    number of the first of these sites and their neighbours, and how many they are. A site is a
+    pixel whose charge is computed."""
+    begin, end, runs = first, stop, 0
+    for p in range(first, stop):
+        i, j = index[p], p - first
+        for side in range(NEIGHBOURS):
+            other = sites.beside[side * sizes.own + i] if i < sizes.own else p
+            block.beside[side * sizes.room + j] = other
+            begin, end = min(begin, other), max(end, other + 1)
+        gained = _gained(sizes, block, first, p, sites.dark_e_per_s, 0)
+        block.dark_e_per_s[j] = sites.dark_e_per_s[p] + gained
+        follows = p > first and i == index[p - 1] + 1 and i != sizes.own
+        alike = follows and sites.lane[p] == sites.lane[p - 1]
+        if not (alike and sites.counted[p] == sites.counted[p - 1]):
+            block.run[runs], block.due[runs] = p, 0
+            block.counted[runs], block.reached[runs] = NONE, NONE
+            runs += 1
+    block.run[runs] = stop
+    for j in range(end - begin):
+        block.frame_e[j], block.stretch_e[j], block.gained_e[j] = 0.0, 0.0, 0.0
+    return runs, begin, end - begin
+
+
+@compiled
+def _set_light(
+    sizes: StretchSizes,
+    light: LightMatrix,
+    n: int,
+    sites: Sites,
+    begin: int,
+    count: int,
+    slot_e: Floats,
 ) -> None:
-    """Store the light of stretch e of site i in electrons: `own`, before crosstalk, in `means.lit`
-    if light is counted; `total`, after crosstalk, in `means.charge` if the site is a pixel that
-    runs through its words. Slots of a stretch are counted as one number."""
-    if sizes.counts_light:
-        means.lit[e * sizes.sites + i] = own if own >= 0.0 else 0.0  # 0 for NaN
-    if i < sizes.own:
-        means.charge[e * sizes.own + i] = total
+    """Set `slot_e` to the mean light of slot n, electrons, between 0 and `RATE_CAP`, or NaN, for
+    `count` sites from number `begin` on. A site is a pixel whose charge is computed."""
+    for j in range(count):
+        slot_e[j] = 0.0
+    for k in range(light.row_start[n], light.row_start[n + 1]):
+        frame, weight = light.frame_index[k] * sizes.pixels, light.weight[k]
+        for j in range(count):
+            slot_e[j] += float(light.frames[frame + sites.place[begin + j]]) * weight
+    for j in range(count):
+        # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
+        rate = float(np.float32(slot_e[j])) * sites.factor[begin + j]
+        rate = 0.0 if rate < 0.0 else rate
+        slot_e[j] = RATE_CAP if rate > RATE_CAP else rate
+
+
+@compiled
+def _set_pace(
+    sizes: StretchSizes,
+    stretches: Stretches,
+    block: LightBlock,
+    first: int,
+    begin: int,
+    r: int,
+    at: int,
+    boundary_at: int,
+    means: StretchMeans,
+) -> None:
+    """Set means.pace of the pixels of run r of `block` when a stretch ends: that of the next
+    stretch to electrons per microsecond of its first slot, and that of the ended one, whose charge
+    is now known, to fractions of this charge.
+
+    `at`: to be added to the number of a site for its index. `boundary_at`: index in
+    stretches.boundary of the beginning of the stretch. For the other arguments see `_turn`. A
+    stretch is a group of slots between reads or resets of PIX."""
+    times, ends, e = stretches.start_s, stretches.boundary[boundary_at + 1], block.reached[r]
+    n, own = min(ends, sizes.slots - 1), sizes.own
+    for p in range(block.run[r], block.run[r + 1]):
+        light_e = block.slot_e[p - begin] + _gained(sizes, block, first, p, block.slot_e, begin)
+        e_per_s = light_e / (times[n + 1] - times[n]) + block.dark_e_per_s[p - first]
+        means.pace[(e + 1) * own + at + p] = 1e-6 * e_per_s
+    # After the last slot, its light counts as a part of the last stretch.
+    for row in range(max(e, 0), e + 1 + (ends == sizes.slots)):
+        for p in range(block.run[r], block.run[r + 1]):
+            charge, pace = means.charge[e * own + at + p], means.pace[row * own + at + p]
+            # Without charge, the fraction of the time.
+            part = pace / charge if charge > 0.0 else 1e-6 * stretches.per_s[boundary_at]
+            means.pace[row * own + at + p] = part
+
+
+@compiled
+def _turn(
+    sizes: StretchSizes,
+    stretches: Stretches,
+    sites: Sites,
+    index: Ints,
+    block: LightBlock,
+    first: int,
+    begin: int,
+    r: int,
+    n: int,
+    means: StretchMeans,
+) -> int:
+    """End the stretch of run r of `block` before slot n: store its means, and begin the next
+    stretch. Return the slot at which that ends.
+
+    `first`, `begin`: numbers of the block's first site without and with neighbours. A stretch is a
+    group of slots between reads or resets of PIX. A site is a pixel whose charge is computed."""
+    run, k, e, own = block.run[r], block.counted[r], block.reached[r], sizes.own
+    stop = block.run[r + 1]
+    ended, at, is_own = stop if k >= 0 else run, index[run] - run, index[run] < own
+    next_at = stretches.start[sites.counted[run]] + k + 1
+    since = stretches.boundary[next_at - 1] if k >= 0 else 0
+    seconds = stretches.start_s[n] - stretches.start_s[since]
+    slots, multiple = (n - since, n) if sizes.even else (1, 1)
+    for p in range(run, ended if sizes.counts_light else run):
+        means.lit[k * sizes.sites + at + p] = slots * _positive(block.stretch_e[p - first])
+    for p in range(run, ended if sizes.counts_dark else run):
+        means.dark[k * sizes.sites + at + p] = seconds * sites.dark_e_per_s[p]
+    for p in range(run, ended if is_own else run):
+        light_e, dark_e = (
+            slots * block.stretch_e[p - first],
+            seconds * block.dark_e_per_s[p - first],
+        )
+        gained_e = multiple * _gained(sizes, block, first, p, block.frame_e, begin)
+        means.charge[e * own + at + p] += light_e + dark_e + (gained_e - block.gained_e[p - first])
+        means.charge[at + p] += 0.0 * light_e  # NaN for the whole frame
+        block.gained_e[p - first] = gained_e
+    for p in range(run, run if sizes.even else stop):
+        block.stretch_e[p - first] = 0.0
+    block.counted[r] = k + 1
+    boundary_at = stretches.start[sites.lane[run]] + e
+    if is_own and stretches.boundary[boundary_at + 1] == n:
+        if sizes.slow_words:
+            _set_pace(sizes, stretches, block, first, begin, r, at, boundary_at, means)
+        block.reached[r] = e + 1
+    return stretches.boundary[next_at + 1] if n < sizes.slots else sizes.slots + 1
 
 
 @loop
-def light_means(
+def stretch_means(
     sizes: StretchSizes,
     light: LightMatrix,
     stretches: Stretches,
     sites: Sites,
-    order: Annotated[Ints, "sites"],
-    reached: Written[Ints],
-    added: Written[Floats],
+    index: Annotated[Ints, "sites"],
+    block: LightBlock,
     means: StretchMeans,
 ) -> None:
-    """Compute the light of the sites order[begin : end] in their stretches (groups of slots between
-    reads or resets of PIX), in electrons.
+    """Compute `means`, which are 0 before, of the sites number `begin` to `end` - 1.
 
-    `means` is 0 before. Its `lit` gets the light of sites, `charge` that of pixels after crosstalk,
-    and `pace` the light of the first slot of each stretch, then of the last slot, until
-    `charge_means` converts it.
-
-    Sites are taken some at a time, in the `order` of their places: neighbours share cache lines of
-    every frame. The stretch of each of them (`reached`), and the light in it (`added`), are working
-    memory. A site is a pixel whose charge is computed."""
-    for first in range(sizes.begin, sizes.end, STRETCH_BLOCK):
-        count = min(STRETCH_BLOCK, sizes.end - first)
-        for j in range(count):
-            reached[j] = -1
-        for n in range(1 if sizes.even else sizes.slots):
-            k, end = light.row_start[n], light.row_start[n + 1]
-            for j in range(count):
-                i, total_at = order[first + j], STRETCH_BLOCK + j
-                own = total = _light_of_slot(sizes, light, sites, k, end, i)
-                if i < sizes.own:
-                    total = _exchanged(sizes, light, sites, k, end, i, own)
-                start, is_slow = stretches.start[sites.lane[i]], sizes.slow_words and i < sizes.own
-                if sizes.even:
-                    last = stretches.start[sites.lane[i] + 1] - start - 1
-                    for e in range(last):
-                        begin = stretches.boundary[start + e]
-                        slots = stretches.boundary[start + e + 1] - begin
-                        _store(sizes, means, e, i, own * slots, total * slots)
-                    for e in range(last + 1 if is_slow else 0):
-                        means.pace[e * sizes.own + i] = total
-                    continue
-                # Slot n begins a stretch; `reached` is -1 before the first, at boundary 0.
-                if stretches.boundary[start + reached[j] + 1] == n:
-                    if n > 0:
-                        _store(sizes, means, reached[j], i, added[j], added[total_at])
-                    reached[j] += 1
-                    added[j], added[total_at] = 0.0, 0.0
-                    if is_slow:
-                        means.pace[reached[j] * sizes.own + i] = total
-                added[j] += own
-                added[total_at] += total
-                if n + 1 == sizes.slots:
-                    _store(sizes, means, reached[j], i, added[j], added[total_at])
-                    if is_slow:
-                        means.pace[(reached[j] + 1) * sizes.own + i] = total
-
-
-@loop
-def dark_means(
-    sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
-) -> None:
-    """Set `means.dark` to the means of the counted dark charge of the sites begin to end - 1 in
-    the stretches of their counts, in electrons. Slots of a stretch are counted as one number. A
+    `sites` are in the order in which they are taken; their `place` is the index of their pixels in
+    frames of `light`, and `beside` contains numbers in this order. `index`: the index of each in
+    `means`, where the first are pixels that run through their words. `block` is working memory. A
     site is a pixel whose charge is computed."""
-    for i in range(sizes.begin, sizes.end):
-        first = stretches.start[sites.counted[i]]
-        for e in range(stretches.start[sites.counted[i] + 1] - first - 1):
-            begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
-            seconds = stretches.start_s[stop] - stretches.start_s[begin]
-            means.dark[e * sizes.sites + i] = sites.dark_e_per_s[i] * seconds
-
-
-@loop
-def charge_means(
-    sizes: StretchSizes, stretches: Stretches, sites: Sites, means: StretchMeans
-) -> None:
-    """Complete the means of the pixels begin to end - 1, which contain light (`light_means`): add
-    dark charge to `charge`, and convert `pace` from electrons to fractions per microsecond."""
-    times = stretches.start_s
-    for i in range(sizes.begin, sizes.end):
-        flow = 0.0
-        for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
-            other = sites.beside[side * sizes.own + i]
-            flow += sites.dark_e_per_s[other] - sites.dark_e_per_s[i] if other >= 0 else 0.0
-        dark_e_per_s = sites.dark_e_per_s[i] + sizes.exchanged * flow
-        first = stretches.start[sites.lane[i]]
-        last = stretches.start[sites.lane[i] + 1] - first - 1
-        for e in range(last):
-            begin, stop = stretches.boundary[first + e], stretches.boundary[first + e + 1]
-            seconds = times[stop] - times[begin]
-            charge = means.charge[e * sizes.own + i] + dark_e_per_s * seconds
-            means.charge[e * sizes.own + i] = charge
-            for side in range(1 + (e + 1 == last) if sizes.slow_words else 0):
-                at = (e + side) * sizes.own + i
-                n = begin if side == 0 else stop - 1
-                slot_s = times[n + 1] - times[n]
-                slot_e = means.pace[at] + dark_e_per_s * slot_s
-                # Without charge, the fraction of the time.
-                part = slot_e / charge if charge > 0.0 else slot_s / seconds
-                means.pace[at] = part / (1e6 * slot_s)
+    first = sizes.begin
+    while first < sizes.end:
+        stop = min(first + sizes.together, sizes.end)
+        runs, begin, count = _set_up(sizes, sites, index, first, stop, block)
+        due, n = 0, 0
+        while n <= sizes.slots:
+            is_new = n == 0 or (n < sizes.slots and not sizes.even)
+            if is_new:
+                _set_light(sizes, light, n, sites, begin, count, block.slot_e)
+            if n == due:
+                due = sizes.slots + 1
+                for r in range(runs):
+                    if block.due[r] == n:
+                        block.due[r] = _turn(
+                            sizes, stretches, sites, index, block, first, begin, r, n, means
+                        )
+                    due = min(due, block.due[r])
+            for j in range(stop - first if is_new else 0):
+                block.stretch_e[j] += block.slot_e[first - begin + j]
+            for j in range(count if is_new and sizes.exchanged > 0.0 else 0):
+                block.frame_e[j] += _positive(block.slot_e[j])
+            n = due if sizes.even else n + 1
+        first = stop
 
 
 @record
@@ -312,14 +395,6 @@ class Exchanging:
     exchanged: float
 
 
-@inlined
-def _counted_beside(sites: Sites, at: int) -> int:
-    """Return the lane in whose stretches the counts of the site sites.beside[at] are drawn, NONE
-    beyond the border."""
-    other = sites.beside[at]
-    return sites.counted[other] if other >= 0 else NONE
-
-
 @compiled
 def _receive(
     exchanging: Exchanging,
@@ -329,18 +404,17 @@ def _receive(
     side_at: int,
     first: int,
     stop: int,
-    part: Floats,
-    part_at: int,
+    part: float,
     charge: Floats,
 ) -> None:
     """Add to the charge of the pixels `first` to `stop` - 1, which have one lane, what they receive
     from sites whose counts are drawn in the stretches of one lane. `side_at`: where these sites
     begin in sites.beside.
 
-    Pixel i receives the fraction part[part_at + i] of the deviations `away` (stretches, sites). If
-    a stretch of the counts extends over several of the pixel's, it is spread evenly over time."""
+    They receive the fraction `part` of the deviations `away` (stretches, sites). If a stretch of
+    the counts extends over several of the pixel's, it is spread evenly over time."""
     boundary, times, beside = stretches.boundary, stretches.start_s, sites.beside
-    lane, counted = sites.lane[first], _counted_beside(sites, side_at + first)
+    lane, counted = sites.lane[first], sites.counted[beside[side_at + first]]
     begin, theirs, own = 0, 0, 0
     e, k, last = stretches.start[lane], stretches.start[counted], stretches.start[lane + 1] - 2
     while e <= last:
@@ -349,8 +423,7 @@ def _receive(
         is_whole = end - begin == their_end - boundary[k]
         share = 1.0 if is_whole else (times[end] - times[begin]) * stretches.per_s[k]
         for i in range(first, stop):
-            received_e = share * away[theirs + beside[side_at + i]]
-            charge[own + i] += part[part_at + i] * received_e
+            charge[own + i] += part * share * away[theirs + beside[side_at + i]]
         begin = end
         if end == own_end:
             e, own = e + 1, own + exchanging.pixels
@@ -365,49 +438,30 @@ def exchange_counts(
     sites: Sites,
     mean_e: Floats,
     away: Floats,
-    part: Written[Floats],
     charge: Written[Floats],
 ) -> None:
     """Set `charge`, electrons (stretches, pixels), of the pixels begin to end - 1 in one frame. The
     charge is the sum of the means `mean_e` and the deviations `away` (stretches, sites) of Poisson
     counts from their means, after crosstalk.
 
-    `part` is working memory for `WORD_BLOCK` pixels. Slots of a stretch are counted as one number.
-    A site is a pixel whose charge is computed."""
-    pixels, c = exchanging.pixels, exchanging.exchanged
+    Slots of a stretch are counted as one number. A site is a pixel whose charge is computed."""
+    pixels, c, beside = exchanging.pixels, exchanging.exchanged, sites.beside
     for first in range(exchanging.begin, exchanging.end, WORD_BLOCK):
         stop = min(first + WORD_BLOCK, exchanging.end)
         for e in range(exchanging.rows):
             for at in range(e * pixels + first, e * pixels + stop):
                 charge[at] = mean_e[at]
-        # Without crosstalk, a pixel keeps all of its own charge.
-        for i in range(first, stop):
-            part[i - first] = 1.0
-        for side in range(NEIGHBOURS if c > 0.0 else 0):
-            for i in range(first, stop):
-                part[i - first] -= c if sites.beside[side * pixels + i] >= 0 else 0.0
+        # A pixel at the border receives what a neighbour beyond it would get.
         for turn in range(1 + (NEIGHBOURS if c > 0.0 else 0)):
-            side_at, begin = (OWN - turn) * pixels, first
-            for i in range(first, stop if turn == 1 else first):
-                part[i - first] = c
+            part, side_at, begin = c, (OWN - turn) * pixels, first
+            if turn == 0:
+                part = 1.0 - NEIGHBOURS * c
             # Neighbours in these arrays usually have one lane, and so have those beside them.
             while begin < stop:
-                counted, end = _counted_beside(sites, side_at + begin), begin + 1
+                counted, end = sites.counted[beside[side_at + begin]], begin + 1
                 while end < stop and sites.lane[end] == sites.lane[begin]:
-                    if _counted_beside(sites, side_at + end) != counted:
+                    if sites.counted[beside[side_at + end]] != counted:
                         break
                     end += 1
-                if counted != NONE:
-                    _receive(
-                        exchanging,
-                        stretches,
-                        sites,
-                        away,
-                        side_at,
-                        begin,
-                        end,
-                        part,
-                        -first,
-                        charge,
-                    )
+                _receive(exchanging, stretches, sites, away, side_at, begin, end, part, charge)
                 begin = end
