@@ -233,39 +233,17 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     exchange = effects.find_part(Exchange)
     exchanged = 0.0 if exchange is None else exchange.fraction(scene.sensor)
     sites = _sites_of(scene, scene.places[number], exchanged > 0)
-    count, rows = len(sites.place), program.most_stretches
     lit, dark = effects.having(CountedLight), effects.having(CountedDark)
-    slow = effects.find_part(SlowWords) is not None
 
-    def zeros(wanted: bool, rows: int, columns: int) -> Floats:
-        """Return an array of zeros (rows, columns); (1, 1) if it is not wanted, because compiled
-        loops take arrays only."""
-        return np.zeros((rows, columns) if wanted else (1, 1))
+    def compute() -> StretchMeans:
+        """Return the means of these pixels and sites."""
+        return _stretch_means(scene, sites, pixels, exchanged, threads)
 
-    means = StretchMeans(
-        lit=zeros(bool(lit), rows, count),
-        dark=zeros(bool(dark), rows, count),
-        charge=zeros(True, rows, pixels),
-        pace=zeros(slow, rows + 1, pixels),
-    )
-    sizes: NamedValues = {
-        "sites": count,
-        "slots": scene.light.slots,
-        "own": pixels,
-        "even": scene.light.even,
-        "counts_light": bool(lit),
-        "counts_dark": bool(dark),
-        "slow_words": slow,
-        "exchanged": exchanged,
-    }
     if scene.known_means is None:
-        _add_light(scene, sites, means, sizes, threads)
+        means = compute()
     else:
         changing = Moving, Echo, Response, Exchange, CountedLight, CountedDark, SlowWords
-        means = scene.known_means.of(
-            (program, effects.names(*changing)),
-            lambda: _add_light(scene, sites, means, sizes, threads),
-        )
+        means = scene.known_means.of((program, effects.names(*changing)), compute)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = whole_device(scene.sensor, scene.device_seed, program.lane.size)
@@ -274,54 +252,65 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     return ChargeScene(number, sites, fixed, counted, means, exchanged, invalid)
 
 
-def _add_light(
-    scene: BlockScene, sites: Sites, means: StretchMeans, sizes: NamedValues, threads: int
+def _stretch_means(
+    scene: BlockScene, sites: Sites, pixels: int, exchanged: float, threads: int
 ) -> StretchMeans:
-    """Return `means`, which are 0 before, of all `sites`. `sizes`: the fields of `StretchSizes`
-    that do not follow from the light's place in memory."""
-    light, count, cols = scene.light, len(sites.place), scene.light.shape[1]
-    is_drawn = isinstance(light.frames, DrawnFrames)
+    """Return the means of the charge of `sites`, of which the first `pixels` run through their
+    words. `exchanged`: the fraction of its charge that a pixel gives to each neighbour."""
+    light, count, rows = scene.light, len(sites.place), scene.program.most_stretches
+    lit, dark, slow = map(bool, map(scene.effects.having, (CountedLight, CountedDark, SlowWords)))
+    means = StretchMeans(
+        lit=np.zeros((rows, count) if lit else (1, 1)),
+        dark=np.zeros((rows, count) if dark else (1, 1)),
+        charge=np.zeros((rows, pixels)),
+        pace=np.zeros((rows + 1, pixels) if slow else (1, 1)),
+    )
     # In the order of places, neighbours share cache lines of every frame. Of a single frame, all
     # sites are taken together, as they are.
+    is_drawn = isinstance(light.frames, DrawnFrames)
     at_once = light.even and not is_drawn
     order = np.arange(count) if at_once else np.argsort(sites.place, kind="stable")
-    together = count if at_once else STRETCH_BLOCK
-    room, number = min(count, together + 2 * cols), np.empty(count, np.int32)
-    number[order] = np.arange(count)
-    taken = Sites(*(values[order] for values in sites[:-1]), number[sites.beside])
-    places = taken.place
-    if scene.known_means is not None and is_drawn:
+    together, taken, number = count if at_once else STRETCH_BLOCK, sites, np.empty(count, np.int32)
+    if not at_once:
+        number[order] = np.arange(count)
+        taken = Sites._make([*(values[order] for values in sites[:-1]), number[sites.beside]])
+    if is_drawn and scene.known_means is not None:
         # The planner exposes the same pixels many times, so their light is drawn once.
         key = (count, scene.effects.names(Moving))
-        light = scene.known_means.of(key, lambda: drawn_at(scene.light, places))
+        light = scene.known_means.of(key, lambda: drawn_at(scene.light, taken.place))
         taken = taken._replace(place=np.arange(count))
+    room = min(count, together + 2 * scene.light.shape[1])
 
-    def add_part(strip: Light, own: Sites, first: int, begin: int, end: int) -> None:
-        """Add up the light of the sites order[first + begin : first + end]. `own`: all sites in
-        this order with their places in `strip`."""
+    def add_part(strip: Light, top: int, first: int, begin: int, end: int) -> None:
+        """Compute the means of the sites order[first + begin : first + end]. `strip`: the light of
+        the rows from number `top` on."""
         stretch_means(
             sizes=StretchSizes(
                 begin=first + begin,
                 end=first + end,
+                sites=count,
+                slots=light.slots,
+                own=pixels,
                 pixels=prod(strip.shape),
                 together=together,
-                room=room,
-                **sizes,
+                even=light.even,
+                counts_light=lit,
+                counts_dark=dark,
+                slow_words=slow,
+                exchanged=exchanged,
             ),
             stretches=scene.program.stretches,
-            sites=own,
+            sites=taken._replace(place=taken.place - top * strip.shape[1]),
             light=strip.matrix,
             index=order,
             means=means,
             block=LightBlock.of(room),
         )
 
-    for rows, top, strip in light.strips(1):
-        own, first, stop = taken, 0, count
-        if strip is not light:
-            own = taken._replace(place=places - top * cols)
-            first, stop = np.searchsorted(places, [rows.start * cols, rows.stop * cols]).tolist()
-        in_parts(partial(add_part, strip, own, first), stop - first, threads, _FEWEST)
+    for rows_of, top, strip in light.strips(1):
+        edges = np.array([rows_of.start, rows_of.stop]) * strip.shape[1]
+        first, stop = (0, count) if at_once else np.searchsorted(taken.place, edges)
+        in_parts(partial(add_part, strip, top, first), stop - first, threads, _FEWEST)
     return means
 
 

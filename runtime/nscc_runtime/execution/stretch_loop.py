@@ -140,11 +140,9 @@ class StretchSizes:
     slots: int
     own: int
     """Number of pixels that run through their words: the first sites. `pixels`: in a frame of
-    light. `together`: number of sites whose light is added up together. `room`: length of the
-    arrays of a `LightBlock`."""
+    light. `together`: number of sites whose light is added up together."""
     pixels: int
     together: int
-    room: int
     even: int
     """Whether all slots have the same light."""
     counts_light: int
@@ -160,7 +158,8 @@ class LightBlock(NamedTuple):
     `slot_e`: the light of these and of their neighbours in a slot. `frame_e`: the same in the frame
     so far, where NaN counts as 0. Without neighbours: `stretch_e`, the light in the stretch so far;
     `gained_e`, what came from neighbours in the frame until the stretch began; `dark_e_per_s`, the
-    dark current after crosstalk; `beside`, the numbers of the neighbours.
+    dark current after crosstalk. If all slots are equal, `stretch_e` and `gained_e` are those of a
+    slot.
 
     A run is some successive sites of one lane (the pixels of one distinct shutter). Of each run:
     `run`, the number of its first site; `due`, the slot at which its next stretch begins;
@@ -176,14 +175,13 @@ class LightBlock(NamedTuple):
     due: Written[Ints]
     counted: Written[Ints]
     reached: Written[Ints]
-    beside: Written[Ints]
 
     @classmethod
     def of(cls, room: int) -> LightBlock:
         """Allocate the arrays for `room` sites (pixels whose charge is computed); the contents are
         arbitrary."""
         floats, ints = np.empty((5, room)), np.empty((4, room + 1), np.int64)
-        return cls(*floats, *ints, np.empty(NEIGHBOURS * room, np.int64))
+        return cls(*floats, *ints)
 
 
 @inlined
@@ -193,14 +191,12 @@ def _positive(value: float) -> float:
 
 
 @inlined
-def _gained(
-    sizes: StretchSizes, block: LightBlock, first: int, p: int, values: Floats, begin: int
-) -> float:
-    """Return what site number p gains by crosstalk; the block begins with number `first`. `values`:
-    charge of the sites from number `begin` on; NaN counts as 0."""
+def _gained(sizes: StretchSizes, sites: Sites, i: int, p: int, values: Floats, begin: int) -> float:
+    """Return what site number p, which is pixel i that runs through its words, gains by crosstalk.
+    `values`: charge of the sites from number `begin` on; NaN counts as 0."""
     own, flow = _positive(values[p - begin]), 0.0
     for side in range(NEIGHBOURS if sizes.exchanged > 0.0 else 0):
-        flow += _positive(values[block.beside[side * sizes.room + p - first] - begin]) - own
+        flow += _positive(values[sites.beside[side * sizes.own + i] - begin]) - own
     return sizes.exchanged * flow
 
 
@@ -214,12 +210,12 @@ def _set_up(
     begin, end, runs = first, stop, 0
     for p in range(first, stop):
         i, j = index[p], p - first
-        for side in range(NEIGHBOURS):
-            other = sites.beside[side * sizes.own + i] if i < sizes.own else p
-            block.beside[side * sizes.room + j] = other
+        block.dark_e_per_s[j] = sites.dark_e_per_s[p]
+        if i < sizes.own:
+            block.dark_e_per_s[j] += _gained(sizes, sites, i, p, sites.dark_e_per_s, 0)
+        for side in range(NEIGHBOURS if i < sizes.own else 0):
+            other = sites.beside[side * sizes.own + i]
             begin, end = min(begin, other), max(end, other + 1)
-        gained = _gained(sizes, block, first, p, sites.dark_e_per_s, 0)
-        block.dark_e_per_s[j] = sites.dark_e_per_s[p] + gained
         follows = p > first and i == index[p - 1] + 1 and i != sizes.own
         alike = follows and sites.lane[p] == sites.lane[p - 1]
         if not (alike and sites.counted[p] == sites.counted[p - 1]):
@@ -261,6 +257,7 @@ def _set_light(
 def _set_pace(
     sizes: StretchSizes,
     stretches: Stretches,
+    sites: Sites,
     block: LightBlock,
     first: int,
     begin: int,
@@ -279,9 +276,12 @@ def _set_pace(
     times, ends, e = stretches.start_s, stretches.boundary[boundary_at + 1], block.reached[r]
     n, own = min(ends, sizes.slots - 1), sizes.own
     for p in range(block.run[r], block.run[r + 1]):
-        light_e = block.slot_e[p - begin] + _gained(sizes, block, first, p, block.slot_e, begin)
-        e_per_s = light_e / (times[n + 1] - times[n]) + block.dark_e_per_s[p - first]
-        means.pace[(e + 1) * own + at + p] = 1e-6 * e_per_s
+        gained_e = block.gained_e[p - first]
+        if not sizes.even:
+            gained_e = _gained(sizes, sites, at + p, p, block.slot_e, begin)
+        light_e_per_s = (block.slot_e[p - begin] + gained_e) / (times[n + 1] - times[n])
+        pace = light_e_per_s + block.dark_e_per_s[p - first]
+        means.pace[(e + 1) * own + at + p] = 1e-6 * pace
     # After the last slot, its light counts as a part of the last stretch.
     for row in range(max(e, 0), e + 1 + (ends == sizes.slots)):
         for p in range(block.run[r], block.run[r + 1]):
@@ -315,27 +315,27 @@ def _turn(
     next_at = stretches.start[sites.counted[run]] + k + 1
     since = stretches.boundary[next_at - 1] if k >= 0 else 0
     seconds = stretches.start_s[n] - stretches.start_s[since]
-    slots, multiple = (n - since, n) if sizes.even else (1, 1)
+    slots = n - since if sizes.even else 1
     for p in range(run, ended if sizes.counts_light else run):
         means.lit[k * sizes.sites + at + p] = slots * _positive(block.stretch_e[p - first])
     for p in range(run, ended if sizes.counts_dark else run):
         means.dark[k * sizes.sites + at + p] = seconds * sites.dark_e_per_s[p]
     for p in range(run, ended if is_own else run):
-        light_e, dark_e = (
-            slots * block.stretch_e[p - first],
-            seconds * block.dark_e_per_s[p - first],
-        )
-        gained_e = multiple * _gained(sizes, block, first, p, block.frame_e, begin)
-        means.charge[e * own + at + p] += light_e + dark_e + (gained_e - block.gained_e[p - first])
-        means.charge[at + p] += 0.0 * light_e  # NaN for the whole frame
-        block.gained_e[p - first] = gained_e
+        light_e = slots * block.stretch_e[p - first]
+        dark_e = seconds * block.dark_e_per_s[p - first]
+        gained_e = slots * block.gained_e[p - first]
+        if not sizes.even:
+            block.gained_e[p - first] = _gained(sizes, sites, at + p, p, block.frame_e, begin)
+            gained_e = block.gained_e[p - first] - gained_e
+        means.charge[e * own + at + p] += light_e + dark_e + gained_e
+        means.charge[at + p] += 0.0 * light_e  # NaN, if any slot is
     for p in range(run, run if sizes.even else stop):
         block.stretch_e[p - first] = 0.0
     block.counted[r] = k + 1
     boundary_at = stretches.start[sites.lane[run]] + e
     if is_own and stretches.boundary[boundary_at + 1] == n:
         if sizes.slow_words:
-            _set_pace(sizes, stretches, block, first, begin, r, at, boundary_at, means)
+            _set_pace(sizes, stretches, sites, block, first, begin, r, at, boundary_at, means)
         block.reached[r] = e + 1
     return stretches.boundary[next_at + 1] if n < sizes.slots else sizes.slots + 1
 
@@ -365,6 +365,10 @@ def stretch_means(
             is_new = n == 0 or (n < sizes.slots and not sizes.even)
             if is_new:
                 _set_light(sizes, light, n, sites, begin, count, block.slot_e)
+            for p in range(first, stop if sizes.even and n == 0 else first):
+                if index[p] < sizes.own:
+                    gained_e = _gained(sizes, sites, index[p], p, block.slot_e, begin)
+                    block.gained_e[p - first] = gained_e
             if n == due:
                 due = sizes.slots + 1
                 for r in range(runs):
