@@ -58,7 +58,7 @@ def test_means_of_stretches_are_sums_of_slots_after_crosstalk(
         scene = prepare_pixels(*chip, places, DEVICE, threads)
         (charge,) = scene.kept
         is_nan = np.isnan(light.dense()).any(axis=0).reshape(-1)
-        assert set(charge.invalid) == set(np.flatnonzero(is_nan[places]))
+        assert set(charge.number[charge.invalid]) == set(np.flatnonzero(is_nan[places]))
         stretches, sites = scene.program.stretches, charge.sites
         slot_s = np.diff(stretches.start_s)
         lit_e = np.nan_to_num(light.dense().reshape(SLOTS, -1) * factor)
