@@ -16,20 +16,14 @@ from nscc.files import refuse_inputs, write_together
 from nscc.pipeline import KINDS, PASSES, Observer, Pass
 from nscc.words.legality import refuse_planes
 from nscc_cli.completion import PASS, PRODUCTS
-from nscc_cli.options import OUT, PATH, build_options
+from nscc_cli.options import PATH, build_options, out_option
 from nscc_cli.programs import compile_program
 from nscc_cli.support import common_command, say, say_done
 
 
 @common_command("build")
 @click.argument("file", type=PATH)
-@click.option(
-    "-o",
-    "out",
-    type=OUT,
-    metavar="OUT.icw",
-    help="The container (default: FILE with .icw; with --emit, none).",
-)
+@out_option("The container (default: FILE with .icw; with --emit, none).", "OUT.icw")
 @click.option(
     "--emit",
     "kinds",

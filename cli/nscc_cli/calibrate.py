@@ -8,7 +8,7 @@ import click
 
 from nscc.chips.load import load_target
 from nscc.files import write_whole
-from nscc_cli.options import OUT, PATH, target_option
+from nscc_cli.options import PATH, json_option, out_option, target_option
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
 
@@ -52,10 +52,8 @@ class _Calibrate(CommonCommand):
     metavar="DARKS..",
     help="Frames without light: every file up to the next option.",
 )
-@click.option(
-    "-o", "out", type=OUT, required=True, metavar="sensor.toml", help="The sensor file to write."
-)
-@click.option("--json", "as_json", is_flag=True, help="Print all results as JSON.")
+@out_option("The sensor file to write.", "sensor.toml", required=True)
+@json_option("Print all results as JSON.")
 @click.option(
     "--program",
     type=PATH,

@@ -16,7 +16,7 @@ from nscc.emit.summary import summary
 from nscc.mappings import NamedValues
 from nscc.pipeline import Compiled
 from nscc.program.problems import counted
-from nscc_cli.options import PATH, build_options
+from nscc_cli.options import PATH, build_options, flag
 from nscc_cli.programs import compile_program
 from nscc_cli.support import common_command, say, say_done, session, show
 from nscc_runtime.device.loaders import loader_notes
@@ -27,10 +27,8 @@ _MOST_ROUNDS = 20
 
 @common_command("check")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
-@click.option(
-    "--fix", is_flag=True, help="First apply all safe fixes to the files; names are not guessed."
-)
-@click.option("--watch", is_flag=True, help="Check again whenever a file changes, until Ctrl-C.")
+@flag("--fix", "First apply all safe fixes to the files; names are not guessed.")
+@flag("--watch", "Check again whenever a file changes, until Ctrl-C.")
 @build_options
 def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> int:
     """Check programs: report errors, whether they fit the chip, and whether their words are right.

@@ -17,7 +17,7 @@ from nscc.words.diff import differences
 from nscc.words.disassembly import disassemble
 from nscc.words.encoding import word_text
 from nscc.words.file import read_container, to_bytes
-from nscc_cli.options import OUT, PATH, build_options
+from nscc_cli.options import PATH, build_options, flag, out_option
 from nscc_cli.programs import load_program
 from nscc_cli.support import OutPath, common_command, refuse_ignored, say
 
@@ -33,7 +33,7 @@ _LARGEST_TEXT = 1 << 30
     metavar="OUT",
     help="Where to write (default: FILE with .icw).",
 )
-@click.option("--words", is_flag=True, help="Print each word's five integers instead.")
+@flag("--words", "Print each word's five integers instead.")
 def asm(file: str, output: str | None, words: bool) -> None:
     """Assemble FILE, or standard input for `-`, into a container (.icw)."""
     source = read_text(file)
@@ -135,9 +135,7 @@ def prove(file: Path, **options: Any) -> None:
 
 @common_command("shutters")
 @click.argument("file", type=PATH)
-@click.option(
-    "-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT, help="The file to write."
-)
+@out_option("The file to write.", "S.npz|S.mat|S.npy", required=True)
 @build_options
 def shutters(file: Path, out: Path, **options: Any) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw), as its words open them.
@@ -160,7 +158,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
 
 @common_command("export-mask")
 @click.argument("program", metavar="PROGRAM", type=PATH)
-@click.option("-o", "out", required=True, metavar="MASK.npy|npz|mat", type=OUT, help="The mask.")
+@out_option("The mask.", "MASK.npy|npz|mat", required=True)
 @click.option("--bucket", metavar="NAME", help="Write the shutters of this bucket only.")
 @build_options
 def export_mask(program: Path, out: Path, bucket: str | None, **options: Any) -> None:

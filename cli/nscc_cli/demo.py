@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from nscc.requirements import line_for
-from nscc_cli.options import OUT, SCENE, declared, section, settings_from, tone_option
+from nscc_cli.options import SCENE, declared, out_option, section, settings_from, tone_option
 from nscc_cli.support import common_command, progress, say, say_done
 from nscc_runtime.request import Request
 from nscc_runtime.scene_settings import Scene
@@ -19,13 +19,7 @@ from nscc_training.command_settings import DemoSettings
 
 @common_command("demo")
 @click.argument("scene", metavar="[PHOTO|CLIP]", required=False)
-@click.option(
-    "-o",
-    "out",
-    type=OUT,
-    metavar="DIR",
-    help="The folder for the pictures (default: NAME_demo, or demo).",
-)
+@out_option("The folder for the pictures (default: NAME_demo, or demo).", "DIR")
 @section(SCENE, declared(Scene, fit="scale"), declared(Scene, "color", "exposure", "fps"))
 @tone_option
 @declared(DemoSettings)

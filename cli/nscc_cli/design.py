@@ -14,7 +14,7 @@ from nscc.mappings import NamedValues
 from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT
+from nscc_cli.options import out_option
 from nscc_cli.runtime_options import fit_option, placing_options
 from nscc_cli.support import common_command, progress, refuse_ignored, say, say_done
 from nscc_training.command_settings import DesignSettings
@@ -43,11 +43,8 @@ _CLIP_PARTS = 16
 @shared.sensor_options
 @shared.section(
     shared.OUTPUT,
-    click.option(
-        "-o",
-        "out",
-        type=OUT,
-        help="The program (default: looks-K.nsl, sve-risk.nsl, searched.nsl or motion-KIND.nsl).",
+    out_option(
+        "The program (default: looks-K.nsl, sve-risk.nsl, searched.nsl or motion-KIND.nsl)."
     ),
 )
 def command(scenes: tuple[str, ...], out: Path | None, **options: Any) -> None:

@@ -12,7 +12,7 @@ from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.completion import TARGET
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, target_option
+from nscc_cli.options import OUT, PATH, flag, json_option, out_option, target_option
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import (
     chip_at,
@@ -61,7 +61,7 @@ def command() -> None:
 @placing_options
 @shared.sensor_options
 @shared.declared(Request, "device_seed", show=True)
-@click.option("--once", is_flag=True, help="End when the first host has closed the port.")
+@flag("--once", "End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:
     """Simulate a chip at a serial port, and print the port on the first line.
@@ -108,7 +108,7 @@ def _report(error: Exception) -> None:
 
 @command.command("info")
 @click.argument("port")
-@click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
+@json_option("Print it as JSON.")
 @link_options
 def info(port: str, as_json: bool, **options: Any) -> None:
     """Print the description of the loader at PORT, its memory, and the program it holds."""
@@ -141,7 +141,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @command.command("capture")
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
-@click.option("-o", "out", type=OUT, help="A frame file: one frame.")
+@out_option("A frame file: one frame.")
 @click.option("--to", "folder", type=OUT, help="A folder: write frame after frame, until Ctrl-C.")
 @click.option("--count", type=click.IntRange(1, 1_000_000), help="With --to: the number of frames.")
 @click.option(
@@ -208,7 +208,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 
 @command.command("calibrate")
 @click.argument("port")
-@click.option("-o", "out", type=OUT, required=True, help="The target file.")
+@out_option("The target file.", required=True)
 @click.option(
     "--target",
     type=TARGET,

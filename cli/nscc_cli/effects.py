@@ -13,7 +13,7 @@ from nscc.chips.load import load_target
 from nscc.columns import columns
 from nscc_cli.completion import EFFECT
 from nscc_cli.frames import sensor_of
-from nscc_cli.options import PATH, sensor_set_option, target_option
+from nscc_cli.options import PATH, flag, json_option, sensor_set_option, target_option
 from nscc_cli.support import common_command
 
 if TYPE_CHECKING:
@@ -24,9 +24,9 @@ _WIDTH = 98
 
 @common_command("effects")
 @click.argument("name", required=False, type=EFFECT, metavar="[EFFECT]")
-@click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
-@click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
-@click.option("--cost", is_flag=True, help="Print the simulation times on this machine.")
+@json_option("Print every effect for programs.")
+@flag("--toml", "Print a complete file that --sensor accepts.")
+@flag("--cost", "Print the simulation times on this machine.")
 @click.option(
     "--plan",
     type=PATH,

@@ -12,7 +12,7 @@ import click
 
 from nscc.files import Product, write_together, write_whole
 from nscc_cli.completion import RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, declared, settings_from, together
+from nscc_cli.options import OUT, PATH, declared, json_option, out_option, settings_from, together
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,
@@ -48,8 +48,8 @@ def command() -> None:
 
 
 _outputs = together(
-    click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
-    click.option("-o", "out", type=OUT, help="Write it to a file."),
+    json_option("Print the result as JSON."),
+    out_option("Write it to a file."),
 )
 _save_option = click.option(
     "--save", type=OUT, metavar="DIR", help="Write reconstructions and truth into this folder."
@@ -172,9 +172,7 @@ def tables(results: Path | None, **outputs: Any) -> None:
 
 @command.command("figures", cls=CommonCommand)
 @declared(FigureSettings, show=True)
-@click.option(
-    "-o", "out", type=OUT, required=True, metavar="DIR", help="The folder for the pictures."
-)
+@out_option("The folder for the pictures.", "DIR", required=True)
 def figures(out: Path, **options: Any) -> None:
     """Draw Figures 5, 6 and 7 of the paper, from the runs that come with nscc.
 
@@ -277,8 +275,8 @@ def _finish(
     show_default=True,
     help="The luminance in cd/m2 that the data range R represents, for PU21-PSNR.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print JSON, with every frame of a clip.")
-@click.option("-o", "out", type=OUT, help="Write the JSON to a file.")
+@json_option("Print JSON, with every frame of a clip.")
+@out_option("Write the JSON to a file.")
 def metrics(as_json: bool, out: Path | None, **pair: Any) -> None:
     """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
 

@@ -12,7 +12,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.files import write_back
 from nscc.syntax.format import format_source
 from nscc.syntax.parse import MOST_BYTES, read_source, source_of
-from nscc_cli.options import PATH
+from nscc_cli.options import PATH, flag
 from nscc_cli.support import common_command, say_done
 
 _STANDARD_INPUT = Path("-")
@@ -20,10 +20,8 @@ _STANDARD_INPUT = Path("-")
 
 @common_command("fmt")
 @click.argument("files", nargs=-1, required=True, metavar="FILE...|-", type=PATH)
-@click.option(
-    "--check", is_flag=True, help="Write nothing; exit with status 1 if a file would change."
-)
-@click.option("--diff", is_flag=True, help="Write nothing; print the changes.")
+@flag("--check", "Write nothing; exit with status 1 if a file would change.")
+@flag("--diff", "Write nothing; print the changes.")
 def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
     """Format programs in the standard style; `-` formats standard input and prints the result.
 

@@ -11,11 +11,12 @@ import click
 from nscc.files import reads, refuse_same, write_together
 from nscc_cli.frames import sensor_of
 from nscc_cli.options import (
-    OUT,
     PATH,
     build_options,
     chip_option,
     declared,
+    flag,
+    out_option,
     pixels_option,
     sensor_options,
 )
@@ -23,7 +24,7 @@ from nscc_cli.programs import load_program
 from nscc_cli.support import common_command, say, say_done
 from nscc_training.command_settings import Axis, ImportSettings
 
-_PROGRAM = click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
+_PROGRAM = out_option("The program.", "P.nsl", required=True)
 
 
 def _beside_program(out: Path, arrays: str) -> Path:
@@ -122,7 +123,7 @@ def _place(
 @common_command("import-frame")
 @click.argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
 @click.argument("files", metavar="FILE..|NAME=FILE..", nargs=-1, required=True)
-@click.option("-o", "out", required=True, metavar="FRAME.npz", type=OUT, help="The frame file.")
+@out_option("The frame file.", "FRAME.npz", required=True)
 @click.option(
     "--crop",
     callback=_place,
@@ -135,7 +136,7 @@ def _place(
     default=None,
     help="Reverse the order of rows, columns or both, after --crop.",
 )
-@click.option("--transpose", is_flag=True, help="Exchange rows and columns, after --flip.")
+@flag("--transpose", "Exchange rows and columns, after --flip.")
 @sensor_options
 @pixels_option
 @build_options

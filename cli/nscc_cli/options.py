@@ -28,6 +28,23 @@ PATH = click.Path(path_type=Path)
 OUT = OutPath()
 
 
+def out_option(
+    text: str, metavar: str | None = None, *, required: bool = False
+) -> Callable[[Command], Command]:
+    """Return the option `-o` for an output file or folder, with the help `text`."""
+    return option("-o", "out", type=OUT, metavar=metavar, required=required, help=text)
+
+
+def flag(name: str, text: str) -> Callable[[Command], Command]:
+    """Return the option `name` without a value, with the help `text`."""
+    return option(name, is_flag=True, help=text)
+
+
+def json_option(text: str) -> Callable[[Command], Command]:
+    """Return the option `--json`, which the command receives as `as_json`, with the help `text`."""
+    return option("--json", "as_json", is_flag=True, help=text)
+
+
 def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     """Combine several options into one decorator of a command. `--help` lists them in this
     order."""
@@ -231,7 +248,7 @@ csv_options = section(
 )
 tradeoff_options = section(
     OUTPUT,
-    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."),
+    out_option("Write OUT.csv and OUT.png.", "OUT"),
     csv_options,
 )
 """Options for the output files of a tradeoff."""

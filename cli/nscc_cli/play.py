@@ -16,7 +16,7 @@ import click
 from nscc.containers import is_compiled
 from nscc.diagnostics.diagnostic import rejected
 from nscc.syntax.parse import read_source
-from nscc_cli.options import PATH
+from nscc_cli.options import PATH, flag
 from nscc_cli.playground import PAGE
 from nscc_cli.playground.requests import Playground
 from nscc_cli.support import common_command, say_done
@@ -35,7 +35,7 @@ _HEADERS = {
 
 @common_command("play")
 @click.argument("program", metavar="[FILE]", required=False, type=PATH)
-@click.option("--no-browser", is_flag=True, help="Print the address, but open no browser.")
+@flag("--no-browser", "Print the address, but open no browser.")
 def command(program: Path | None, no_browser: bool) -> None:
     """Try programs in a page of your browser: check, words, frames, reconstructions.
 

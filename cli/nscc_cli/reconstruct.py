@@ -11,7 +11,15 @@ import click
 from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN, RUN_OR_ANY
-from nscc_cli.options import OUT, PATH, declared, settings_from, tone_option
+from nscc_cli.options import (
+    OUT,
+    PATH,
+    declared,
+    json_option,
+    out_option,
+    settings_from,
+    tone_option,
+)
 from nscc_cli.support import common_command, progress, say, say_done
 from nscc_training.command_settings import Method, ReconstructSettings
 
@@ -22,13 +30,10 @@ if TYPE_CHECKING:
 @common_command("reconstruct")
 @click.argument("run", type=RUN_OR_ANY, metavar="[any|RUN]")
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
-@click.option(
-    "-o",
-    "out",
+@out_option(
+    "The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, .tiff.",
+    "OUT",
     required=True,
-    metavar="OUT",
-    type=OUT,
-    help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, .tiff.",
 )
 @click.option("--png", type=OUT, help="Also write a picture of the result for the screen.")
 @tone_option
@@ -167,7 +172,7 @@ def _of_measurement(path: Path, how: ReconstructSettings) -> Reconstruction | No
 @common_command("classify")
 @click.argument("run", type=RUN, metavar="RUN")
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
-@click.option("--json", "as_json", is_flag=True, help="Print the likelihoods as JSON.")
+@json_option("Print the likelihoods as JSON.")
 @declared(ReconstructSettings, "dark", "force", "trust_code")
 def classify(run: Path, frame: Path, as_json: bool, **options: Any) -> None:
     """Name the class of FRAME, which `nscc run` wrote, with the likelihood of each class.

@@ -23,7 +23,7 @@ from nscc_cli.frames import (
     summary,
     write_frame,
 )
-from nscc_cli.options import OUT, PATH, values_given
+from nscc_cli.options import OUT, PATH, flag, out_option, values_given
 from nscc_cli.programs import load_program
 from nscc_cli.runtime_options import (
     chip_at,
@@ -123,12 +123,9 @@ def _refuse_tolerance_max(
 @link_options
 @shared.section(
     shared.OUTPUT,
-    click.option(
-        "-o",
-        "out",
-        type=OUT,
-        help="The frame file (default: NAME.frame.npz in this folder), or a part of it "
-        "as .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4.",
+    out_option(
+        "The frame file (default: NAME.frame.npz in this folder), or a part of it "
+        "as .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4."
     ),
     click.option("--png", type=OUT, help="Also write a picture of the frame."),
     click.option(
@@ -138,11 +135,7 @@ def _refuse_tolerance_max(
         help="Also store, comma-separated: light,truth,shutter,codes.",
     ),
     click.option("--timings", type=OUT, help="Write the times in seconds to a JSON file."),
-    click.option(
-        "--verbose",
-        is_flag=True,
-        help="Print the plan's table: each effect, its error and why it was chosen.",
-    ),
+    flag("--verbose", "Print the plan's table: each effect, its error and why it was chosen."),
 )
 @shared.tone_option
 def command(program: Path | None, like: Path | None, **options: Any) -> None:

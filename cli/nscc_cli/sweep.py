@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from nscc_cli.options import OUT, PATH, declared, settings_from
+from nscc_cli.options import OUT, PATH, declared, flag, settings_from
 from nscc_cli.support import CommonCommand, progress, say_done
 from nscc_training.command_settings import SweepSettings
 
@@ -36,8 +36,8 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
     "need; may be repeated.",
 )
 @declared(SweepSettings, show=True)
-@click.option("--dry-run", is_flag=True, help="Print the number of points and stop.")
-@click.option("--parquet", is_flag=True, help="Write the table as Parquet, too.")
+@flag("--dry-run", "Print the number of points and stop.")
+@flag("--parquet", "Write the table as Parquet, too.")
 @click.option(
     "--schema",
     type=click.Choice(_KINDS),

@@ -15,7 +15,7 @@ from nscc.columns import columns
 from nscc.options import Options
 from nscc.toml.schema import Key
 from nscc_cli.completion import TARGET
-from nscc_cli.options import declared
+from nscc_cli.options import declared, flag, json_option
 from nscc_cli.support import common_command, progress
 
 DEFAULT_SLOTS = ("1ms", "10us")
@@ -39,12 +39,8 @@ def _checked_times(
 
 @common_command("targets")
 @click.argument("name", required=False, type=TARGET, metavar="[NAME|FILE.toml|FILE.nsl]")
-@click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
-@click.option(
-    "--limits",
-    is_flag=True,
-    help="Compile every class at growing sizes: what fits, what cannot, what is unknown.",
-)
+@flag("--toml", "Print a complete file that --target accepts.")
+@flag("--limits", "Compile every class at growing sizes: what fits, what cannot, what is unknown.")
 @click.option(
     "--compare",
     "compared",
@@ -54,7 +50,7 @@ def _checked_times(
     help="Compile the program NAME for two chips: what fits, shortest slot, data rate, "
     "expected noise.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Print limits or comparison for programs.")
+@json_option("Print limits or comparison for programs.")
 @click.option(
     "--slot",
     "slots",

@@ -12,7 +12,7 @@ from nscc.mappings import NamedValues
 from nscc.options import Options
 from nscc_cli import options as shared
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of
-from nscc_cli.options import OUT, PATH, declared, settings_from, tradeoff_options
+from nscc_cli.options import PATH, declared, out_option, settings_from, tradeoff_options
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options, scene_option
 from nscc_cli.support import CommonCommand, Subcommands, progress, say, say_compiling
@@ -105,13 +105,7 @@ def joint(program: Path, **options: Any) -> int:
 @measured_options
 @shared.section(
     shared.OUTPUT,
-    click.option(
-        "-o",
-        "out",
-        type=OUT,
-        metavar="OUT",
-        help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
-    ),
+    out_option("Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.", "OUT"),
 )
 @shared.csv_options
 def emulator(program: Path | None, **options: Any) -> int:

@@ -11,7 +11,7 @@ from nscc.diagnostics.diagnostic import rejected
 from nscc.files import write_whole
 from nscc.mappings import NamedValues
 from nscc.words.legality import refuse_planes
-from nscc_cli.options import OUT, PATH, build_options, tone_option
+from nscc_cli.options import PATH, build_options, flag, out_option, tone_option
 from nscc_cli.programs import compile_program, load_program
 from nscc_cli.support import common_command, say, say_done
 
@@ -20,13 +20,8 @@ _PROGRAMS = (".nsl", ".icw")
 
 @common_command("view")
 @click.argument("program", metavar="FILE|RUN", type=PATH)
-@click.option(
-    "-o",
-    "out",
-    type=OUT,
-    help="The picture (default: the program's name with .png, in this folder).",
-)
-@click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")
+@out_option("The picture (default: the program's name with .png, in this folder).")
+@flag("--gates", "Draw the gates that decode the codes instead.")
 @tone_option
 @build_options
 def command(program: Path, out: Path | None, gates: bool, tone: str | None, **options: Any) -> None:
