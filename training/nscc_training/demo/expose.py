@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -59,19 +60,27 @@ class Looked:
     seconds: float
 
 
+class Shot(NamedTuple):
+    """A frame (`taken`), the dark frames of the same program, and the seconds of the frame's
+    simulation."""
+
+    taken: Taken
+    dark: Taken
+    seconds: float
+
+
 @dataclass(frozen=True, eq=False)
 class Exposed:
     """The exposures of a demo's scene.
 
     `run` is the run whose program exposed it; None for the example program for clips. `container`
     is the compiled `program` and `sensor` the chip's. `laid` contains the placed light of each
-    colour: one, or red, green, blue. `coded_capture` is the coded frame and `usual` a frame with
-    always open pixels; `dark` and `usual_dark` are their dark frames. `seconds` is the simulation
-    time of the coded frame. `looked` is a still exposed by pixels that look; None for a clip.
-    `fair` is a frame and dark frames of an ordinary camera at its best: a still with the best
-    single stop, or a clip in a burst of as many frames as `program` has readouts; None for a clip
-    in one readout. `bracket` is a still in three readouts of one exposure, one after the other,
-    with dark frames; None for a clip, or if the chip has too few registers."""
+    colour: one, or red, green, blue. `coded` is the coded frame and `usual` a frame with always
+    open pixels. `looked` is a still exposed by pixels that look; None for a clip. `fair` is a frame
+    of an ordinary camera at its best: a still with the best single stop, or a clip in a burst of as
+    many frames as `program` has readouts; None for a clip in one readout. `bracket` is a still in
+    three readouts of one exposure, one after the other; None for a clip, or if the chip has too few
+    registers."""
 
     run: Path | None
     program: Path
@@ -79,14 +88,11 @@ class Exposed:
     laid: tuple[PlacedLight, ...]
     container: Container
     sensor: Sensor
-    coded_capture: Taken
-    dark: Taken
-    usual: Taken
-    usual_dark: Taken
-    seconds: float
+    coded: Shot
+    usual: Shot
     looked: Looked | None
-    fair: tuple[Taken, Taken] | None
-    bracket: tuple[Taken, Taken] | None
+    fair: Shot | None
+    bracket: Shot | None
 
     @property
     def still(self) -> bool:
@@ -125,7 +131,7 @@ class Exposed:
         """Return the frame files of the coded frame, which contains the truth if it is grey, and of
         its dark frames."""
         keep = ("truth",) if len(self.laid) == 1 else ()
-        return _frame_file(self.coded_capture, keep), _frame_file(self.dark)
+        return _frame_file(self.coded.taken, keep), _frame_file(self.coded.dark)
 
 
 def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exposed:
@@ -158,14 +164,18 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
-    begin = working_s()
-    coded_capture = simulate_scene(compiled, laid, sensor, request, listener)
-    seconds = working_s() - begin
-    usual_camera = camera(like.slots, like.slot_us, target)
-    usual = simulate_scene(usual_camera, laid, sensor, request, listener)
-    dark, usual_dark = (
-        _dark(container, sensor, settings, listener) for container in (compiled, usual_camera)
-    )
+
+    def shot(container: Container) -> Shot:
+        """Expose the scene, and a dark one with noise that is independent of the scene's, with the
+        program `container`."""
+        begin = working_s()
+        taken = simulate_scene(container, laid, sensor, request, listener)
+        seconds = working_s() - begin
+        night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
+        quiet = replace(request, seed=settings.seed + DARK_SEED, repeat=DARK_FRAMES)
+        return Shot(taken, simulate_scene(container, night, sensor, quiet, listener), seconds)
+
+    coded, usual = shot(compiled), shot(camera(like.slots, like.slot_us, target))
     looked = _looked(scene, sensor, request, listener) if subject.still else None
     count, stop = len(compiled.table.shutters[0]), like.slots
     if subject.still:
@@ -175,39 +185,15 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
         curve: Curve = "linear" if subject.transfer == "srgb" else "mu"
         chip = DesignChip.of(compiled.target, sensor)
         stop = best_stop(chip, light_e, compiled.slots, curve)
-    fair = None
+    fair = bracket = None
     if subject.still or count > 1:
-        ordinary = camera(like.slots, like.slot_us, target, count, stop)
-        fair = (
-            simulate_scene(ordinary, laid, sensor, request, listener),
-            _dark(ordinary, sensor, settings, listener),
-        )
-    bracket = None
+        fair = shot(camera(like.slots, like.slot_us, target, count, stop))
     if subject.still:
         # A chip with too few registers for three readouts gives no bracket.
         with suppress(Rejected):
             lengths = bracket_slots(like.slots)
-            three = camera(like.slots, like.slot_us, target, lengths=lengths)
-            bracket = (
-                simulate_scene(three, laid, sensor, request, listener),
-                _dark(three, sensor, settings, listener),
-            )
-    return Exposed(
-        run,
-        program,
-        scene,
-        laid,
-        compiled,
-        sensor,
-        coded_capture,
-        dark,
-        usual,
-        usual_dark,
-        seconds,
-        looked,
-        fair,
-        bracket,
-    )
+            bracket = shot(camera(like.slots, like.slot_us, target, lengths=lengths))
+    return Exposed(run, program, scene, laid, compiled, sensor, coded, usual, looked, fair, bracket)
 
 
 def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
@@ -275,17 +261,6 @@ def _program_of(settings: DemoSettings) -> Path:
     (default `BEST_READOUTS`) for the network, and with one readout for other methods, which cannot
     join several."""
     return examples()[CLIPS[(settings.readouts or BEST_READOUTS) if settings.learned else 1]]
-
-
-def _dark(
-    container: Container, sensor: Sensor, settings: DemoSettings, listener: Listener
-) -> Taken:
-    """Return `DARK_FRAMES` frames of a dark scene from the program `container`, with noise that is
-    independent of the scene's. All frames are those of one chip, as repeats of one capture."""
-    night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
-    seed = settings.seed + DARK_SEED
-    request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)
-    return simulate_scene(container, night, sensor, request, listener)
 
 
 def _frame_file(capture: Taken, keep: Sequence[str] = ()) -> FrameFile:

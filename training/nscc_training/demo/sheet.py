@@ -13,9 +13,8 @@ import numpy as np
 from nscc.arrays import Array, Bytes, Floats
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
-from nscc_runtime.pieces import Taken
 from nscc_training.code_choices import over_array
-from nscc_training.demo.expose import Exposed, Looked
+from nscc_training.demo.expose import Exposed, Looked, Shot
 from nscc_training.design.bracket import merged_bracket
 from nscc_training.design.chip import DesignChip
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
@@ -86,41 +85,40 @@ class Shown:
     def usual_light(self) -> Floats:
         """The light estimated from always open pixels, in electrons, in the shape of the ground
         truth."""
-        return self._camera_light(self.exposed_scene.usual, self.exposed_scene.usual_dark)
+        return self._camera_light(self.exposed_scene.usual)
 
     @cached_property
     def fair_light(self) -> Floats | None:
         """The light of an ordinary camera at its best, in electrons, in the shape of the ground
         truth; None for a clip with one readout, for which it would be the always open camera."""
         fair = self.exposed_scene.fair
-        return None if fair is None else self._camera_light(*fair)
+        return None if fair is None else self._camera_light(fair)
 
-    def _camera_light(self, capture: Taken, dark: Taken) -> Floats:
+    def _camera_light(self, shot: Shot) -> Floats:
         """Return the light that an ordinary camera measured, in electrons: over the frame for a
         still, per slot for a clip. Each frame of a clip fills the slots in which it was open.
 
-        `capture` has one readout for each of its frames, which all pixels share; `dark` are dark
-        frames of this camera."""
+        `shot` has one readout for each of its frames, which all pixels share."""
         # All pixels of an ordinary camera have one shutter, (readouts, slots).
-        shutters = capture.container.table.shutters[0]
+        shutters = shot.taken.container.table.shutters[0]
         frames: list[Floats] = []
         for open_slots, exposure_e in zip(
-            shutters.sum(axis=-1), self._exposures_e(capture, dark), strict=True
+            shutters.sum(axis=-1), self._exposures_e(shot), strict=True
         ):
             frames += [exposure_e / open_slots] * int(open_slots)
         # For a still `frames` repeats the light of one slot; times the slots it is that of the
         # frame.
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
-    def _exposures_e(self, capture: Taken, dark: Taken) -> list[Array]:
-        """Return the electrons of each readout of `capture` above the mean of its dark frames
-        `dark`, one array (rows, cols, [3]) a readout. Noise can make them negative.
+    def _exposures_e(self, shot: Shot) -> list[Array]:
+        """Return the electrons of each readout of `shot` above the mean of its dark frames, one
+        array (rows, cols, [3]) a readout. Noise can make them negative.
 
         A scene larger than the array is exposed in parts, and the dark frame is repeated over them.
         """
         exposures_e = []
-        for k, dark_codes in enumerate(dark.simulated.frame.frame.mean(axis=0)):
-            codes = self.exposed_scene.codes(capture, k)
+        for k, dark_codes in enumerate(shot.dark.simulated.frame.frame.mean(axis=0)):
+            codes = self.exposed_scene.codes(shot.taken, k)
             offset = over_array(dark_codes, *codes.shape[:2])
             offset = offset if codes.ndim == 2 else offset[..., None]
             exposures_e.append((codes - offset) * self.exposed_scene.sensor.electrons_per_lsb)
@@ -131,14 +129,15 @@ class Shown:
         """The light that an ordinary bracket (readouts of different exposure times in one frame)
         measured, in electrons over the frame, (rows, cols, [3]). It is merged without a network.
         None if there is no bracket: for a clip, or if the chip has too few registers."""
-        if self.exposed_scene.bracket is None:
+        shot = self.exposed_scene.bracket
+        if shot is None:
             return None
-        capture, dark = self.exposed_scene.bracket
+        capture = shot.taken
         # The frame is ([3,] readouts, rows, cols); readouts become the first axis.
         saturated = np.moveaxis(capture.simulated.frame.saturated, -3, 0)
         if saturated.ndim == 4:  # colours become the last axis
             saturated = np.moveaxis(saturated, 1, -1)
-        exposure_e = np.stack(self._exposures_e(capture, dark))
+        exposure_e = np.stack(self._exposures_e(shot))
         open_share = capture.container.table.shutters[0].mean(axis=-1)
         chip = DesignChip.of(capture.container.target, self.exposed_scene.sensor)
         return merged_bracket(exposure_e, open_share, saturated, chip)
@@ -233,8 +232,8 @@ def _readout(shown: Shown) -> Image:
     exposed_scene, last = shown.exposed_scene, shown.exposed_scene.readouts - 1
     codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
     title = "readout" if last == 0 else f"the last of {readouts_text(exposed_scene.readouts)}"
-    note = f"one exposure through the shutters, emulated in {_time(exposed_scene.seconds)}"
-    return Image(_fit(codes(exposed_scene.codes(exposed_scene.coded_capture, last))), title, note)
+    note = f"one exposure through the shutters, emulated in {_time(exposed_scene.coded.seconds)}"
+    return Image(_fit(codes(exposed_scene.codes(exposed_scene.coded.taken, last))), title, note)
 
 
 def _decoder_text(shown: Shown) -> str:
@@ -265,7 +264,7 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
         ]
     ]
     if shown.bracket_light is not None and shown.exposed_scene.bracket is not None:
-        container = shown.exposed_scene.bracket[0].container
+        container = shown.exposed_scene.bracket.taken.container
         lengths_ms = container.table.shutters[0] @ np.array(container.slot_us) * 1e-3
         lengths = ", ".join(f"{length:.3g}" for length in lengths_ms)
         note = (
@@ -278,7 +277,7 @@ def _still_rows(shown: Shown) -> list[list[Image]]:
         rows.insert(0, _of_looks(shown, shown.exposed_scene.looked, truth))
     first = [Image(_fit(truth), "truth", _tone(shown))]
     if shown.exposed_scene.fair is not None and shown.fair_light is not None:
-        container = shown.exposed_scene.fair[0].container
+        container = shown.exposed_scene.fair.taken.container
         open_ms = sum(container.slot_us) * float(container.table.shutters[0, 0].mean()) * 1e-3
         usual = shown.fitted(np.maximum(shown.fair_light, 0))
         note = (
@@ -300,7 +299,7 @@ def _clip_rows(shown: Shown) -> list[list[Image]]:
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
     codes = fitted("srgb", np.array([0.0]), float(exposed_scene.container.target.top_code))
     usual = Image(
-        _fit(codes(exposed_scene.codes(exposed_scene.usual))),
+        _fit(codes(exposed_scene.codes(exposed_scene.usual.taken))),
         "always open",
         f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB",
     )
@@ -381,7 +380,7 @@ def _shutters(shown: Shown) -> Image:
     `_CORNER` on its longer side. Of several readouts the last is shown. Colours show for a clip the
     mean time at which a pixel is open, for a still for how long it is open."""
     exposed_scene, container = shown.exposed_scene, shown.exposed_scene.container
-    size = exposed_scene.codes(exposed_scene.coded_capture).shape[:2]
+    size = exposed_scene.codes(exposed_scene.coded.taken).shape[:2]
     assert container.pixel_codes is not None  # the frame has been exposed
     # In proportion to the array; at least 4, so that a tile of a narrow array is seen.
     rows, cols = (max(4, _CORNER * side // max(size)) for side in size)

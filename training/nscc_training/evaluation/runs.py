@@ -33,7 +33,8 @@ from nscc_training.evaluation.results import (
     result_of,
     usable_scenes,
 )
-from nscc_training.loop.validation import by_chip, by_model, validation_scenes
+from nscc_training.loop.decoding import by_chip, by_model
+from nscc_training.loop.validation import validation_scenes
 from nscc_training.problems import listed
 from nscc_training.programs import SENSOR_FILE
 from nscc_training.protocol_scenes.clips import class_windows

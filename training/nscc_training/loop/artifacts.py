@@ -21,9 +21,9 @@ from nscc_training.code_choices import LOOKS
 from nscc_training.data import Scenes
 from nscc_training.decoders.decoder_building import flops, parameter_count
 from nscc_training.least_squares import solve
-from nscc_training.loop.decoding import scene_by_words
+from nscc_training.loop.decoding import by_model, scene_by_words
 from nscc_training.loop.setup import TrainingSetup, started_encoder
-from nscc_training.loop.validation import as_trained, by_model, validated
+from nscc_training.loop.validation import as_trained, validated
 from nscc_training.measures import METRIC_NAMES, means_text, score_text
 from nscc_training.programs import CAPTURE_FILE, CODES_FILE, program_of, words_per_slot
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene

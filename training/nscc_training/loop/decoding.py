@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from time import perf_counter
 
 import numpy as np
@@ -28,70 +29,79 @@ _BLOCK, _MARGIN = 256, 32
 The margin is larger than the receptive field of decoders."""
 
 
-@torch.no_grad()
-def scene_by_model(
+Decode = Callable[[Array, int], tuple[Floats, float]]
+"""A function that captures and decodes a scene, given its light in electrons and its index.
+
+The light is over the frame (rows, cols), or per slot (N, rows, cols). The function returns the
+decoded light in electrons, or a score for each class, and the seconds that the decoder took. Each
+scene has its own noise, which a seed and the scene's index determine: up to 1000 scenes share none
+with another seed's."""
+
+
+def by_model(
     setup: TrainingSetup,
-    light_e: Array,
-    seed: int,
     tile: Tensor | None = None,
     model: SensorModel | None = None,
-) -> tuple[Floats, float]:
-    """Capture a scene with the sensor model and decode it. Return the light in electrons, over the
-    frame or per slot, and the seconds that the decoder took.
+    seed: int = 0,
+) -> Decode:
+    """Return a function that captures a scene by a sensor model and decodes it.
 
-    `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows, cols); `seed` is
-    that of the noise. `tile` (N, r, c) and `model` replace the run's shutters and sensor, None
-    keeps them; for pixels that look, `tile` has their boundaries and levels. A run that classifies
-    returns a score for each class."""
-    tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
-    model = setup.model if model is None else model
-    if setup.encoder.spec.kind == LOOKS:
-        generator = torch.Generator().manual_seed(seed)
-        light = torch.as_tensor(light_e, dtype=torch.float32)[None]
-        step_e = setup.target.electrons_per_step
-        codes, share = looked(light, tile, setup.slots, step_e, model, generator)
-        frame, shutters = codes[0] - model.adc_offset_lsb, share
-    else:
-        frame = frame_of(light_e, shared_out(tile, setup.buckets), model, seed)
-        shutters = laid(tile, *frame.shape[-2:])
-    begin = perf_counter()
-    result = _decoder_output(setup, setup.model.relative(frame), shutters)
-    seconds = perf_counter() - begin
-    return result.astype(np.float64) * setup.unit_e, seconds
+    `tile` (N, r, c) and `model` replace the run's shutters and sensor model; None keeps them. For
+    pixels that look, `tile` has their boundaries and levels."""
+    shown = setup.encoder.hard().cpu() if tile is None else tile.cpu()
+    sensor = setup.model if model is None else model
+
+    @torch.no_grad()
+    def decode(light_e: Array, index: int) -> tuple[Floats, float]:
+        """Capture and decode a scene."""
+        if setup.encoder.spec.kind == LOOKS:
+            generator = torch.Generator().manual_seed(1000 * seed + index)
+            light = torch.as_tensor(light_e, dtype=torch.float32)[None]
+            step_e = setup.target.electrons_per_step
+            codes, share = looked(light, shown, setup.slots, step_e, sensor, generator)
+            frame, shutters = codes[0] - sensor.adc_offset_lsb, share
+        else:
+            frame = frame_of(light_e, shared_out(shown, setup.buckets), sensor, 1000 * seed + index)
+            shutters = laid(shown, *frame.shape[-2:])
+        begin = perf_counter()
+        result = _decoder_output(setup, setup.model.relative(frame), shutters)
+        seconds = perf_counter() - begin
+        return result.astype(np.float64) * setup.unit_e, seconds
+
+    return decode
 
 
-def scene_by_chip(
-    setup: TrainingSetup,
-    container: Container,
-    sensor: Sensor,
-    light_e: Array,
-    effects: str,
-    seeds: tuple[int, int],
-) -> tuple[Floats, float]:
-    """Capture a scene with the emulated chip and decode it. Return the light in electrons, over the
-    frame or per slot, and the seconds that the decoder took.
+def by_chip(
+    setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
+) -> Decode:
+    """Return a function that captures a scene on the emulated chip with `effects` and decodes it.
 
-    Equals `nscc run` followed by `nscc reconstruct`. `container` is the run's program, `sensor`
-    that of the chip. `light_e` is in electrons over the frame (rows, cols), or per slot (N, rows,
-    cols). `effects` are as for the option `--effects`. `seeds` are the seeds of the noise and of
-    the chip. A scene smaller than the array is extended by its edge pixels; of a larger scene the
-    upper left part is exposed."""
-    light = light_on_array(light_e, setup.slots, container.target)
-    request = Request.of(effects=effects, seed=seeds[0], device_seed=seeds[1])
-    frame = simulate(container, light, sensor, request).frame
-    begin = perf_counter()
-    opened = frame.told.get(OPEN)
-    # Pixels that look report the slots in which they were open.
-    share = None if opened is None else (opened[0] / setup.slots).astype(np.float32)
-    bucket = 0 if setup.buckets == 1 else ...  # decoders of one bucket expect no axis of buckets
-    rows, cols = light_e.shape[-2:]
-    visible_part = np.s_[..., :rows, :cols]
-    codes, saturated = frame.frame[bucket], frame.saturated[bucket]
-    if setup.classes:  # the continuation of the scene has no class
-        result = decoded_frame(setup, codes[visible_part], saturated[visible_part])
-    else:
-        result = decoded_frame(setup, codes, saturated, share)[visible_part]
-    return result.astype(np.float64), perf_counter() - begin
+    Equals `nscc run` followed by `nscc reconstruct`. `sensor` replaces the run's sensor; None keeps
+    it. `effects` are written as for `--effects`. `seed` is also that of the chip. A scene smaller
+    than the array is extended by its edge pixels; of a larger scene the upper left part is
+    exposed."""
+    container, used = setup.compiled().built, setup.sensor if sensor is None else sensor
+
+    def decode(light_e: Array, index: int) -> tuple[Floats, float]:
+        """Capture and decode a scene."""
+        light = light_on_array(light_e, setup.slots, container.target)
+        request = Request.of(effects=effects, seed=1000 * seed + index, device_seed=seed)
+        frame = simulate(container, light, used, request).frame
+        begin = perf_counter()
+        opened = frame.told.get(OPEN)
+        # Pixels that look report the slots in which they were open.
+        share = None if opened is None else (opened[0] / setup.slots).astype(np.float32)
+        bucket = 0 if setup.buckets == 1 else ...  # decoders of one bucket expect no axis of them
+        rows, cols = light_e.shape[-2:]
+        visible_part = np.s_[..., :rows, :cols]
+        codes, saturated = frame.frame[bucket], frame.saturated[bucket]
+        if setup.classes:  # the continuation of the scene has no class
+            result = decoded_frame(setup, codes[visible_part], saturated[visible_part])
+        else:
+            result = decoded_frame(setup, codes, saturated, share)[visible_part]
+        return result.astype(np.float64), perf_counter() - begin
+
+    return decode
 
 
 @torch.no_grad()

@@ -2,30 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import torch
-from torch import Tensor
 
-from nscc.arrays import Array, Floats
+from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
 from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
-from nscc_training.loop.decoding import scene_by_chip, scene_by_model
+from nscc_training.loop.decoding import Decode, by_chip, by_model
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import decibels, number, summary
 from nscc_training.protocol_scenes.clips import ClipWindow, with_class
 from nscc_training.protocol_scenes.file_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol
-from nscc_training.sensor_model import SensorModel
-
-Decode = Callable[[Array, int], tuple[Floats, float]]
-"""A function that captures and decodes a scene, given its light in electrons and its index.
-
-Returns electrons and seconds."""
 
 
 @dataclass(frozen=True)
@@ -109,34 +102,6 @@ def as_trained(setup: TrainingSetup, sensor: Sensor | None = None) -> Decode:
     `sensor` replaces the sensor of the emulated chip; None keeps the run's."""
     effects = setup.settings.sensor.effects
     return by_chip(setup, effects, sensor) if effects else by_model(setup)
-
-
-def by_model(
-    setup: TrainingSetup,
-    tile: Tensor | None = None,
-    model: SensorModel | None = None,
-    seed: int = 0,
-) -> Decode:
-    """Return a function that captures a scene by a sensor model and decodes it.
-
-    `tile` (N, r, c) and `model` replace the run's shutters and sensor model; None keeps them. Each
-    scene has its own noise, which `seed` and the scene's index determine."""
-    # Up to 1000 scenes have noise of their own for each seed.
-    return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
-
-
-def by_chip(
-    setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
-) -> Decode:
-    """Return a function that captures a scene on the emulated chip with `effects` and decodes it.
-
-    `sensor` replaces the run's sensor; None keeps it. `effects` are written as for `--effects`.
-    `seed` is that of the chip. Each scene has its own noise, which `seed` and the scene's index
-    determine."""
-    container, used = setup.compiled().built, setup.sensor if sensor is None else sensor
-    return lambda light_e, index: scene_by_chip(
-        setup, container, used, light_e, effects, seeds=(1000 * seed + index, seed)
-    )
 
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: Array) -> float:
