@@ -40,10 +40,7 @@ def asm(file: str, output: str | None, words: bool) -> None:
     base = Path(file).parent if file != "-" else Path()
     if words:
         text = "".join(f"{word_text(word)}\n" for word in assemble_words(source, base))
-        if output is None or output == "-":
-            click.echo(text, nl=False)
-        else:
-            write_whole(Path(output), text.encode("ascii"))
+        _put(text, output)
         return
     if output is None and file == "-":
         raise click.UsageError("text from standard input needs -o OUT.icw (or --words)")
@@ -51,6 +48,14 @@ def asm(file: str, output: str | None, words: bool) -> None:
         raise click.UsageError("a container is not printed: give -o a file, or use --words")
     container = assemble(source, base)
     write_whole(Path(output) if output else Path(file).with_suffix(".icw"), to_bytes(container))
+
+
+def _put(text: str, output: str | None) -> None:
+    """Write `text` to the file `output`, or to standard output for None and "-"."""
+    if output is None or output == "-":
+        click.echo(text.encode(), nl=False)
+    else:
+        write_whole(Path(output), text.encode())
 
 
 def read_text(file: str) -> Source:
@@ -88,11 +93,7 @@ def read_text(file: str) -> Source:
 )
 def disasm(file: str, output: str | None) -> None:
     """Write FILE.icw as assembly text, from which `nscc asm` makes the same file again."""
-    text = disassemble(read_container(Path(file)))
-    if output is None or output == "-":
-        click.echo(text.encode("utf-8"), nl=False)
-    else:
-        write_whole(Path(output), text.encode("utf-8"))
+    _put(disassemble(read_container(Path(file))), output)
 
 
 @common_command("diff")

@@ -141,21 +141,14 @@ def _designed(
 
         clips = _moving(scenes, target, options, wanted.slots)
         return design_clip(clips, frame, searching, wanted.trials)
-    scene_lights = _scene_lights(scenes, target, options)
+    laid_scenes = _laid(scenes, target, options)
+    scene_lights = [laid.placement.cut(laid.light.total_e()) for laid in laid_scenes]
     if wanted.search:
         return design_pattern(scene_lights, frame, searching, wanted.trials)
     if wanted.looks is None:
         return design_tile(scene_lights, frame)
     curve = wanted.criterion or "mu"
     return design_looks(scene_lights, wanted.looks, frame, curve)  # type: ignore[arg-type]  # no sve-risk
-
-
-def _scene_lights(scenes: tuple[str, ...], target: Target, options: NamedValues) -> list[Floats]:
-    """Return the light of each of `scenes` (names or paths) over the frame in electrons (rows,
-    cols), without the parts of the array that a smaller scene does not cover.
-
-    `options` are those of the command."""
-    return [laid.placement.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
 
 
 def _moving(

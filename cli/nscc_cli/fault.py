@@ -33,8 +33,10 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     NS0784 (status 2) if a file or stream fails, NS0902 (3) if memory runs out, NS0903 (1) if the
     input is nested too deeply, NS0904 (2) if a package is missing, otherwise NS0901 (70), for which
     a reproducer is saved."""
-    error_text = " ".join(str(error).split())[:200]
-    if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
+    from nscc_training.problems import is_out_of_memory, one_line
+
+    error_text = one_line(error)
+    if is_out_of_memory(error):
         on_gpu = type(error).__name__ == "OutOfMemoryError"
         less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
         processor = (
@@ -91,13 +93,6 @@ def _memory_text(error_text: str, on_gpu: bool) -> str:
     return (
         f"there is not enough memory: {asked}, but {free:.1f} of {total:.1f} GiB of memory are free"
     )
-
-
-def _no_memory(error: Exception) -> bool:
-    """Return whether `error` says that memory is exhausted, on the GPU or on the host."""
-    from nscc_training.problems import is_out_of_memory
-
-    return is_out_of_memory(error)
 
 
 _LESS = {

@@ -21,9 +21,10 @@ from nscc_cli.options import (
     tone_option,
 )
 from nscc_cli.support import common_command, progress, say, say_done
-from nscc_training.command_settings import Method, ReconstructSettings
+from nscc_training.command_settings import ReconstructSettings
 
 if TYPE_CHECKING:
+    from nscc_runtime.formats import Content
     from nscc_training.reconstruct_any import Reconstruction
 
 
@@ -57,9 +58,9 @@ def command(
     how = settings_from(ReconstructSettings, options)
     if frame is None and run == "any":
         raise click.UsageError("`nscc reconstruct any` needs FRAME.npz, which `nscc run` writes")
-    if frame is None:
-        from nscc_training.frame_reading import refuse_missing
+    from nscc_training.frame_reading import frame_arrays, refuse_missing
 
+    if frame is None:
         refuse_missing(Path(run))
         from nscc_training.reconstruct_any import is_measurement
 
@@ -83,35 +84,16 @@ def command(
     if png is not None:
         check_ending(png, (".png",), "a picture")
         refuse_same([out, png], "-o and --png")
-    if frame is not None:
-        from nscc_training.frame_reading import refuse_missing
-
-        refuse_missing(frame)
     if frame is None:
         from nscc_runtime.frame_arrays import image_of
-        from nscc_training.frame_reading import frame_arrays
         from nscc_training.reconstruct_any import overexposed
 
         image = image_of(Path(run))
         say([*overexposed(run, frame_arrays(Path(run)).saturated)])
         content = Content({"image": image}, image)
-    elif run == "any":
-        from nscc_training.reconstruct_any import reconstruct_any
-
-        reconstruction = _of_measurement(frame, how) or reconstruct_any(
-            frame, how.program, how.kind, how.dark, how.method, progress
-        )
-        say(reconstruction.messages)
-        _say_method(reconstruction, how.method)
-        content = reconstruction.content
     else:
-        from nscc_training.reconstruct import reconstruct
-
-        reconstruction = reconstruct(
-            Path(run), frame, force=how.force, dark=how.dark, trust_code=how.trust_code
-        )
-        say(reconstruction.messages)
-        content = reconstruction.content
+        refuse_missing(frame)
+        content = _of_frame(run, frame, how)
     content = replace(content, tone=tone)
     named = Path(run).name
     title = named if frame is None else f"{frame.name}  ·  {named}"
@@ -127,17 +109,31 @@ def command(
         say_done(f"shown with the {content.tone_text}")
 
 
-def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
-    """Print which method replaced the network in `reconstruction`, and why; nothing if none did.
-    `method` is the value of --method, None if it was not given."""
+def _of_frame(run: str, frame: Path, how: ReconstructSettings) -> Content:
+    """Return what the decoder of a run, or "any", reconstructs from `frame`, after printing which
+    method replaced the network, and why."""
+    from nscc_training.reconstruct_any import reconstruct_any
+
+    if run == "any":
+        reconstruction = _of_measurement(frame, how) or reconstruct_any(
+            frame, how.program, how.kind, how.dark, how.method, progress
+        )
+    else:
+        from nscc_training.reconstruct import reconstruct
+
+        reconstruction = reconstruct(
+            Path(run), frame, force=how.force, dark=how.dark, trust_code=how.trust_code
+        )
+    say(reconstruction.messages)
     if reconstruction.reason:
         say_done(reconstruction.reason)
-    elif method is None and reconstruction.method != "network":
-        method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
+    elif how.method is None and reconstruction.method in ("merge", "gap-tv"):
+        found = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
         say_done(
-            f"without torch {method_text} (method {reconstruction.method}); {line_for('torch')} "
+            f"without torch {found} (method {reconstruction.method}); {line_for('torch')} "
             "installs the network"
         )
+    return reconstruction.content
 
 
 def _of_measurement(path: Path, how: ReconstructSettings) -> Reconstruction | None:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import tempfile
-from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -18,8 +17,7 @@ if TYPE_CHECKING:
     from nscc.shutter_program import ShutterProgram
 
 
-@dataclass(frozen=True)
-class CellFiles:
+class CellFiles(NamedTuple):
     """The program of a cell: its `text`, `kernels`, the bytes of its kernel file (`.npz`), and
     `planes`, the names of the planes that are read, one for each output."""
 

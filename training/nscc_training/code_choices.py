@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nscc.arrays import Array
+from nscc.arrays import Array, Bools, Ints
 
 ORDERED = ("two-phase", "staggered", "cyclic")
 """Names of initial codes with staggered bumps (`nscc_training.encoders.encoder_classes`)."""
@@ -81,6 +81,19 @@ class ShutterSpec:
     def places(self) -> int:
         """Number of codes in the tile."""
         return self.tile[0] * self.tile[1]
+
+
+def bits_of(opened: Bools) -> Ints:
+    """Return shutters (slots, rows, cols) as codes of class e, int64 (rows, cols): bit n is slot
+    n."""
+    weights = np.int64(1) << np.arange(len(opened), dtype=np.int64)
+    return np.asarray(np.einsum("n,nrc->rc", weights, opened.astype(np.int64)))
+
+
+def opened_by_bits(bits: Ints, slots: int) -> Bools:
+    """Return the shutters (slots, rows, cols) of codes of class e (rows, cols), as `bits_of` takes
+    them."""
+    return np.asarray(bits >> np.arange(slots, dtype=np.int64).reshape(-1, 1, 1) & 1, np.bool_)
 
 
 def over_array(tile: Array, rows: int, cols: int) -> Array:

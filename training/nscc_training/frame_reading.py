@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -27,8 +26,7 @@ _SLOTS = "decode_slot_us"
 _READ = ("saturated", OPEN, _SLOTS, "shutter", "shutter_shape")
 
 
-@dataclass(frozen=True, eq=False)
-class FrameRead:
+class FrameRead(NamedTuple):
     """The content of a frame file that reconstruction needs.
 
     `frame` contains converter codes (colours, rows, cols), for two buckets (colours, 2, rows,
@@ -151,8 +149,7 @@ _LIT = 0.01
 """Largest fraction of saturated pixels in a dark frame; more mean that there was light."""
 
 
-@dataclass(frozen=True, eq=False)
-class Dark:
+class Dark(NamedTuple):
     """A dark frame, from one exposure or repeated ones. It is subtracted from frames, because it
     contains the offsets of words and pixels.
 

@@ -4,8 +4,8 @@ represents it."""
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,8 +28,7 @@ _MOST_SHAPES = 4096
 """Most different shutters of a mask that become rows of a codebook."""
 
 
-@dataclass(frozen=True)
-class ImportedMask:
+class ImportedMask(NamedTuple):
     """A program that opens the shutters of a mask.
 
     `text` is the program, `codes` the content of its code file (empty if not needed), `kind` its
@@ -130,7 +129,7 @@ def import_mask(
         for candidate in fitting
         if candidate is not best
     ]
-    return replace(best, reasons=tuple(reasons))
+    return best._replace(reasons=tuple(reasons))
 
 
 def read_binary_mask(path: Path) -> Floats:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import io
 import re
 import zipfile
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import torch
@@ -22,8 +21,7 @@ from nscc_training.cells import MOST_KERNEL, MOST_OUTPUTS, MOST_STATES, PixelCel
 from nscc_training.problems import listed, one_line
 
 
-@dataclass(frozen=True)
-class ImportedNetwork:
+class ImportedNetwork(NamedTuple):
     """An imported cell (a small recurrent network in each pixel) as a program.
 
     `text` is the program, `kernels` the bytes of its kernel file, `cell` the cell itself, `words`

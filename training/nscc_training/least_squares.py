@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from nscc.arrays import Floats
 
 
-@dataclass(frozen=True, eq=False)
-class LeastSquares:
+class LeastSquares(NamedTuple):
     """The result of `solve`: the solution with the smallest norm, the `rank` of the matrix, and its
     `condition` (largest over smallest singular value; infinite below full rank)."""
 

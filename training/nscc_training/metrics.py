@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -143,8 +143,7 @@ def finite_mean(scores_db: Iterable[float]) -> float:
     return float(np.mean(finite)) if finite else math.inf
 
 
-@dataclass(frozen=True)
-class FrameScores:
+class FrameScores(NamedTuple):
     """Summary of the scores of frames in dB.
 
     `mean` and `sd`, the sample standard deviation (0 for fewer than two finite scores), leave out

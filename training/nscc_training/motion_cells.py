@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from nscc.arrays import Bools, Floats32
 from nscc_training.cells import PixelCell
@@ -14,8 +14,7 @@ DECODER, STATE = "direction.decoder.safetensors", "direction.pt"
 """Names of the files of a trained cell."""
 
 
-@dataclass(frozen=True)
-class LinearDecoder:
+class LinearDecoder(NamedTuple):
     """A linear classifier of the direction of motion from a cell's output bits. The scores are
     `weight` (directions, outputs) times the fraction of 1 bits of each output over a film, plus
     `bias` (directions,)."""

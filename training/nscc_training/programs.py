@@ -6,7 +6,7 @@ import tempfile
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -78,8 +78,7 @@ class Chip:
         return self.target if self.target.endswith(".toml") else None
 
 
-@dataclass(frozen=True)
-class ProgramFiles:
+class ProgramFiles(NamedTuple):
     """A program's `text`, and `codes`, the bytes of its code file (.npz) with an array for each
     field, and the `book` of a codebook; empty for class a."""
 

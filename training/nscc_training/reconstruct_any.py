@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -37,8 +37,7 @@ _OVEREXPOSED = 0.25
 """Fraction of saturated pixels above which a warning is given."""
 
 
-@dataclass(frozen=True, eq=False)
-class Reconstruction:
+class Reconstruction(NamedTuple):
     """A reconstructed picture or clip.
 
     `light` is float32, a picture (rows, cols) in electrons over the frame, or a clip (T, rows,
@@ -261,8 +260,7 @@ def _clips(
 _KEYS = frozenset(("mask", "meas"))
 
 
-@dataclass(frozen=True)
-class NoiseModel:
+class NoiseModel(NamedTuple):
     """Noise of a measurement in its own unit.
 
     `read_sd` is the standard deviation of the readout. `gain` is what one photon adds to the
@@ -300,8 +298,7 @@ class NoiseModel:
         return f"standard deviation of the readout {self.read_sd:g}{photons}"
 
 
-@dataclass(frozen=True, eq=False)
-class Measurement:
+class Measurement(NamedTuple):
     """K measurements `values` (K, rows, cols) that were taken with one `mask` (slots, rows, cols).
     `axes` says in words how the axes of the file were read."""
 

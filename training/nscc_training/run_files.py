@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 from nscc.diagnostics.diagnostic import rejected
 from nscc.files import reads
@@ -31,8 +31,7 @@ _ELECTRONS = (".npz", ".npy")
 """File endings of scenes in electrons."""
 
 
-@dataclass(frozen=True)
-class RunCapture:
+class RunCapture(NamedTuple):
     """The conditions under which a run's decoder expects frames.
 
     `still` says whether it reconstructs stills instead of clips. `program` is the run's own, with

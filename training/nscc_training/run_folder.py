@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 import torch
 
@@ -26,8 +27,7 @@ _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 """Files of a run whose digests are stored in its result."""
 
 
-@dataclass(frozen=True, eq=False)
-class RunFolder:
+class RunFolder(NamedTuple):
     """A loaded run: its folder `path`, its objects with learned codes and weights (`setup`), the
     text of its `program`, and `result`, the content of `result.json`.
 

@@ -34,6 +34,7 @@ from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import simulate
 from nscc_training.design.bracket import camera
 from nscc_training.measures import METRIC_NAMES
+from nscc_training.problems import one_line
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import light_in
 
@@ -220,7 +221,7 @@ def _nothing_to_view(path: Path, reason: str) -> Rejected:
     """Return the error (NS0801) that the file `path` cannot be drawn, because of `reason`."""
     return rejected(
         "NS0801",
-        f"cannot view '{path}': {' '.join(reason.split())[:200]}",
+        f"cannot view '{path}': {one_line(reason)}",
         notes=(
             "nscc views programs, frames, reconstructions, pictures, clips, run folders, "
             "results and sensors",

@@ -129,19 +129,15 @@ def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tens
     measured = measured.over(unit)
     light = started_still(measured)
     with bf16_where_multiplied():
-        *_, light = still_stages(measured, _still_in_tiles, light, count)
+        *_, light = still_stages(
+            measured,
+            lambda light, planes, level: denoised_in_tiles(
+                shipped("still"), light, lambda rows, cols: planes[..., rows, cols], level
+            ),
+            light,
+            count,
+        )
     return light * unit.reshape(-1, 1, 1)
-
-
-def _still_in_tiles(light: Tensor, planes: Tensor, level: Tensor) -> Tensor:
-    """Denoise `light`, the scaled logarithm of a still (batch, 1, rows, cols), in tiles, by the
-    network for stills that comes with nscc.
-
-    `planes` (batch, 3, 1, rows, cols) are the network's other inputs for the whole still; `level`
-    (batch,) is the assumed standard deviation of the error."""
-    return denoised_in_tiles(
-        shipped("still"), light, lambda rows, cols: planes[..., rows, cols], level
-    )
 
 
 def white(measured: Measured[Tensor]) -> Tensor:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,8 +40,7 @@ _MOST_VALUES = 1 << 28
 """Largest number of slots times pixels of a clip: 4096 slots of 256 x 256 pixels."""
 
 
-@dataclass(frozen=True, eq=False)
-class CodedFrame:
+class CodedFrame(NamedTuple):
     """A frame prepared for reconstruction, in electrons. It has B buckets: sums of light that each
     pixel collects under different shutters.
 

@@ -6,8 +6,8 @@ provide independent motion, with edges that cover and uncover the background."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -66,8 +66,7 @@ def moving(pictures: Sequence[Picture], generator: Generator, frames: int, size:
     return np.asarray(dark + (gain - dark) * clip**power, np.float32)
 
 
-@dataclass(frozen=True, eq=False)
-class _Layer:
+class _Layer(NamedTuple):
     """A moving picture.
 
     At time t, in frames from the middle of the clip, place p shows `picture` at centre + turn(angle

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
-from functools import partial
 from hashlib import sha256
 from itertools import islice
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,7 +27,6 @@ from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
 from nscc_training.data.moving import (
-    Picture,
     light_of_picture,
     moving,
     pictures_below,
@@ -54,8 +52,7 @@ _VALIDATION = 5
 """Every fifth file is for validation if no folder is named for it."""
 
 
-@dataclass(frozen=True, eq=False)
-class SourceScene:
+class SourceScene(NamedTuple):
     """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
     `name` is that of its file, for messages. White is 1 in clips from display files. `sha256` is
@@ -68,8 +65,7 @@ class SourceScene:
     label: str = ""
 
 
-@dataclass(frozen=True, eq=False)
-class Scenes:
+class Scenes(NamedTuple):
     """The scenes of a training run. `train` and `val` (validation) share no scene."""
 
     train: tuple[SourceScene, ...]
@@ -141,8 +137,7 @@ def load_scenes(
     return Scenes(tuple(train), tuple(val))
 
 
-@dataclass(frozen=True)
-class _Kind:
+class _Kind(NamedTuple):
     """The kind of scenes to load, and how: stills, or clips of at least `slots` frames. `settings`
     is the section [data], `seed` that of procedural scenes and camera paths. `classes` are the
     names of classes, empty without. `tell` receives messages."""
@@ -198,7 +193,7 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
                     f"scene '{name[:60]}' must have {wanted}, after its name and its light",
                 )
         return [
-            replace(_scene(name, light, kind), label="".join(label)) for name, light, label in drawn
+            _scene(name, light, kind)._replace(label="".join(label)) for name, light, label in drawn
         ]
     kind_text = "stills" if kind.still else "clips"
     files = data_files(
@@ -210,7 +205,7 @@ def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
         by_class=bool(kind.classes),
     )
     return [
-        replace(scene, label=class_of(path, kind.classes) if kind.classes else "")
+        scene._replace(label=class_of(path, kind.classes) if kind.classes else "")
         for path, name in names_of(files).items()
         for scene in _read(path, name.as_posix(), kind)
     ]
@@ -238,7 +233,7 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
         else:
             light = made_scenes.clip(generator, kind.slots, size)
         scene = _scene(f"procedural-{split_name}-{index}", light, kind)
-        scenes.append(replace(scene, label=label))
+        scenes.append(scene._replace(label=label))
     return scenes
 
 
@@ -264,19 +259,22 @@ def _read(path: Path, name: str, kind: _Kind) -> list[SourceScene]:
         if kind.still:
             return [_scene(name, still, kind, digest)]
     size = max(kind.settings.patch, _CAMERA_SIDE)
+    curve: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
     if suffix in DISPLAY:
         picture = shown_picture(light_of_picture(path))
-        curve: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
-        make: Callable[[np.random.Generator], Array]
-        make = partial(_moved, picture, curve, kind.slots, size)
-    else:
-        make = partial(_turned, still.astype(np.float32), kind, size)
-    # A seed takes numbers: the first 32 bits of the digest.
-    seeds = (kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16))
-    return [
-        _scene(f"{name}, path {index}", make(np.random.default_rng([*seeds, index])), kind, digest)
-        for index in range(kind.settings.paths)
-    ]
+    scenes = []
+    for index in range(kind.settings.paths):
+        # A seed takes numbers: the first 32 bits of the digest.
+        seeds = (kind.seed, DrawStream.CAMERA_PATHS, int(digest[:8], 16), index)
+        generator = np.random.default_rng(seeds)
+        # All layers of a clip come from one file, so that training and validation stay separate.
+        clip = (
+            linear(moving([picture], generator, kind.slots, size), curve)
+            if suffix in DISPLAY
+            else _turned(still.astype(np.float32), kind, size, generator)
+        )
+        scenes.append(_scene(f"{name}, path {index}", clip, kind, digest))
+    return scenes
 
 
 def _turned(panorama: Floats32, kind: _Kind, size: int, generator: np.random.Generator) -> Floats32:
@@ -288,16 +286,6 @@ def _turned(panorama: Floats32, kind: _Kind, size: int, generator: np.random.Gen
     light = turned(panorama, generator, kind.slots, size)
     light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
     return srgb(np.clip(light, 0, 1)) if kind.settings.transfer == "linear" else light
-
-
-def _moved(
-    picture: Picture, curve: Transfer, slots: int, size: int, generator: np.random.Generator
-) -> Floats:
-    """Return the light of a synthetic clip (slots, size, size) whose layers all come from
-    `picture`, an array for display; `generator` draws their motion. `curve` is that of the clip.
-
-    Clips of different files share no content, so that training and validation stay separate."""
-    return linear(moving([picture], generator, slots, size), curve)
 
 
 def _clip_light(

@@ -49,8 +49,7 @@ _BRIGHTER = ("@99", "@100")
 """Percentiles tried for the exposure if the scene is dark at the run's percentile."""
 
 
-@dataclass(frozen=True, eq=False)
-class Looked:
+class Looked(NamedTuple):
     """A still as pixels that look measured it: `light` in electrons over the frame (rows, cols,
     [3]), the open time `open_us` of each pixel (rows, cols), in colours the mean of the three
     exposures, and the seconds of the simulation."""

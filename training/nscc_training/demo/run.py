@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from pathlib import Path
 from shlex import quote
+from typing import NamedTuple
 
 from nscc.arrays import Floats32
 from nscc.files import Product, write_together
@@ -24,8 +24,7 @@ BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
 """The built-in scenes that are shown if the user names none."""
 
 
-@dataclass(frozen=True)
-class Demo:
+class Demo(NamedTuple):
     """The results of a demo.
 
     `files` are the written files, the sheet first. PSNR in dB is given for always open pixels

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import islice
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -26,8 +27,7 @@ _CUT = 4.0
 """A change between frames that is this factor larger than both neighbouring changes is a cut."""
 
 
-@dataclass(frozen=True)
-class Subject:
+class Subject(NamedTuple):
     """A scene that is known to be a still or a clip, before its exposure is chosen.
 
     `transfer` is the encoding of its values. `chosen` says in words which part of a clip is used.

@@ -9,8 +9,8 @@ mean over the scene's light of the sum over k of S p e(x, t)."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import islice
+from typing import NamedTuple
 
 import numpy as np
 from scipy.special import ndtr
@@ -33,8 +33,7 @@ _MOST_KEPT = 128
 """Most cached tables of closing fractions, each a third of a megabyte."""
 
 
-@dataclass(frozen=True)
-class LookSchedule:
+class LookSchedule(NamedTuple):
     """When pixels look at their light, and at which level they close.
 
     `at` are the boundaries between slots at which pixels look, in increasing order: k is the end of
@@ -45,8 +44,7 @@ class LookSchedule:
     steps: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class Expected:
+class Expected(NamedTuple):
     """The expected result of a schedule: `errors`, the mean square error on each curve, and
     `closing`, the fractions of the pixels that close at each look and, as the last, at the end of
     the frame; their sum is 1."""

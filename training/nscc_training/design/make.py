@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,8 +32,7 @@ _MOST_TILES = 2048
 """Most tiles of a scene that are evaluated, evenly spaced over the scene."""
 
 
-@dataclass(frozen=True)
-class Tile:
+class Tile(NamedTuple):
     """A 2 x 2 tile of stops, row by row from the top left. Its `risk` is the mean square error, on
     the scale of a `Curve`, that an ideal decoder cannot remove."""
 

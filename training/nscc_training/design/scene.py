@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,8 +18,7 @@ _FEWEST = 24
 """Fewest groups for one scene."""
 
 
-@dataclass(frozen=True, eq=False)
-class Histogram:
+class Histogram(NamedTuple):
     """The pixels of scenes, joined to groups of nearly equal light; arrays are (groups,).
 
     `light_e` is the light of the group in electrons over the frame, `peak_e` the light that counts
@@ -35,7 +34,7 @@ class Histogram:
         """Return the histogram in which the weights of each scene are multiplied by its factor in
         `by` (scenes,). The sum of all weights is 1."""
         weight = self.weight * by[self.scene]
-        return replace(self, weight=weight / weight.sum())
+        return self._replace(weight=weight / weight.sum())
 
 
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:

@@ -30,16 +30,12 @@ class CodeTrial:
     has less variance (Dong, Mnih and Tucker, NeurIPS 2020, for logistic noise).
 
     `fields` (fields, rows, cols) of the patch have gradients; `moved` is their displacement,
-    `spread` its standard deviation. `shutters` are the shutters (N, rows, cols) of both sides. A
-    field is credited with the losses within `reach` pixels. Only a random fraction `share` of the
-    pixels moves."""
+    `spread` its standard deviation. `shutters` are the shutters (N, rows, cols) of both sides."""
 
     fields: Tensor
     moved: Tensor
     spread: Tensor
     shutters: tuple[Tensor, Tensor]
-    reach: int
-    share: float
 
 
 def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
@@ -92,6 +88,9 @@ class Encoder(nn.Module, ABC):
     """
 
     jitter_unit = 0.0
+    reach = 0
+    """Radius in pixels within which losses are credited to a trial; 0 if the reconstruction of a
+    pixel depends on that pixel alone."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         """Begin without parameters, which the classes of encoders add. Raise ValueError for an

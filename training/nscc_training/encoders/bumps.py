@@ -19,8 +19,6 @@ _FINEST = 2.0**-20
 """Exposure times are multiples of this, in slots, so that whole numbers stay whole."""
 _MOST_DISTANCES = 1 << 24
 """Most distances between codes and legal codes that are computed at once, to limit memory."""
-_REACH = 2
-"""Radius in pixels within which losses are credited to a trial."""
 
 
 class AlwaysOpen(Encoder):
@@ -81,6 +79,7 @@ class Bump(Encoder):
     jitter_unit = 1.0
     width = 1.0
     """Width in slots of the surrogate gradient of an edge; 1 is the physical width."""
+    reach = 2
 
     def __init__(
         self, spec: ShutterSpec, relaxation: str, limits: dict[str, tuple[int, int]]
@@ -155,9 +154,7 @@ class Bump(Encoder):
             spread = self.trial_spread(fields)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.opened_by(self.within(fields + sign * moved)) for sign in (1, -1))
-        return CodeTrial(
-            fields, moved, spread, shutters=(first, second), reach=_REACH, share=self.tried_share
-        )
+        return CodeTrial(fields, moved, spread, (first, second))
 
     def trial_spread(self, fields: Tensor) -> Tensor:
         """Return the standard deviation of trials around fields (fields, rows, cols), in slots and

@@ -10,7 +10,16 @@ from nscc.arrays import Bools, Floats, Ints
 from nscc.diagnostics.arguments import require_type
 from nscc.toml.arguments import argument
 from nscc.toml.kinds import Integer
-from nscc_training.code_choices import LOOKS, ORDERED, RANKS, SCATTERED, SLOPED, STARTS, YARDSTICKS
+from nscc_training.code_choices import (
+    LOOKS,
+    ORDERED,
+    RANKS,
+    SCATTERED,
+    SLOPED,
+    STARTS,
+    YARDSTICKS,
+    bits_of,
+)
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks_encoder import LooksEncoder
@@ -98,8 +107,7 @@ def _edges(_spec: ShutterSpec, first: Places, length: int) -> Codes:
 def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
     """Return codes of class e whose bumps open in the slots `first` (rows, cols), for `length`
     slots. Bit n of a code is slot n."""
-    weights = np.int64(1) << np.arange(spec.slots, dtype=np.int64)
-    return {"bits": np.einsum("n,nrc->rc", weights, _opened(spec, first, length).astype(np.int64))}
+    return {"bits": bits_of(_opened(spec, first, length))}
 
 
 def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:

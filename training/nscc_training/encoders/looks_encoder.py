@@ -15,8 +15,6 @@ from nscc_training.gradients import replaced, rounded
 
 _OCTAVES, _WELLS = 0.3, 0.06
 """Standard deviations of trials: of moments in octaves, of levels in full wells."""
-_REACH = 0
-"""Radius in pixels of a trial: the reconstruction of a pixel depends on that pixel alone."""
 
 
 class LooksEncoder(Encoder):
@@ -95,9 +93,7 @@ class LooksEncoder(Encoder):
             spread[len(fields) // 2 :] = max(1.0, _WELLS * self.most)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.hardened(fields + sign * moved).float() for sign in (1, -1))
-        return CodeTrial(
-            fields, moved, spread, shutters=(first, second), reach=_REACH, share=self.tried_share
-        )
+        return CodeTrial(fields, moved, spread, (first, second))
 
     def codes(self) -> Codes:
         """Return the codes as integers (1, looks) by field: the boundaries `at` of the looks, and

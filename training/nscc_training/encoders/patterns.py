@@ -11,6 +11,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc.arrays import Bools, Ints
+from nscc_training.code_choices import bits_of, opened_by_bits
 from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, decided
 from nscc_training.gradients import replaced, signed
 
@@ -18,10 +19,6 @@ MOST_BITS = 62
 """Most slots of class e, whose code is one int64; longer bit fields need several numbers."""
 _LEAST_TRIED = 0.25
 """Minimum standard deviation of trials; with less, undecided digits never change."""
-_REACH = 1
-"""Radius in pixels within which losses are credited to a trial. With N digits tried per pixel, a
-larger radius only adds the effects of other trials (no benefit was measured for clips of 16
-slots)."""
 
 
 class _Digits(Encoder):
@@ -30,6 +27,9 @@ class _Digits(Encoder):
 
     jitter_unit = 0.1
     """A fifth of the distance to the other digit: a start keeps its digits."""
+    reach = 1
+    """With N digits tried per pixel, a larger radius only adds the effects of other trials (no
+    benefit was measured for clips of 16 slots)."""
 
     def digits(self, logits: Tensor, generator: torch.Generator | None, soft: bool) -> Tensor:
         """Return the digit 0 or 1 of every logit, in its shape; if `soft`, a sigmoid of the width
@@ -84,9 +84,7 @@ class Bits(_Digits):
             spread = self.trial_spread(fields)
             first, second, moved = decided(fields, spread, generator, self.tried_share)
         sides = (first.float(), second.float())
-        return CodeTrial(
-            fields, moved, spread, shutters=sides, reach=_REACH, share=self.tried_share
-        )
+        return CodeTrial(fields, moved, spread, sides)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         """Return the logits with the range that training keeps them in."""
@@ -96,16 +94,13 @@ class Bits(_Digits):
         """Return the open slots of each pixel as one integer, int64 (rows, cols): bit n is slot n.
         Raise ValueError if a parameter is not finite."""
         self.check_finite()
-        opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
-        weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
-        return {"bits": np.einsum("n,nrc->rc", weights, opened)}
+        return {"bits": bits_of((self.logits.detach() > 0).cpu().numpy())}
 
     def load_codes(self, codes: Mapping[str, Ints]) -> None:
         """Set the bits of each pixel from one integer of `bits` (rows, cols), bit n for slot n.
         Raise ValueError if `bits` is missing, of another shape or out of range."""
         self.checked(codes, {"bits": (0, (1 << self.spec.slots) - 1)})
-        n = np.arange(self.spec.slots, dtype=np.int64).reshape(-1, 1, 1)
-        self.set_digits(self.logits, (codes["bits"][None] >> n) & 1 == 1)
+        self.set_digits(self.logits, opened_by_bits(codes["bits"], self.spec.slots))
 
     def start_random(self, generator: np.random.Generator) -> None:
         """Draw every bit."""
@@ -193,9 +188,7 @@ class Codebook(_Digits):
             first, second = (
                 torch.where(side[-1:], side[:-1], alternative_digits).float() for side in sides
             )
-        return CodeTrial(
-            fields, moved, spread, shutters=(first, second), reach=_REACH, share=self.tried_share
-        )
+        return CodeTrial(fields, moved, spread, (first, second))
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
         """Return the shutters (N, rows, cols): for each pixel the row of `shapes` (K, N) that

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -48,8 +47,7 @@ _CLASSES = {
 """Classes that `codes` may name, by protocol."""
 
 
-@dataclass(frozen=True)
-class Baseline:
+class Baseline(NamedTuple):
     """A baseline of a protocol: fixed codes and a decoder without training (`method`).
 
     Its codes are `start` (CLASS:START) on a tile of `side` x `side`, or a number of open slots as

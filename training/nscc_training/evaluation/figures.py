@@ -8,9 +8,9 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -49,8 +49,7 @@ _ZOOM = 16
 """Side in pixels of a place of a tile in mosaics."""
 
 
-@dataclass(frozen=True, eq=False)
-class _Shot:
+class _Shot(NamedTuple):
     """The images of one scene, called `name` in the titles of figures.
 
     `light` has three entries: "truth", the scene's light; "open", what always open pixels measure;

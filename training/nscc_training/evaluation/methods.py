@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -123,8 +123,7 @@ def captured(scene: ProtocolScene, tile: Tensor, model: SensorModel, seed: int) 
 Light = Floats
 
 
-@dataclass(frozen=True)
-class Method:
+class Method(NamedTuple):
     """A decoder without training.
 
     `decode` returns electrons from a `CapturedScene`. `sees` is "truth" for reference methods,

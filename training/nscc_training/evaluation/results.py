@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import json
 import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
 from typing import Any, NamedTuple, Self
 
@@ -24,6 +23,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_training.experiments.engine import Done, PointRow, results, rows_in
 from nscc_training.measures import number, paired, stamp, summary
 from nscc_training.metrics import finite_mean
+from nscc_training.problems import one_line
 from nscc_training.protocol_scenes.file_scenes import scenes_in
 from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
@@ -321,7 +321,7 @@ def read_result(path: Path) -> JsonObject:
     except OSError as error:
         reason = error.strerror or str(error)
     except (ValueError, KeyError, TypeError, RecursionError) as error:
-        reason = f"{type(error).__name__}: {' '.join(str(error).split())[:100]}"
+        reason = f"{type(error).__name__}: {one_line(error, 100)}"
     raise rejected(
         "NS0807",
         f"'{path}' is not a result of nscc evaluate",
@@ -438,12 +438,7 @@ def arrays_in(folder: Path, arrays: Mapping[str, Array]) -> dict[Path, Product]:
     """Return the content of the files of the option --save by path: one NAME.npy in `folder` for
     each of `arrays`. The folder is created; files are not written."""
     folder.mkdir(parents=True, exist_ok=True)
-    products: dict[Path, Product] = {}
-    for name, values in arrays.items():
-        stream = io.BytesIO()
-        np.save(stream, values)
-        products[folder / f"{name}.npy"] = stream.getvalue()
-    return products
+    return {folder / f"{name}.npy": partial(np.save, arr=array) for name, array in arrays.items()}
 
 
 def result_text(result: JsonObject) -> str:

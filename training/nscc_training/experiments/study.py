@@ -10,7 +10,7 @@ from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping, Seq
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeVar
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.experiment_store import ExperimentStore
@@ -149,8 +149,7 @@ class StudyPoint:
     count: int = 1
 
 
-@dataclass(frozen=True)
-class StudyResult:
+class StudyResult(NamedTuple):
     """The result of a study: its points with figures and times, the settings that were refused, and
     how often each point was timed (`repeats`)."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from nscc.columns import columns
 from nscc_runtime.pictures.precision import Point, dominated
@@ -22,8 +22,7 @@ COLUMNS = (
 )
 
 
-@dataclass(frozen=True)
-class Refused:
+class Refused(NamedTuple):
     """A setting of a method on a case that was refused, with the `code` of the message ("" without
     one) and its text, the `reason`."""
 

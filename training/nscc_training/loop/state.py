@@ -10,6 +10,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -23,7 +24,7 @@ from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.optimizers import Muon
 from nscc_training.loop.setup import TrainingSetup
-from nscc_training.problems import listed
+from nscc_training.problems import listed, one_line
 from nscc_training.run_files import CONFIG
 from nscc_training.settings import RunSettings, load_config, values_of
 
@@ -45,8 +46,7 @@ class TrainingProgress:
     best: dict[str, Tensor] | None = None
 
 
-@dataclass(frozen=True, eq=False)
-class TrainingState:
+class TrainingState(NamedTuple):
     """All tensors that training steps read and change: those of encoder and decoder in `setup`, and
     of the `optimizers`. `average` is the running average of the decoder's weights, None if the
     settings do not ask for it."""
@@ -143,7 +143,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
             int(about["step"]), float(about["best_loss"]), int(about["best_step"])
         )
     except Exception as error:  # safetensors raises its own type and several others
-        raise _refused(path, f"it cannot be read: {' '.join(str(error).split())[:100]}") from error
+        raise _refused(path, f"it cannot be read: {one_line(error, 100)}") from error
     settings = state.setup.settings
     if about.get("config_sha256") != config_digest(settings) and not (
         about.get("other_settings_sha256") == _other_settings_digest(settings)
@@ -170,7 +170,7 @@ def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress
             set_tensors(state.setup, best)
         state.set(tensors)
     except (KeyError, RuntimeError, ValueError) as error:
-        raise _refused(path, f"a part is missing: {' '.join(str(error).split())[:100]}") from error
+        raise _refused(path, f"a part is missing: {one_line(error, 100)}") from error
     progress.best = best or None
     return progress
 

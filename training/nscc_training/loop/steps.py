@@ -230,13 +230,14 @@ def pull(
     with torch.no_grad():
         gain = (gradient + other_gradient) / 2 * (sides[0] - sides[1])
         gain = gain.sum(dim=tuple(range(gain.ndim - 2)))
-        side = 2 * trial.reach + 1
-        around = side**2 * functional.avg_pool2d(gain[None], side, 1, trial.reach)
+        reach = setup.encoder.reach
+        side = 2 * reach + 1
+        around = side**2 * functional.avg_pool2d(gain[None], side, 1, reach)
         if weight := setup.settings.shutter.words_weight:
             # Words are credited to the pixel itself.
             first, second = map(changes_of, trial.shutters)
             around += weight * (first - second) / first.numel()
-        slope = trial.moved * around / (2 * trial.spread**2 * trial.share)
+        slope = trial.moved * around / (2 * trial.spread**2 * setup.encoder.tried_share)
     pulled = (trial.fields * slope).sum()
     return pulled - pulled.detach()
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import torch
@@ -21,8 +21,7 @@ from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol
 
 
-@dataclass(frozen=True)
-class Validation:
+class Validation(NamedTuple):
     """The mean loss over validation scenes, and the means of metrics as JSON values ("inf" if
     infinite). The first mean is the score."""
 

@@ -6,7 +6,7 @@ at many times. The information in a frame is computed in closed form (`nscc_trai
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -146,7 +146,7 @@ def _motion(kind: MotionKind, scene: NDArray[np.floating] | None, chip: DesignCh
         return motion
     length, contrast = texture_of(scene.mean(axis=0))
     speeds = speeds_of(scene) if kind == "scene" else motion.speeds
-    return replace(motion, speeds=speeds, length=length, contrast=contrast)
+    return motion._replace(speeds=speeds, length=length, contrast=contrast)
 
 
 def encoders_by_name(slots: int) -> dict[str, Encoder]:

@@ -8,10 +8,9 @@ not the direction. The decibels are averaged over several speeds."""
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cache
 from math import log
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,8 +30,7 @@ coincide."""
 Opened = NDArray[np.floating]
 
 
-@dataclass(frozen=True)
-class Motion:
+class Motion(NamedTuple):
     """A model of moving light, whose correlation falls exponentially with distance.
 
     `speeds` are in pixels per frame time, with equal probability. `length` is the distance in

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.arrays import Bools, Ints
-from nscc_training.code_choices import ARRANGE
+from nscc_training.code_choices import ARRANGE, bits_of, opened_by_bits
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
 
 Generator = np.random.Generator
@@ -178,10 +178,8 @@ def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator)
 def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     """Return codes of class e in which the shutters of the pixels `places` are changed by
     `_reshaped`."""
-    n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
-    opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
-    bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))
-    return {"bits": np.where(places, bits, codes["bits"])}
+    opened = _reshaped(opened_by_bits(codes["bits"], spec.slots), generator)
+    return {"bits": np.where(places, bits_of(opened), codes["bits"])}
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:

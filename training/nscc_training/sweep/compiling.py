@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from hashlib import sha256
-from typing import Any
 
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
 from nscc.options import Options
-from nscc.pipeline import KINDS, Compiled
+from nscc.pipeline import KINDS
 from nscc.toml.kinds import TextKind
 from nscc.toml.schema import Key
 from nscc_training.experiments.engine import Figures
@@ -32,8 +31,16 @@ def _compile(values: Values, _task: PointTask) -> Figures:
     """Return the figures of a point of kind compile: words, registers and times of the program that
     `values` name. A chip without logic has times only."""
     compiled_program = compiled_of(values)
+    source = compiled_program.program.source.text
     build_report = KINDS.of(compiled_program.program).report(compiled_program)
-    figures = _common(compiled_program, build_report)
+    figures = {
+        "program_class": build_report["class"],
+        "shutters": build_report["codes"]["shutters"],
+        "lowered": build_report["lowering"],
+        "shortest_slot_us": build_report["shortest_slot_us"],
+        "frame_us": build_report["frame_us"],
+        "program_sha256": sha256(source.encode()).hexdigest()[:12],
+    }
     logic = build_report.get("logic")
     if logic is None:  # a chip without logic has no words to count
         return figures
@@ -49,20 +56,6 @@ def _compile(values: Values, _task: PointTask) -> Figures:
         "logic_words": logic["words"],
         "logic_bound": logic["bound"],
         "logic_largest_slot": logic["max_slot_words"],
-    }
-
-
-def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
-    """Return the figures that the report of a program (`build_report`) has for every chip, by name:
-    class, shutters, lowering (a way to compute the exposure), times in microseconds, and the first
-    digits of the SHA-256 of its text."""
-    return {
-        "program_class": build_report["class"],
-        "shutters": build_report["codes"]["shutters"],
-        "lowered": build_report["lowering"],
-        "shortest_slot_us": build_report["shortest_slot_us"],
-        "frame_us": build_report["frame_us"],
-        "program_sha256": sha256(compiled_program.program.source.text.encode()).hexdigest()[:12],
     }
 
 

@@ -18,7 +18,7 @@ from dataclasses import MISSING, dataclass, replace
 from itertools import product
 from math import prod
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, rejected
 from nscc.diagnostics.suggest import meant
@@ -78,8 +78,7 @@ class Plot:
 _PLOT_KEYS = keys_of(Plot, _PLOT)
 
 
-@dataclass(frozen=True)
-class Grid:
+class Grid(NamedTuple):
     """A grid that has been read.
 
     `name` and `folder` are those of its file, and `text` is its content. `points` are in the order
@@ -159,7 +158,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     for point in grid.points:
         if not grid_parts or point.grid_part in grid_parts:
             take(point)
-    return replace(grid, points=tuple(points))
+    return grid._replace(points=tuple(points))
 
 
 def part_text(kind: str) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import MISSING, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from nscc.mappings import NamedValues
 from nscc.toml.schema import Key
@@ -18,8 +18,7 @@ OF_RUN = "run:"
 """Prefix of a value that names the run of another point."""
 
 
-@dataclass(frozen=True)
-class PointFault:
+class PointFault(NamedTuple):
     """An invalid combination of values: the `key` to change ("" for none in particular), the reason
     (`message`), and what to do (`help`)."""
 

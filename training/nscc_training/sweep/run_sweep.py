@@ -6,8 +6,8 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, chdir, nullcontext, suppress
-from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc.experiment_store import STORE, ExperimentStore
@@ -29,7 +29,7 @@ from nscc_training.sweep.sweep_report import (
     report_html,
     table_of,
 )
-from nscc_training.sweep.work import FAILED, serially
+from nscc_training.sweep.work import FAILED, local_workers, scheduler_workers, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 """The files of a sweep: its table, the table for other programs, the report, and the diagram in
@@ -42,8 +42,7 @@ _MOST_REASONS = 5
 """Most reasons for missing results that are printed."""
 
 
-@dataclass(frozen=True)
-class Swept:
+class Swept(NamedTuple):
     """The outcome of a sweep.
 
     `table` has a row for each point. `misfits` is the number of points with a message of nscc in
@@ -113,7 +112,7 @@ def sweep(
     # The table has all points with a row, also those of parts that this call left out.
     keys = {point: key for point, key in keys.items() if key in rows}
     point_rows = [(point, rows[key]) for point, key in keys.items()]
-    grid = replace(grid, points=tuple(keys))
+    grid = grid._replace(points=tuple(keys))
     table = table_of(grid, point_rows)
     diagram = diagram_of(grid, table)
     products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
@@ -223,7 +222,20 @@ def _compute(
             other code than this process."""
             for done in execute(tasks):
                 if done.other_key:
-                    raise _other_code(done)
+                    raise rejected(
+                        "NS0836",
+                        f"the worker {done.worker} has other code or data than the process that "
+                        f"requested {done.task.label}",
+                        notes=(
+                            "its nscc, its Python or the files of the grid differ from those of "
+                            "this process, or they changed during the sweep",
+                        ),
+                        helps=(
+                            "install the same versions on all machines, and use a shared file "
+                            "system",
+                        ),
+                        status=3,
+                    )
                 yield done
 
         def all_results() -> Iterator[Done]:
@@ -250,22 +262,6 @@ def _compute(
             pass
 
 
-def _other_code(done: Done) -> Rejected:
-    """Return the error (NS0836) that the worker of `done` has other code or data than this process,
-    so that it would compute another point."""
-    return rejected(
-        "NS0836",
-        f"the worker {done.worker} has other code or data than the process that "
-        f"requested {done.task.label}",
-        notes=(
-            "its nscc, its Python or the files of the grid differ from those of this "
-            "process, or they changed during the sweep",
-        ),
-        helps=("install the same versions on all machines, and use a shared file system",),
-        status=3,
-    )
-
-
 def _without_run(
     task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
 ) -> Done | None:
@@ -285,13 +281,9 @@ def _executor(how: SweepSettings, count: int) -> AbstractContextManager[Executor
     """Return the context in which points are computed, as the settings `how` say: by workers of a
     scheduler, by processes on this machine (at most `count`), or in this process."""
     if how.scheduler is not None:
-        from nscc_training.sweep.work import scheduler_workers
-
         return scheduler_workers(how.scheduler)
     workers = processors() if how.workers is None else how.workers
     if workers:
-        from nscc_training.sweep.work import local_workers
-
         return local_workers(min(workers, count), how.threads)
     return nullcontext(serially)
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 
 from nscc.diagnostics.diagnostic import Rejected, Severity, rejected
 from nscc_training.experiments.engine import Done, Executor, PointRow
+from nscc_training.problems import one_line
 from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import PointTask
 
@@ -60,7 +61,7 @@ def work(task: PointTask) -> Done:
 
 def failure(task: PointTask, why: str) -> PointRow:
     """Return the row of a point that failed, with the reason `why` in one line."""
-    return PointRow(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
+    return PointRow(task.key, code=FAILED, error=_anywhere(one_line(why, 400), task))
 
 
 def _row(task: PointTask) -> tuple[PointRow, bool]:
@@ -154,7 +155,7 @@ def scheduler_workers(scheduler: str) -> Iterator[Executor[PointTask]]:
     try:
         client = Client(scheduler, timeout=_PATIENCE_S)
     except (OSError, ValueError, TimeoutError) as error:
-        reason = " ".join(str(error).split())[:200]
+        reason = one_line(error)
         raise rejected(
             "NS0835",
             f"the scheduler at '{scheduler[:100]}' does not answer",

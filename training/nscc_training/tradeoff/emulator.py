@@ -7,12 +7,11 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, cached_property, partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from nscc.arrays import Bools, Floats32
+from nscc.arrays import Array, Bools, Floats32
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.execution.program import AnalysedProgram
@@ -52,39 +51,30 @@ class Naive:
     def summed(self) -> Frame:
         """Return a frame that sums the light over the open slots in float32, without noise or any
         other effect. Sums beyond float32 become infinite."""
-        total = self._dark(np.float32)
         with np.errstate(over="ignore"):
-            for light, opened in self._slots():
-                for bucket, open_pixels in zip(total, opened, strict=True):
-                    np.add(bucket, light, out=bucket, where=open_pixels)
-        return self._read(total)
+            return self._read_out(np.float32, lambda light: light)
 
     def drawn(self, seed: int) -> Frame:
         """Return a frame that sums Poisson counts, which numpy draws with `seed` for every slot,
         over the open slots, without other effects.
 
         Raises NotMeasured for light beyond the range of numpy, about 9e18 electrons per slot."""
-        random = np.random.default_rng(seed)
-        total = self._dark(np.float64)
+        try:
+            return self._read_out(np.float64, np.random.default_rng(seed).poisson)
+        except ValueError as wrong:
+            raise NotMeasured(f"numpy cannot draw this light: {wrong}") from wrong
+
+    def _read_out(self, kind: type[np.floating], charge_of: Callable[[Floats32], Array]) -> Frame:
+        """Return the frame, without noise of the readout, of sums of this type over the open slots.
+        `charge_of` gives the electrons of a slot from its light."""
+        container = self.program.container
+        total = np.zeros((len(container.buckets), *self.light.shape), kind)
         for light, opened in self._slots():
-            try:
-                charge = random.poisson(light)
-            except ValueError as wrong:
-                raise NotMeasured(f"numpy cannot draw this light: {wrong}") from wrong
+            charge = charge_of(light)
             for bucket, open_pixels in zip(total, opened, strict=True):
                 np.add(bucket, charge, out=bucket, where=open_pixels)
-        return self._read(total)
-
-    def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:
-        """Return an empty sum of light for each bucket of the program, (buckets, rows, cols), of
-        this type."""
-        return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
-
-    def _read(self, total: NDArray[np.floating]) -> Frame:
-        """Return the frame that the converter reads from exposures in electrons (buckets, rows,
-        cols), without noise."""
         exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
-        return read_out(exposure, self.program.container.target, self.program.sensor)
+        return read_out(exposure, container.target, self.program.sensor)
 
     def _slots(self) -> Iterator[tuple[Floats32, Bools]]:
         """Yield, slot by slot, the light (rows, cols) in electrons and which pixels are open
@@ -143,16 +133,14 @@ SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
 """The default scenes."""
 
 
-@dataclass(frozen=True)
-class NamedLight:
+class NamedLight(NamedTuple):
     """The light of a scene, and a name for tables."""
 
     name: str
     light: Light
 
 
-@dataclass(frozen=True)
-class MeasuredPlan:
+class MeasuredPlan(NamedTuple):
     """A plan for the tolerance that is called `setting`, and `measured_e`, its measured RMS error
     in electrons in the worst bucket. A plan is a choice of the effects that are simulated."""
 
@@ -176,8 +164,7 @@ class MeasuredPlan:
         return self.plan.predicted_e or 0.0
 
 
-@dataclass(frozen=True)
-class EmulatorStudy:
+class EmulatorStudy(NamedTuple):
     """The result of one scene: `points` in electrons and in LSB, `measured_plans` by tolerance, and
     bounds.
 

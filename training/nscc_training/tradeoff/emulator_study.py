@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -48,8 +47,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-@dataclass(frozen=True)
-class EmulatorBenches:
+class EmulatorBenches(NamedTuple):
     """The methods on all scenes of a study, one of `benches` for each scene, and the speed of
     memory copies in GB/s."""
 
@@ -77,7 +75,9 @@ class EmulatorBenches:
             [point for bench in self.benches for point in bench.points()],
             lambda measured: studies_text(self.results(measured), self.gb_per_s),
             {
-                "png": self._diagram,
+                "png": lambda measured, device: study_diagram(
+                    self.results(measured), measured.times, device
+                ),
                 "calibration": lambda measured, _device: promise_diagram(self.results(measured)),
                 "budget": lambda measured, _device: budget_diagram(self.results(measured)),
             },
@@ -95,10 +95,6 @@ class EmulatorBenches:
         tolerance, with the slack of `keeps_promise`."""
         results = self.results(measured)
         return all(plan.keeps_promise for scene in results for plan in scene.measured_plans)
-
-    def _diagram(self, measured: StudyResult, device: str) -> Figure:
-        """Draw errors against times of all scenes."""
-        return study_diagram(self.results(measured), measured.times, device)
 
     def _in_order(self, points: Sequence[Point]) -> list[Point]:
         """Return the points scene by scene, for the CSV file."""

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
@@ -42,8 +41,7 @@ _STAGES: dict[str, tuple[str, str, Callable[[Bench], Iterator[StudyPoint]]]] = {
 """Stages by name: what their time measures, what their error measures, and their points."""
 
 
-@dataclass(frozen=True)
-class Joint:
+class Joint(NamedTuple):
     """A request, and figures of its program and scene that texts and diagrams need.
 
     Errors are root mean squares in percent of the mean signal `signal_e`, as `target_percent`, the

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import partial
 from itertools import groupby, product
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -35,8 +34,7 @@ UNITS: dict[Count, str] = {"all": "words_per_frame", "logic": "logic_words_per_f
 _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
 
 
-@dataclass(frozen=True)
-class StudiedProgram:
+class StudiedProgram(NamedTuple):
     """A program to compile, called `name` in the table. Paths in the text `source` are relative to
     `base`. `codes` says whether it must work for the codes in use ("fixed") or for all legal ones
     ("open")."""

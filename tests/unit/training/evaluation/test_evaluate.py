@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from dataclasses import replace
 from hashlib import sha256
 from itertools import combinations
 from pathlib import Path
@@ -599,7 +598,7 @@ def test_a_reconstruction_that_is_not_finite_has_no_score(
         return found
 
     row = BASELINES["video-v1"]["gap-tv"]
-    wrong = replace(row, method=replace(row.method, decode=decode))
+    wrong = row._replace(method=row.method._replace(decode=decode))
     monkeypatch.setitem(BASELINES["video-v1"], "gap-tv", wrong)
     asked = ["evaluate", "gap-tv", "--data", ".", "--protocol", "video-v1", "-o", "r.json"]
     done = invoke(asked, tmp_path)

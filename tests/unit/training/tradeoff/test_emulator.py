@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -254,9 +253,9 @@ def test_an_exceeded_tolerance_is_reported(study: EmulatorStudy, folder: Path, m
     [asked] = study.measured_plans
     assert asked.keeps_promise
     # The tolerance of 5 electrons has a tenth of slack.
-    assert replace(asked, measured_e=5.49).keeps_promise
+    assert asked._replace(measured_e=5.49).keeps_promise
     assert "BROKEN" not in studies_text([study], 1.0)
-    broken = replace(study, measured_plans=(replace(asked, measured_e=5.51),))
+    broken = study._replace(measured_plans=(asked._replace(measured_e=5.51),))
     assert not broken.measured_plans[0].keeps_promise
     assert "PROMISE BROKEN" in studies_text([broken], 1.0)
     monkeypatch.setattr(EmulatorBenches, "results", lambda *_: (broken,))
