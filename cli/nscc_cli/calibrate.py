@@ -9,7 +9,7 @@ import click
 from nscc.chips.load import load_target
 from nscc.files import write_whole
 from nscc_cli.options import PATH, json_option, out_option, target_option
-from nscc_cli.programs import load_program
+from nscc_cli.programs import loaded
 from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
 
 _DARK = "--dark"
@@ -87,9 +87,7 @@ def command(
     chip = load_target(target, Path())
     chain = calibrate.Chain()
     if program is not None:
-        container, messages = load_program(program, {})
-        say(messages)
-        chain = calibrate.Chain.of(container)
+        chain = calibrate.Chain.of(loaded(program, {}))
     calibration = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)
     chosen = calibrate.parameters(calibration, chip, chain)
     say(calibrate.messages(calibration))

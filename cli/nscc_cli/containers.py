@@ -18,7 +18,7 @@ from nscc.words.disassembly import disassemble
 from nscc.words.encoding import word_text
 from nscc.words.file import read_container, to_bytes
 from nscc_cli.options import PATH, build_options, flag, out_option
-from nscc_cli.programs import load_program
+from nscc_cli.programs import load_program, loaded
 from nscc_cli.support import OutPath, common_command, refuse_ignored, say
 
 _LARGEST_TEXT = 1 << 30
@@ -150,8 +150,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
     check_ending(out, endings("arrays"), "shutters")
     from nscc.container_proof import shutters_of_pixels
 
-    container, messages = load_program(file, options)
-    say(messages)
+    container = loaded(file, options)
     arrays = shutters_of_pixels(container, f"'{file.as_posix()}'")
     write_whole(out, file_of(out, shutter_content(arrays), "shutters"))
     click.echo(f"wrote {out.as_posix()}", err=True)

@@ -13,7 +13,7 @@ from nscc_cli import support
 from nscc_cli.completion import TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, flag, json_option, out_option, target_option
-from nscc_cli.programs import load_program
+from nscc_cli.programs import loaded
 from nscc_cli.runtime_options import (
     chip_at,
     host_value_options,
@@ -25,7 +25,6 @@ from nscc_cli.support import (
     NumberRange,
     Subcommands,
     refuse_ignored,
-    say,
     say_done,
 )
 from nscc_runtime.request import Request
@@ -131,8 +130,7 @@ def info(port: str, as_json: bool, **options: Any) -> None:
 def upload(port: str, program: Path, **options: Any) -> None:
     """Send a program to the device at PORT; parts that the device already holds are not sent
     again."""
-    container, messages = load_program(program, options)
-    say(list(messages))
+    container = loaded(program, options)
     with chip_at(port, options) as chip:
         sent = chip.upload(container)
     say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
@@ -181,8 +179,7 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
         )
     container, settings = None, tuple[Any, ...]()
     if program is not None:
-        container, messages = load_program(program, options)
-        say(messages)
+        container = loaded(program, options)
         settings = host_settings(container, options["params"], options["inputs"])
     else:
         refuse_ignored("no program is named", "params", "inputs")

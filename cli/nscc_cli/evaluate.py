@@ -14,9 +14,9 @@ from nscc.files import Product, write_together, write_whole
 from nscc_cli.completion import RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, declared, json_option, out_option, settings_from, together
 from nscc_cli.support import (
-    CommonCommand,
     NumberRange,
     Subcommands,
+    common_command,
     progress,
     refuse_ignored,
     say_compiling,
@@ -56,7 +56,7 @@ _save_option = click.option(
 )
 
 
-@command.command("sci8", cls=CommonCommand)
+@command.command("sci8")
 @click.argument("clips", metavar="CLIP.mat...", nargs=-1, required=True, type=PATH)
 @click.option(
     "--method",
@@ -93,7 +93,7 @@ def sci8(
     return _of_scenes(evaluate, known, **outputs)
 
 
-@command.command("of", cls=CommonCommand)
+@command.command("of")
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
 @declared(EvaluationSettings, "data", "protocol")
 @click.option(
@@ -152,7 +152,7 @@ def of(
     return _of_scenes(evaluate, known, save, as_json=as_json, out=out)
 
 
-@command.command("tables", cls=CommonCommand)
+@command.command("tables")
 @click.option(
     "--results",
     type=PATH,
@@ -170,7 +170,7 @@ def tables(results: Path | None, **outputs: Any) -> None:
     _finish(rows, text, products={}, **outputs)
 
 
-@command.command("figures", cls=CommonCommand)
+@command.command("figures")
 @declared(FigureSettings, show=True)
 @out_option("The folder for the pictures.", "DIR", required=True)
 def figures(out: Path, **options: Any) -> None:
@@ -188,7 +188,7 @@ def figures(out: Path, **options: Any) -> None:
     say_done("\n".join(f"wrote {path.as_posix()}" for path in files))
 
 
-@command.command("compare", cls=CommonCommand)
+@command.command("compare")
 @click.argument(
     "results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True, type=PATH
 )
@@ -255,7 +255,7 @@ def _finish(
     click.echo(text if as_json else human, nl=False)
 
 
-@click.command("metrics", cls=CommonCommand)
+@common_command("metrics")
 @click.argument("truth", type=PATH)
 @click.argument("result", metavar="REC", type=PATH)
 @click.option(

@@ -20,8 +20,8 @@ from nscc_cli.options import (
     pixels_option,
     sensor_options,
 )
-from nscc_cli.programs import load_program
-from nscc_cli.support import common_command, say, say_done
+from nscc_cli.programs import loaded
+from nscc_cli.support import common_command, say_done
 from nscc_training.command_settings import Axis, ImportSettings
 
 _PROGRAM = out_option("The program.", "P.nsl", required=True)
@@ -164,8 +164,7 @@ def import_frame(
     from nscc_runtime.run_messages import frame_lines
 
     check_ending(out, (".npz",), "an imported frame")
-    container, messages = load_program(program, options)
-    say(messages)
+    container = loaded(program, options)
     known = [name for names in readout_names(container) for name in names]
     pairs = [
         (name, Path(path))

@@ -12,7 +12,7 @@ from nscc.diagnostics.diagnostic import rejected
 from nscc.options import Options
 from nscc.toml.schema import declared
 from nscc_cli.options import values_given
-from nscc_cli.support import waiting
+from nscc_cli.support import say, waiting
 
 if TYPE_CHECKING:
     from nscc.diagnostics.diagnostic import Diagnostic
@@ -68,6 +68,13 @@ def load_program(
     if "pixels" in options:
         container = with_pixels(container, path, _pixel_codes(options["pixels"], container))
     return container, messages
+
+
+def loaded(path: Path, options: Mapping[str, Any]) -> Container:
+    """Return the container of `load_program`, after printing the messages."""
+    container, messages = load_program(path, options)
+    say(messages)
+    return container
 
 
 def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Array] | None:

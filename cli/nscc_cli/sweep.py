@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from nscc_cli.options import OUT, PATH, declared, flag, settings_from
-from nscc_cli.support import CommonCommand, progress, say_done
+from nscc_cli.support import common_command, progress, say_done
 from nscc_training.command_settings import SweepSettings
 
 _KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
@@ -24,7 +24,7 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
         context.exit()
 
 
-@click.command("sweep", cls=CommonCommand)
+@common_command("sweep")
 @click.argument("grid", metavar="GRID.toml", type=PATH)
 @click.option("--out", required=True, metavar="DIR", type=OUT, help="The folder of the results.")
 @click.option(

@@ -15,7 +15,7 @@ from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of, sensor_of
 from nscc_cli.options import PATH, declared, out_option, settings_from, tradeoff_options
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.runtime_options import measured_options, scene_option
-from nscc_cli.support import CommonCommand, Subcommands, progress, say, say_compiling
+from nscc_cli.support import Subcommands, progress, say, say_compiling
 from nscc_cli.tradeoff_files import output_files, run_study
 from nscc_training.command_settings import (
     DecoderStudySettings,
@@ -59,7 +59,7 @@ def command() -> None:
     ..`. It finds the setting of every stage for that error."""
 
 
-@command.command("of", cls=CommonCommand)
+@command.command("of")
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
 @scene_option
 @declared(JointRequest, "target_error", "stages", "levels", "repeats", show=True)
@@ -98,7 +98,7 @@ def joint(program: Path, **options: Any) -> int:
     return 0 if run_study(study, files, known).points else 1
 
 
-@command.command("emulator", cls=CommonCommand)
+@command.command("emulator")
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @shared.scenes_option("A scene as in nscc run; may be repeated (default: three built-in scenes).")
 @declared(EmulatorStudySettings, show=True)
@@ -188,7 +188,7 @@ def _scenes(
     return scenes
 
 
-@command.command("sensor", cls=CommonCommand)
+@command.command("sensor")
 @declared(SensorStudySettings, *_SHUTTERS, show=True)
 @shared.chip_option
 @declared(Options, level=1)
@@ -216,7 +216,7 @@ def sensor(**options: Any) -> int:
     return 0 if any(point.case != "readouts" for point in measured.points) else 1
 
 
-@command.command("decoder", cls=CommonCommand)
+@command.command("decoder")
 @click.option(
     "--run",
     "runs",
@@ -248,7 +248,7 @@ def decoder(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     return 0
 
 
-@command.command("synthesis", cls=CommonCommand)
+@command.command("synthesis")
 @click.argument("files", nargs=-1, metavar="[FILE.nsl]...", type=PATH)
 @tradeoff_options
 @declared(SynthesisStudySettings, show=True)
@@ -267,7 +267,7 @@ def synthesis(files: tuple[Path, ...], **options: Any) -> int:
     return 0 if run_study(study, outputs, known).points else 1
 
 
-@command.command("images", cls=CommonCommand)
+@command.command("images")
 @click.argument("file", metavar="FILE.nsl", type=PATH)
 @declared(Options, "level", show=True)
 @tradeoff_options

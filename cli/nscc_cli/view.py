@@ -12,7 +12,7 @@ from nscc.files import write_whole
 from nscc.mappings import NamedValues
 from nscc.words.legality import refuse_planes
 from nscc_cli.options import PATH, build_options, flag, out_option, tone_option
-from nscc_cli.programs import compile_program, load_program
+from nscc_cli.programs import compile_program, loaded
 from nscc_cli.support import common_command, say, say_done
 
 _PROGRAMS = (".nsl", ".icw")
@@ -51,8 +51,7 @@ def _shutters(program: Path, options: NamedValues) -> bytes:
     """Return the PNG of a program's shutters and their arrangement on the array, after compiling it
     with the `options` of the command. Print its messages. Raises Rejected if the program does not
     compile or cannot be read."""
-    container, messages = load_program(program, options)
-    say(messages)
+    container = loaded(program, options)
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.run_kinds import KINDS
 

@@ -20,7 +20,6 @@ from nscc_training.codes_files import codes_bytes
 from nscc_training.command_settings import Axis
 from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
 
-Bits = Bools
 Codes = dict[str, Ints]
 _MOST_BITS = 62
 """Most bits of a code of class e, an int64."""
@@ -211,13 +210,13 @@ def _slots_axis(
     raise ambiguous_axes(path, shape)
 
 
-def _slots_first(mask: Floats, axis: Axis) -> Bits:
+def _slots_first(mask: Floats, axis: Axis) -> Bools:
     """Return a mask of three axes as booleans (slots, rows, cols), true where it is above 0. `axis`
     says which of its axes are the slots: "first", or "last" as in (rows, cols, slots)."""
     return (np.moveaxis(mask, 2, 0) if axis == "last" else mask) > 0
 
 
-def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, Ints]:
+def _tile(mask: Bools, array: tuple[int, int], path: Path) -> tuple[Bools, Ints]:
     """Return the distinct shutters (K, slots) of a mask (slots, rows, cols), and for each pixel of
     its smallest repeating tile the index of its shutter.
 
@@ -257,7 +256,7 @@ def _period(places: Ints, is_whole: bool) -> int:
 
 
 def _candidates(
-    shutters: Bits, tile: Ints, reasons: list[str]
+    shutters: Bools, tile: Ints, reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
     """Yield each class of shutters that has all `shutters` (K, slots), with the codes of the tile,
     int64 by field (`book` (K, slots) of a codebook). The order is that of the classes; several may

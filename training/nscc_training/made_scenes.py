@@ -6,7 +6,6 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats, Floats32
 
-Picture = Floats32
 Generator = np.random.Generator
 
 DIRECTIONS = (
@@ -22,7 +21,7 @@ DIRECTIONS = (
 """The directions of `moving_texture`, 45 degrees apart."""
 
 
-def still(generator: Generator, size: int) -> Picture:
+def still(generator: Generator, size: int) -> Floats32:
     """Return a picture (size, size) of light, in an arbitrary unit, over four to six decades:
     surfaces, edges, lamps. All draws come from `generator`."""
     surface = _fractal(generator, size, spread=4.0)
@@ -117,7 +116,7 @@ def _sprite(generator: Generator, size: int) -> tuple[Floats, ...]:
     return texture, mask.astype(np.float64), corner, generator.uniform(-3, 3, 2)
 
 
-def _moved(ground: Floats, corner: Floats, size: int) -> Picture:
+def _moved(ground: Floats, corner: Floats, size: int) -> Floats32:
     """Return the window (size, size) of `ground` whose corner (row, column) may lie between pixels,
     by linear interpolation. `ground` must extend one pixel beyond the window."""
     pixel = np.floor(corner).astype(int)
@@ -129,7 +128,7 @@ def _moved(ground: Floats, corner: Floats, size: int) -> Picture:
 
 
 def _paste(
-    picture: Picture,
+    picture: Floats32,
     texture: Floats,
     mask: Floats,
     corner: Floats,

@@ -417,8 +417,7 @@ def reconstruct_measurement(
     )
 
 
-Clips = Floats32
-Decoder = Callable[[Measured[Array]], Clips]
+Decoder = Callable[[Measured[Array]], Floats32]
 """A function of a measurement whose white is 1, for its clip (1, N, rows, cols)."""
 
 _WEIGHTS = (0.05, 0.1, 0.2, 0.5, 1.0)

@@ -8,7 +8,6 @@ import numpy as np
 
 from nscc.arrays import Floats, Floats32
 
-Picture = Floats32
 FIELD_OF_VIEW = 90.0
 """The camera's field of view in degrees: 256 of 1024 pixels of a panorama."""
 _TURNS = (0.1, 4.0)
@@ -17,7 +16,7 @@ _FLIGHTS = (0.2, 16.0)
 """Slowest and fastest speed of objects in pixels per frame."""
 
 
-def turned(panorama: Picture, generator: np.random.Generator, frames: int, size: int) -> Floats32:
+def turned(panorama: Floats32, generator: np.random.Generator, frames: int, size: int) -> Floats32:
     """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
     cols).
 
@@ -61,7 +60,7 @@ def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> Fl
     return np.asarray(size * np.array([np.sin(angle), np.cos(angle)]))
 
 
-def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
+def view(panorama: Floats32, yaw: float, pitch: float, size: int) -> Floats32:
     """Return the view (size, size) of a camera that looks in direction `yaw` (sideways) and `pitch`
     (upwards), both in radians, inside an equirectangular panorama."""
     import cv2

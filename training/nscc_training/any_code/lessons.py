@@ -27,9 +27,6 @@ from nscc_training.random_streams import DrawStream
 from nscc_training.run_files import searched_codes
 from nscc_training.settings import RunSettings
 
-Mask = Floats32
-Light = Floats32
-
 _NOISE = (3 / 255, 40 / 255)
 """Limits of the standard deviation of noise in lessons of denoising; white is 1."""
 _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
@@ -66,7 +63,7 @@ class LessonSet(Dataset[Lesson]):
     smaller batches, so that all batches have about as many values."""
 
     def __init__(
-        self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
+        self, pictures: Sequence[Picture] | Sequence[Floats32], settings: RunSettings
     ) -> None:
         """Prepare lessons whose light is drawn from `pictures`: for clips those that `moving`
         shifts, for stills linear arrays (rows, cols). Both sides are at least two patches long.
@@ -153,7 +150,9 @@ def measured_lesson(
     return light / unit.reshape(-1, 1, 1, 1), measured.over(unit), 1 / unit
 
 
-def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
+def _still_drawn(
+    pictures: Sequence[Floats32], generator: Generator, size: int
+) -> tuple[Floats32, Floats32]:
     """Return a random still (size, size) in full wells, cut from one of the `pictures` (rows,
     cols), and the open fraction of the frame of each pixel (size, size). Both sides of every
     picture are at least twice `size`.
@@ -184,7 +183,7 @@ def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> 
     return np.asarray(light / level, np.float32), mask
 
 
-def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
+def mask_drawn(generator: Generator, frames: int, size: int) -> Floats32:
     """Return random shutters (frames, size, size), 1 where open. Every pixel opens in at least one
     frame. `frames` is at least 2.
 
@@ -221,7 +220,7 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     return np.ascontiguousarray(over_array(opened, size, size), np.float32)
 
 
-def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
+def _film_mask(generator: Generator, frames: int, size: int) -> Floats32:
     """Return random shutters (frames, size, size), 1 where open.
 
     Half of the draws are shutters of any kind (`mask_drawn`). The other half are bumps of a quarter
@@ -245,7 +244,7 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
 
 
 @cache
-def _searched_tile() -> Mask:
+def _searched_tile() -> Floats32:
     """Return the shutters (16 slots, 8 x 8 pixels), 1 where open, of the code that a search found
     and that comes with nscc."""
     # The encoder's own random codes are replaced at once by those of the file.
@@ -254,7 +253,7 @@ def _searched_tile() -> Mask:
     return np.asarray(encoder.hard().numpy(), np.float32)
 
 
-def _searched_mask(generator: Generator, frames: int, size: int) -> Mask:
+def _searched_mask(generator: Generator, frames: int, size: int) -> Floats32:
     """Return the searched code, repeated to (16, size, size), 1 where open, and randomly shifted,
     rotated and reversed in time.
 

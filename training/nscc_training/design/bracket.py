@@ -19,8 +19,6 @@ from nscc.words.container import Container
 from nscc_training.design.chip import DesignChip
 from nscc_training.design.text import frame_text
 
-Picture = Floats
-
 _BRACKET = (4, 36, 216)
 """Slots of the readouts of an ordinary bracket, of 256: exposure times with ratios of 9 and 6.
 
@@ -68,7 +66,7 @@ def merged_bracket(
     open_share: NDArray[np.floating],
     saturated: Bools,
     chip: DesignChip,
-) -> Picture:
+) -> Floats:
     """Estimate the light over the frame from a bracket: several readouts with different exposure
     times. The result is in electrons, (rows, cols) or with colours last; every pixel is estimated
     alone.

@@ -19,8 +19,6 @@ from nscc.arrays import Floats, Floats32
 from nscc_training.design.chip import CURVES, Curve, DesignChip
 from nscc_training.design.scene import Histogram
 
-Values = Floats
-
 _OFFSETS = 5
 """Number of comparator offsets in the sum over pixels."""
 _MOST_TRIED = 12

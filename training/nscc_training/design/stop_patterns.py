@@ -28,7 +28,6 @@ from nscc_training.design.scene import peak_of, stops_tried
 from nscc_training.design.text import tile_text
 from nscc_training.metrics import mu_psnr, psnr
 
-Levels = Ints
 Progress = Callable[[Sequence[int]], Iterable[int]]
 """A function that passes on the numbers of tasks, and may show a bar."""
 Candidate = TypeVar("Candidate")
@@ -49,7 +48,7 @@ class Pattern:
     its mean PSNR over scenes in dB, linear and on the mu-law curve; both are 0 until measured."""
 
     name: str
-    stops: Levels
+    stops: Ints
     linear_db: float = 0.0
     mu_db: float = 0.0
 
@@ -89,7 +88,7 @@ class PatternDesign(Design):
     ranked: tuple[Pattern, ...]
 
 
-def shapes() -> dict[str, Levels]:
+def shapes() -> dict[str, Ints]:
     """Return the shapes of patterns by name: for every pixel of a tile the number of its exposure
     level. Level 0 is the longest exposure."""
     levels_of_shape = {

@@ -30,8 +30,6 @@ _SIXTEENTHS = {"rows": 8, "checker": 8, "overlapping-rows": 11}
 _SIDE = 4
 """Rows and columns of the repeating tile."""
 
-Places = Ints
-
 
 def ordered(name: str, spec: ShutterSpec) -> Codes:
     """Return the codes of a tile for the start `name`, one of ORDERED or YARDSTICKS.
@@ -66,7 +64,7 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
     return _CODES[spec.kind](spec, _first(name, spec, length), length)
 
 
-def _first(name: str, spec: ShutterSpec, length: int) -> Places:
+def _first(name: str, spec: ShutterSpec, length: int) -> Ints:
     """Return the slot in which each pixel of the tile opens, int64 (rows, cols), in the start
     `name`. Bumps have `length` slots, at most the number of slots of `spec`; only those of "cyclic"
     may reach beyond the end of the frame."""
@@ -85,32 +83,32 @@ def _first(name: str, spec: ShutterSpec, length: int) -> Places:
     return np.asarray(first, np.int64)
 
 
-def _opened(spec: ShutterSpec, first: Places, length: int) -> Bools:
+def _opened(spec: ShutterSpec, first: Ints, length: int) -> Bools:
     """Return the shutters (N, rows, cols) of bumps that open in the slots `first` for `length`
     slots. A bump that reaches the end of the frame continues at its start."""
     n = np.arange(spec.slots).reshape(-1, 1, 1)
     return np.asarray((n - first) % spec.slots < length)
 
 
-def _starts(_spec: ShutterSpec, first: Places, _length: int) -> Codes:
+def _starts(_spec: ShutterSpec, first: Ints, _length: int) -> Codes:
     """Return codes of class c whose bumps open in the slots `first` (rows, cols). The class itself
     has the length."""
     return {"start": first}
 
 
-def _edges(_spec: ShutterSpec, first: Places, length: int) -> Codes:
+def _edges(_spec: ShutterSpec, first: Ints, length: int) -> Codes:
     """Return codes of class d whose bumps open in the slots `first` (rows, cols), for `length`
     slots."""
     return {"start": first, "stop": first + length}
 
 
-def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
+def _bits(spec: ShutterSpec, first: Ints, length: int) -> Codes:
     """Return codes of class e whose bumps open in the slots `first` (rows, cols), for `length`
     slots. Bit n of a code is slot n."""
     return {"bits": bits_of(_opened(spec, first, length))}
 
 
-def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
+def _shapes(spec: ShutterSpec, first: Ints, length: int) -> Codes:
     """Return a codebook `book` (K, N) of bumps that open in the slots `first` (rows, cols), and the
     row `id` of each pixel.
 
@@ -212,12 +210,9 @@ def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> No
     encoder.load_codes({name: scattered(start, levels, encoder.spec.tile, generator)})
 
 
-Tile = Ints
-
-
 def scattered(
-    name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
-) -> Tile:
+    name: str, levels: Ints, tile: tuple[int, int], generator: np.random.Generator
+) -> Ints:
     """Return one of `levels` (values,) for each pixel of a tile (rows, cols), so that equal values
     are apart. `name` is one of SCATTERED (another raises KeyError). There is at least one level.
 
@@ -225,11 +220,11 @@ def scattered(
     Pixel Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around
     edges."""
     pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
-    chosen: Tile = levels[pattern(len(levels), tile, generator)]
+    chosen: Ints = levels[pattern(len(levels), tile, generator)]
     return chosen
 
 
-def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
+def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Ints:
     """Return the index of a level, 0 to `count` - 1, for each pixel of a tile (rows, cols); pixels
     of one level keep a distance from each other.
 
@@ -257,7 +252,7 @@ def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Genera
     return chosen
 
 
-def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
+def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Ints:
     """Return a random index of a level, 0 to `count` - 1, for each pixel of a tile (rows, cols).
 
     In random order, each pixel gets one of the levels that are least frequent among its eight

@@ -26,9 +26,6 @@ if TYPE_CHECKING:
     from nscc_training.sensor_model import SensorModel
 
 
-Frames = Floats32
-
-
 @dataclass(frozen=True, eq=False)
 class CapturedScene:
     """Captured frames of one scene.
@@ -38,8 +35,8 @@ class CapturedScene:
     saturated codes. `model` is the sensor, None for exact measurements."""
 
     scene: ProtocolScene
-    codes: Frames
-    tile: Frames
+    codes: Floats32
+    tile: Floats32
     saturated: Bools
     model: SensorModel | None
 
@@ -55,7 +52,7 @@ class CapturedScene:
         return self.scene.light_e.ndim == 2
 
     @cached_property
-    def masks(self) -> Frames:
+    def masks(self) -> Floats32:
         """The shutters over the frame, (frames, slots, rows, cols)."""
         return over_array(self.tile, *self.codes.shape[-2:])
 

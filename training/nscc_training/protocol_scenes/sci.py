@@ -16,16 +16,14 @@ from nscc_training.problems import one_line
 from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene
 from nscc_training.protocols import Protocol
 
-Clip = Floats32
-
 
 @dataclass(frozen=True, eq=False)
 class SciClip(ProtocolScene):
     """A clip of the benchmark with light from 0 to 1 (8, rows, cols), its `mask` (8, rows, cols),
     and its `measurement` (rows, cols): the sum of mask times light."""
 
-    mask: Clip
-    measurement: Clip
+    mask: Floats32
+    measurement: Floats32
 
     @property
     def peak_e(self) -> float:

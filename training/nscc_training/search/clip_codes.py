@@ -34,8 +34,6 @@ from nscc_training.programs import Chip, program
 from nscc_training.search.choose import encoders_by_name
 from nscc_training.search.moves import Generator, moved
 
-Clip = NDArray[np.floating]
-
 _BUMPS = "cyclic, 1/{} of the frame"
 """The name of a code with bumps of this part of the frame in `encoders_by_name`."""
 _MIXED = ((1, 2), (1, 4), (1, 8), (2, 4), (2, 8))
@@ -136,7 +134,7 @@ def clip_codes(slots: int) -> list[ClipCode]:
 
 
 def design_clip(
-    scenes: Sequence[Clip],
+    scenes: Sequence[NDArray[np.floating]],
     frame: Frame | None = None,
     progress: Progress = iter,
     trials: int = TRIALS,
@@ -177,7 +175,10 @@ def design_clip(
 
 
 def _judged(
-    codes: Sequence[ClipCode], scenes: Sequence[Clip], frame: Frame, progress: Progress
+    codes: Sequence[ClipCode],
+    scenes: Sequence[NDArray[np.floating]],
+    frame: Frame,
+    progress: Progress,
 ) -> list[ClipCode]:
     """Return the codes that fit the chip, with their mean PSNR over the scenes, the best first.
     `progress` receives their numbers. Codes that do not fit are left out.
@@ -198,7 +199,9 @@ def _judged(
     return sorted(ranked, key=lambda code: -code.mean_db)
 
 
-def _psnr_db(container: Container, sensor: Sensor, light_e: Clip, number: int) -> float:
+def _psnr_db(
+    container: Container, sensor: Sensor, light_e: NDArray[np.floating], number: int
+) -> float:
     """Return the PSNR, in sRGB, of the middle of a scene after exposure on the emulated chip and
     reconstruction by the decoder for any code.
 

@@ -27,8 +27,6 @@ _HEADINGS = 0.3 + np.arange(8) * np.pi / 4
 """Directions of motion in radians, none along an axis or diagonal, where patterns would
 coincide."""
 
-Opened = NDArray[np.floating]
-
 
 class Motion(NamedTuple):
     """A model of moving light, whose correlation falls exponentially with distance.
@@ -45,7 +43,7 @@ class Motion(NamedTuple):
     counts: float = 1e-4
 
 
-def told_db(opened: Opened, motion: Motion) -> float:
+def told_db(opened: NDArray[np.floating], motion: Motion) -> float:
     """Return by how many dB a frame with these shutters reduces the variance of the estimated light
     of one slot, averaged over the speeds of `motion`.
 
@@ -114,7 +112,6 @@ _INNER = np.abs(np.arange(_WINDOW) - (_WINDOW - 1) / 2) < _STEP / 2
 _MIDDLE = np.flatnonzero(_INNER[:, None] & _INNER)
 """The pixels of the middle of a window."""
 
-Clip = NDArray[np.floating]
 
 _BLOCK = 32
 """Side in pixels of the blocks whose speed is measured."""
@@ -126,7 +123,7 @@ _SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
 """Quantiles of the speeds, weighted by contrast, that represent the distribution."""
 
 
-def speeds_of(clip: Clip) -> tuple[float, ...]:
+def speeds_of(clip: NDArray[np.floating]) -> tuple[float, ...]:
     """Return five representative speeds of the blocks of a clip (T, rows, cols), in pixels over the
     whole clip.
 
