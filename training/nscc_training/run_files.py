@@ -131,14 +131,13 @@ def run_capture(folder: Path) -> RunCapture:
     own_sensor = path / SENSOR_FILE
     own_target = path / TARGET_FILE if shutter.target.endswith(".toml") else None
     exposure = f"{exposed_e:g}@{percentile:g}"
-    transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
     return RunCapture(
         program,
         still,
         shutter.slots,
         shutter.slot_us,
         exposure,
-        transfers.get(data.transfer),
+        data.transfer or None,  # type: ignore[arg-type]  # one of the curves
         own_sensor if settings.sensor.file and own_sensor.is_file() else None,
         own_target,
         protocol.classifies,

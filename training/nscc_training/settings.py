@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -464,12 +464,12 @@ class TrainSettings:
 class RunSettings:
     """A complete configuration of a training run: a field for each section of the file."""
 
-    shutter: ShutterSettings = field(default_factory=ShutterSettings)
-    decoder: DecoderSettings = field(default_factory=DecoderSettings)
-    sensor: SensorSettings = field(default_factory=SensorSettings)
-    data: DataSettings = field(default_factory=DataSettings)
-    loss: LossSettings = field(default_factory=LossSettings)
-    train: TrainSettings = field(default_factory=TrainSettings)
+    shutter: ShutterSettings = ShutterSettings()
+    decoder: DecoderSettings = DecoderSettings()
+    sensor: SensorSettings = SensorSettings()
+    data: DataSettings = DataSettings()
+    loss: LossSettings = LossSettings()
+    train: TrainSettings = TrainSettings()
 
     @property
     def still(self) -> bool:

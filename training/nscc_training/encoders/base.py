@@ -16,6 +16,8 @@ from nscc_training.code_choices import RELAXATIONS, SLOPED
 from nscc_training.code_choices import ShutterSpec as ShutterSpec
 from nscc_training.draws import normal, uniform
 
+Ranges = list[tuple[Tensor, tuple[float, float]]]
+"""Parameters with their lowest and highest legal value."""
 Over = Callable[[Tensor], Tensor]
 """A function that repeats the values of a tile, (any, rows, cols), over the pixels of a patch."""
 
@@ -240,7 +242,7 @@ class Encoder(nn.Module, ABC):
             parameter.add_(torch.as_tensor(moves).to(parameter))
         self.project()
 
-    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+    def ranges(self) -> Ranges:
         """Return the parameters with their legal ranges.
 
         Returns

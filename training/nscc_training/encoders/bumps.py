@@ -10,7 +10,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc.arrays import Floats, Ints
-from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, Ranges, ShutterSpec, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6
@@ -213,7 +213,7 @@ class Bump(Encoder):
         ]
         return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
 
-    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+    def ranges(self) -> Ranges:
         """Return each field's parameter with its lowest and highest value, both in the unit of the
         parameter."""
         return [

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from nscc.arrays import Ints
-from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, drawn
+from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, Ranges, ShutterSpec, drawn
 from nscc_training.gradients import replaced, rounded
 
 _OCTAVES, _WELLS = 0.3, 0.06
@@ -39,7 +39,7 @@ class LooksEncoder(Encoder):
         self.moment = nn.Parameter(torch.zeros(looks, dtype=torch.float64))
         self.level = nn.Parameter(torch.ones(looks, dtype=torch.float64))
 
-    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+    def ranges(self) -> Ranges:
         """Return the parameters of times (log2 of boundaries) and levels, each with its lowest and
         highest value."""
         most = float(np.log2(self.spec.slots - 1)) or 1.0

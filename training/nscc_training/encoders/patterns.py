@@ -12,7 +12,15 @@ from torch.nn import functional
 
 from nscc.arrays import Bools, Ints
 from nscc_training.code_choices import bits_of, opened_by_bits
-from nscc_training.encoders.base import Codes, CodeTrial, Encoder, Over, ShutterSpec, decided
+from nscc_training.encoders.base import (
+    Codes,
+    CodeTrial,
+    Encoder,
+    Over,
+    Ranges,
+    ShutterSpec,
+    decided,
+)
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
@@ -86,7 +94,7 @@ class Bits(_Digits):
         sides = (first.float(), second.float())
         return CodeTrial(fields, moved, spread, sides)
 
-    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+    def ranges(self) -> Ranges:
         """Return the logits with the range that training keeps them in."""
         return [(self.logits, (-1.0, 1.0))]
 
@@ -104,11 +112,11 @@ class Bits(_Digits):
 
     def start_random(self, generator: np.random.Generator) -> None:
         """Draw every bit."""
-        self.set_digits(self.logits, generator.random((self.spec.slots, *self.spec.tile)) < 0.5)
+        self.set_digits(self.logits, generator.random(self.logits.shape) < 0.5)
 
     def start_uniform(self) -> None:
         """Open all slots of all pixels."""
-        self.set_digits(self.logits, np.ones((self.spec.slots, *self.spec.tile), np.bool_))
+        self.set_digits(self.logits, np.array(True))
 
     def start_quad(self) -> None:
         """Open each of the pixels of a 2 x 2 square in another quarter of the frame."""
@@ -197,7 +205,7 @@ class Codebook(_Digits):
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)
 
-    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+    def ranges(self) -> Ranges:
         """Return the shapes with the range that training keeps them in. The scores of choices have
         no limits."""
         return [(self.shapes, (-1.0, 1.0))]
@@ -231,13 +239,13 @@ class Codebook(_Digits):
 
     def start_random(self, generator: np.random.Generator) -> None:
         """Draw all digits of all shapes, and use the shapes in turn."""
-        self.set_digits(self.shapes, generator.random((self.rows, self.spec.slots)) < 0.5)
+        self.set_digits(self.shapes, generator.random(self.shapes.shape) < 0.5)
         self.choose(self.spread())
 
     def start_uniform(self) -> None:
         """Begin with all slots open in every row of the codebook. The pixels choose the rows in
         turn."""
-        self.set_digits(self.shapes, np.ones((self.rows, self.spec.slots), np.bool_))
+        self.set_digits(self.shapes, np.array(True))
         self.choose(self.spread())
 
     def start_quad(self) -> None:

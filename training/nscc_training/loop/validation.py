@@ -14,7 +14,8 @@ from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
 from nscc_training.loop.decoding import Decode, by_chip, by_model
 from nscc_training.loop.setup import TrainingSetup
-from nscc_training.measures import decibels, number, summary
+from nscc_training.measures import decibels, number
+from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.clips import ClipWindow, with_class
 from nscc_training.protocol_scenes.file_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
@@ -87,8 +88,7 @@ def validated(
     means = {name: float(np.mean(values)) for name, values in scores.items()}
     name, *_ = scores
     # The first metric may be infinite for single scenes, which its mean leaves out.
-    finite_mean = summary(scores[name], ["scene"] * len(shown)).mean
-    means[name] = float("inf") if finite_mean is None else finite_mean
+    means[name] = finite_mean(scores[name])
     return Validation(
         float(np.mean(losses)), {name: decibels(value) for name, value in means.items()}
     )

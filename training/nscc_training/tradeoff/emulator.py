@@ -154,6 +154,11 @@ class MeasuredPlan(NamedTuple):
         return self.plan.tolerance_e or 0.0
 
     @property
+    def in_electrons(self) -> bool:
+        """Whether the tolerance was given in electrons."""
+        return self.plan.allowed is None or self.plan.allowed.in_electrons
+
+    @property
     def keeps_promise(self) -> bool:
         """Whether the measured error is at most `SLACK` times the tolerance."""
         return self.measured_e <= SLACK * self.tolerance_e

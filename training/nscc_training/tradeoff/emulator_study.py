@@ -156,8 +156,7 @@ def _methods_text(study: EmulatorStudy) -> str:
 def _setting(measured_plan: MeasuredPlan) -> str:
     """Return the tolerance of a plan (the effects that are simulated) as text. If it is not in
     electrons (such as 1% or 0.1lsb), its value in electrons follows."""
-    plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
-    if plain:
+    if measured_plan.in_electrons:
         return measured_plan.setting
     return f"{measured_plan.setting}, {measured_plan.tolerance_e:.3g}e"
 
@@ -235,9 +234,7 @@ def study_diagram(studies: Sequence[EmulatorStudy], times: str, device: str) -> 
             panels.append(Panel(study.scene, error, points, guides))
     # If all tolerances are in electrons, the unit is named once, in the note.
     plain = all(
-        measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
-        for study in studies
-        for measured_plan in study.measured_plans
+        measured_plan.in_electrons for study in studies for measured_plan in study.measured_plans
     )
     unit = " in e" if plain else ""
     return precision_diagram(
