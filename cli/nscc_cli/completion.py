@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -17,35 +18,28 @@ from click.shell_completion import CompletionItem, FishComplete, add_completion_
 Items = list[CompletionItem]
 
 
+@dataclass(eq=False, repr=False)
 class Name(click.types.StringParamType):
-    """The click type of a name, for which the shell suggests known names.
+    """The click type of a name, for which the shell suggests known names: `further_names`, and
+    those in `source`, MODULE:ATTRIBUTE, which is imported when the user asks for suggestions.
 
-    With `files` it suggests files, too. With `several` the value is a list separated by commas, in
-    which each name may follow one of the characters `signs`. Any text is accepted as a value."""
+    The attribute is a list or a function that returns it, of texts or of objects with a `name`.
+    `ending` is added to each of its names. With `files` it suggests files, too. With `several` the
+    value is a list separated by commas, in which each name may follow one of the characters
+    `signs`. Any text is accepted as a value."""
 
     name = "text"
 
-    def __init__(
-        self,
-        source: str,
-        further_names: Sequence[str] = (),
-        *,
-        files: bool = False,
-        several: bool = False,
-        signs: str = "",
-        ending: str = "",
-    ) -> None:
-        """Suggest `further_names`, and the names in `source`, MODULE:ATTRIBUTE, which is imported
-        when the user asks for suggestions.
-
-        The attribute is a list or a function that returns it, of texts or of objects with a `name`.
-        `ending` is added to each of its names."""
-        self.source, self.more, self.ending = source, further_names, ending
-        self.files, self.several, self.signs = files, several, signs
+    source: str
+    further_names: Sequence[str] = ()
+    files: bool = False
+    several: bool = False
+    signs: str = ""
+    ending: str = ""
 
     def names(self) -> Iterator[str]:
         """Yield the further names, then those of the source with their ending."""
-        yield from self.more
+        yield from self.further_names
         if self.source:
             module, _, name = self.source.partition(":")
             entries = getattr(import_module(module), name)
@@ -56,7 +50,7 @@ class Name(click.types.StringParamType):
         """Return suggestions that begin with the text that the user has typed, `incomplete`. In a
         list, only the last name is completed; the suggestion repeats the text before it."""
         head, comma, typed = incomplete.rpartition(",") if self.several else ("", "", incomplete)
-        sign = typed[:1] if typed[:1] and typed[:1] in self.signs else ""
+        sign = typed[:1] if typed[:1] in self.signs else ""
         before, typed = head + comma + sign, typed.removeprefix(sign)
         items = [CompletionItem(before + name) for name in self.names() if name.startswith(typed)]
         # Some shells complete files only if there is no name; they see this one first.

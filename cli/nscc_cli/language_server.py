@@ -207,13 +207,30 @@ def _completions(
         complete_listing(text, offset) if isinstance(text, Listing) else complete(text, offset)
     )
     place = at.range(span)
-    return [values.completion(offer, place) for offer in offers]
+    return [
+        types.CompletionItem(
+            offer.text,
+            kind=values.OFFERED[offer.kind],
+            detail=offer.detail or None,
+            text_edit=types.TextEdit(place, offer.text),
+        )
+        for offer in offers
+    ]
 
 
 def _symbols(document: Document, at: Positions, _params: object) -> list[types.DocumentSymbol]:
     """Return the outline of a document: one symbol for each entry of
     `nscc.editing.document.outline`."""
-    return [values.symbol(entry, at) for entry in outline(document)]
+    return [
+        types.DocumentSymbol(
+            entry.name,
+            values.DECLARED[entry.kind],
+            at.range(entry.span),
+            at.range(entry.at),
+            detail=entry.detail,
+        )
+        for entry in outline(document)
+    ]
 
 
 def _hints(
@@ -257,7 +274,13 @@ def _fixes(
     applies all safe fixes; only actions of the kinds that the editor asks for."""
     uri, only = params.text_document.uri, params.context.only
     actions = [
-        values.quick_fix(diagnostic, fix, document, uri)
+        types.CodeAction(
+            fix.title,
+            types.CodeActionKind.QuickFix,
+            diagnostics=[values.diagnostic(diagnostic, document, uri)],
+            is_preferred=fix.sure,
+            edit=values.edits(uri, [(fix.span, fix.replacement)], at),
+        )
         for diagnostic, fix in fixes_at(document, at.span(params.range))
     ]
     better = text_with_safe_fixes(document)

@@ -10,10 +10,9 @@ from pathlib import Path
 from lsprotocol import types
 from pygls import uris
 
-from nscc.diagnostics.diagnostic import Diagnostic, Fix, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.reports import full_text
-from nscc.editing.complete import Offer, Text
-from nscc.editing.document import Document, OutlineEntry
+from nscc.editing.complete import Text
 from nscc.source import Source, Span
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
@@ -70,7 +69,7 @@ _SEVERITIES = {
     Severity.NOTE: types.DiagnosticSeverity.Information,
 }
 """The protocol's severity of each severity of a message."""
-_OFFERED = {
+OFFERED = {
     "word": types.CompletionItemKind.Keyword,
     "name": types.CompletionItemKind.Variable,
     "target": types.CompletionItemKind.Module,
@@ -78,7 +77,7 @@ _OFFERED = {
     "digest": types.CompletionItemKind.Constant,
 }
 """The protocol's kind of a completion, by our kind."""
-_DECLARED = {
+DECLARED = {
     "frame": types.SymbolKind.Event,
     "let": types.SymbolKind.Constant,
     "code": types.SymbolKind.Field,
@@ -130,19 +129,6 @@ def _uri(source: Source, document: Text) -> str:
     return uris.from_fs_path(path.absolute().as_posix()) or path.as_posix()
 
 
-def quick_fix(message: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
-    """Return `fix` of `message` as a code action on the text of `document`, whose address is `uri`;
-    safe fixes are marked as preferred."""
-    positions = Positions(document.text)
-    return types.CodeAction(
-        fix.title,
-        types.CodeActionKind.QuickFix,
-        diagnostics=[diagnostic(message, document, uri)],
-        is_preferred=fix.sure,
-        edit=edits(uri, [(fix.span, fix.replacement)], positions),
-    )
-
-
 def edits(
     uri: str, changes: Iterable[tuple[Span, str]], positions: Positions
 ) -> types.WorkspaceEdit:
@@ -150,26 +136,3 @@ def edits(
     spans must not overlap; `positions` are those of the document's text."""
     text_edits = [types.TextEdit(positions.range(span), text) for span, text in changes]
     return types.WorkspaceEdit({uri: text_edits})
-
-
-def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
-    """Convert `offer`, a completion, into the protocol's form; `at` is the range of text that it
-    replaces."""
-    return types.CompletionItem(
-        offer.text,
-        kind=_OFFERED[offer.kind],
-        detail=offer.detail or None,
-        text_edit=types.TextEdit(at, offer.text),
-    )
-
-
-def symbol(entry: OutlineEntry, positions: Positions) -> types.DocumentSymbol:
-    """Convert an entry of the outline, a statement, into the protocol's form; `positions` are those
-    of its text."""
-    return types.DocumentSymbol(
-        entry.name,
-        _DECLARED[entry.kind],
-        positions.range(entry.span),
-        positions.range(entry.at),
-        detail=entry.detail,
-    )

@@ -31,6 +31,10 @@ _SIDE = 4
 """Rows and columns of the repeating tile."""
 
 
+_KINDS = ("c", "d", "e", "codebook")
+"""Classes whose bumps may begin in any slot."""
+
+
 def ordered(name: str, spec: ShutterSpec) -> Codes:
     """Return the codes of a tile for the start `name`, one of ORDERED or YARDSTICKS.
 
@@ -46,8 +50,8 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
     the end continues at the beginning. `rows`: every other row opens in the second half of the
     frame. `checker`: every other pixel does. `overlapping-rows`: as `rows`, with bumps of 11/16 of
     the frame."""
-    if spec.kind not in _CODES:
-        raise ValueError(f"the start {name} has bumps for clips: use class {', '.join(_CODES)}")
+    if spec.kind not in _KINDS:
+        raise ValueError(f"the start {name} has bumps for clips: use class {', '.join(_KINDS)}")
     period = 2 if name in YARDSTICKS else _SIDE
     if any(side % period for side in spec.tile):
         raise ValueError(
@@ -61,7 +65,14 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
         )
     # In sixteenths of the frame, rounded up: 4 unless the start names another number.
     length = spec.length or -(-spec.slots * _SIXTEENTHS.get(name, 4) // 16)
-    return _CODES[spec.kind](spec, _first(name, spec, length), length)
+    first = _first(name, spec, length)
+    if spec.kind == "c":
+        return {"start": first}
+    if spec.kind == "d":
+        return {"start": first, "stop": first + length}
+    if spec.kind == "e":
+        return {"bits": bits_of(_opened(spec, first, length))}
+    return _shapes(spec, first, length)
 
 
 def _first(name: str, spec: ShutterSpec, length: int) -> Ints:
@@ -90,24 +101,6 @@ def _opened(spec: ShutterSpec, first: Ints, length: int) -> Bools:
     return np.asarray((n - first) % spec.slots < length)
 
 
-def _starts(_spec: ShutterSpec, first: Ints, _length: int) -> Codes:
-    """Return codes of class c whose bumps open in the slots `first` (rows, cols). The class itself
-    has the length."""
-    return {"start": first}
-
-
-def _edges(_spec: ShutterSpec, first: Ints, length: int) -> Codes:
-    """Return codes of class d whose bumps open in the slots `first` (rows, cols), for `length`
-    slots."""
-    return {"start": first, "stop": first + length}
-
-
-def _bits(spec: ShutterSpec, first: Ints, length: int) -> Codes:
-    """Return codes of class e whose bumps open in the slots `first` (rows, cols), for `length`
-    slots. Bit n of a code is slot n."""
-    return {"bits": bits_of(_opened(spec, first, length))}
-
-
 def _shapes(spec: ShutterSpec, first: Ints, length: int) -> Codes:
     """Return a codebook `book` (K, N) of bumps that open in the slots `first` (rows, cols), and the
     row `id` of each pixel.
@@ -122,9 +115,6 @@ def _shapes(spec: ShutterSpec, first: Ints, length: int) -> Codes:
     begins = np.resize(begins, spec.rows)
     book = _opened(spec, begins[:, None], length)[..., 0].T
     return {"id": row_of_place.reshape(spec.tile), "book": book.astype(np.int64)}
-
-
-_CODES = {"c": _starts, "d": _edges, "e": _bits, "codebook": _shapes}
 
 
 CLASSES: dict[str, type[Encoder]] = {
