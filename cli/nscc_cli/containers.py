@@ -40,7 +40,7 @@ def asm(file: str, output: str | None, words: bool) -> None:
     base = Path(file).parent if file != "-" else Path()
     if words:
         text = "".join(f"{word_text(word)}\n" for word in assemble_words(source, base))
-        _put(text, output)
+        _write_or_print(text, output)
         return
     if output is None and file == "-":
         raise click.UsageError("text from standard input needs -o OUT.icw (or --words)")
@@ -50,7 +50,7 @@ def asm(file: str, output: str | None, words: bool) -> None:
     write_whole(Path(output) if output else Path(file).with_suffix(".icw"), to_bytes(container))
 
 
-def _put(text: str, output: str | None) -> None:
+def _write_or_print(text: str, output: str | None) -> None:
     """Write `text` to the file `output`, or to standard output for None and "-"."""
     if output is None or output == "-":
         click.echo(text.encode(), nl=False)
@@ -93,7 +93,7 @@ def read_text(file: str) -> Source:
 )
 def disasm(file: str, output: str | None) -> None:
     """Write FILE.icw as assembly text, from which `nscc asm` makes the same file again."""
-    _put(disassemble(read_container(Path(file))), output)
+    _write_or_print(disassemble(read_container(Path(file))), output)
 
 
 @common_command("diff")

@@ -59,7 +59,7 @@ class Looked(NamedTuple):
     seconds: float
 
 
-class Shot(NamedTuple):
+class FrameAndDark(NamedTuple):
     """A frame (`taken`), the dark frames of the same program, and the seconds of the frame's
     simulation."""
 
@@ -87,11 +87,11 @@ class Exposed:
     laid: tuple[PlacedLight, ...]
     container: Container
     sensor: Sensor
-    coded: Shot
-    usual: Shot
+    coded: FrameAndDark
+    usual: FrameAndDark
     looked: Looked | None
-    fair: Shot | None
-    bracket: Shot | None
+    fair: FrameAndDark | None
+    bracket: FrameAndDark | None
 
     @property
     def still(self) -> bool:
@@ -164,7 +164,7 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
     laid, scene = _laid(subject, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
 
-    def shot(container: Container) -> Shot:
+    def shot(container: Container) -> FrameAndDark:
         """Expose the scene, and a dark one with noise that is independent of the scene's, with the
         program `container`."""
         begin = working_s()
@@ -172,7 +172,9 @@ def exposed(subject: Subject, settings: DemoSettings, listener: Listener) -> Exp
         seconds = working_s() - begin
         night = laid_lights(Scene("builtin:dark"), container.slot_us, container.target)
         quiet = replace(request, seed=settings.seed + DARK_SEED, repeat=DARK_FRAMES)
-        return Shot(taken, simulate_scene(container, night, sensor, quiet, listener), seconds)
+        return FrameAndDark(
+            taken, simulate_scene(container, night, sensor, quiet, listener), seconds
+        )
 
     coded, usual = shot(compiled), shot(camera(like.slots, like.slot_us, target))
     looked = _looked(scene, sensor, request, listener) if subject.still else None

@@ -14,7 +14,7 @@ from nscc.arrays import Array, Bytes, Floats
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
 from nscc_training.code_choices import over_array
-from nscc_training.demo.expose import Exposed, Looked, Shot
+from nscc_training.demo.expose import Exposed, FrameAndDark, Looked
 from nscc_training.design.bracket import merged_bracket
 from nscc_training.design.chip import DesignChip
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
@@ -94,7 +94,7 @@ class Shown:
         fair = self.exposed_scene.fair
         return None if fair is None else self._camera_light(fair)
 
-    def _camera_light(self, shot: Shot) -> Floats:
+    def _camera_light(self, shot: FrameAndDark) -> Floats:
         """Return the light that an ordinary camera measured, in electrons: over the frame for a
         still, per slot for a clip. Each frame of a clip fills the slots in which it was open.
 
@@ -110,7 +110,7 @@ class Shown:
         # frame.
         return frames[0] * shutters.shape[-1] if self.still else np.stack(frames)
 
-    def _exposures_e(self, shot: Shot) -> list[Array]:
+    def _exposures_e(self, shot: FrameAndDark) -> list[Array]:
         """Return the electrons of each readout of `shot` above the mean of its dark frames, one
         array (rows, cols, [3]) a readout. Noise can make them negative.
 
