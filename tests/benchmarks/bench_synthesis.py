@@ -75,7 +75,7 @@ def chosen_of(grid: Grid, levels: list[int], parts: list[str]) -> Grid:
         for level in levels
         if not parts or point.grid_part in parts
     ]
-    return replace(grid, points=tuple(points), columns=(*grid.columns, "level"))
+    return grid._replace(points=tuple(points), columns=(*grid.columns, "level"))
 
 
 def goal(row: dict[str, Any]) -> tuple[str, int | None]:

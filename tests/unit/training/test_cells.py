@@ -171,7 +171,7 @@ def test_noise_of_training_is_that_of_the_emulator() -> None:
     torch.manual_seed(0)
     cell = PixelCell(kernel=3, update="replace", level=LEVEL)
     files = cell_files(cell, KERNELS)
-    files = replace(files, text=files.text.replace("read b", "read b, o"))
+    files = files._replace(text=files.text.replace("read b", "read b, o"))
     program = compiled_cell(files, KERNELS, target)
     light = np.random.default_rng(0).integers(0, 2, (1, 48, 48)).astype(np.float32) * 28_000
     sensor = {

@@ -249,4 +249,4 @@ def test_data_that_a_run_has_seen_is_refused(clip_run: Path, tmp_path: Path) -> 
     assert taken.scene.file.name == "c.mat"
     digest = sha256((tmp_path / "d/c.mat").read_bytes()).hexdigest()
     with pytest.raises(Rejected, match="NS0820"):
-        decoder_points([replace(folder, seen_digests=frozenset({digest}))], asked)
+        decoder_points([folder._replace(seen_digests=frozenset({digest}))], asked)
