@@ -16,7 +16,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from nscc.arrays import Ints
+from nscc.arrays import Floats, Ints
 from nscc.words.container import Container
 from nscc_runtime.effects import CannotHave, Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -78,7 +78,7 @@ class FrameSource:
         if isinstance(self.simulator, Reference):
             scene = reference_scene(self.container, self.light)
             return self.simulator.expose(scene, seed, self.device_seed, number, self.threads)
-        exposure_e = np.empty(self.simulator.mean_e.shape)
+        exposure_e: Floats = np.empty(self.simulator.mean_e.shape)
         if len(self.near) < exposure_e.shape[1]:
             exposure_e = draw_exposures(self.simulator, seed, number, self.threads)
         saturated_by = np.zeros(exposure_e.shape, np.uint8)
