@@ -105,3 +105,18 @@ def test_mismatched_parts_are_refused() -> None:
             np.ones(1),
             "clip",
         )
+
+
+@pytest.mark.parametrize("cols", [7, 8])
+def test_light_notices_frames_that_change_in_place(cols: int) -> None:
+    """One pixel changes, the last of an odd number included, or two change places."""
+    for first, second in ((0, 1), (3 * cols - 1, 0), (2, 3 * cols - 2)):
+        frame = np.random.default_rng(6).random((3, cols), dtype=np.float32)
+        light, pixels = Light.of_still(frame, np.ones(4)), frame.reshape(-1)
+        assert light.current() is light
+        pixels[[first, second]] = pixels[[second, first]]
+        assert light.current() is not light
+        pixels[[first, second]] = pixels[[second, first]]
+        assert light.current() is light
+        pixels[first] = np.nextafter(pixels[first], np.float32(2.0))
+        assert light.current() is not light

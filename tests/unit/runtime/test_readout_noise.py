@@ -74,6 +74,16 @@ def test_noise_is_correlated_down_columns_only(effects: str, lags: tuple[float, 
     assert (half[1:] * half[:-1]).mean() / half.var() == pytest.approx(0, abs=0.02)
 
 
+def test_columns_that_share_random_bits_are_independent() -> None:
+    """Columns half a row apart draw from the two halves of the bits of one place."""
+    noise = codes("adc_noise", 4) / SENSOR.adc_noise_lsb
+    left, right = noise[:, :, : SHAPE[1] // 2], noise[:, :, SHAPE[1] // 2 :]
+    # Within five standard errors: products have the variances 1 and 4.
+    assert abs((left * right).mean()) < 5 / left.size**0.5
+    assert abs(((left**2 - 1) * (right**2 - 1)).mean()) < 10 / left.size**0.5
+    assert len(np.unique(noise)) > 0.9 * noise.size
+
+
 def test_frames_have_the_errors_of_their_effects() -> None:
     rows, cols = 20, 33
     exposure_e = np.random.default_rng(1).uniform(-3000, 33_000, (2, rows, cols))
