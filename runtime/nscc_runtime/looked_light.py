@@ -100,7 +100,7 @@ def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
         for segment in path:
             acts[paths.acting[paths.start[segment] : paths.start[segment + 1]], end] = True
     return tuple(
-        AnalogWord.of(word, lanes)
+        AnalogWord(**vars(word), lanes=lanes)
         for word, lanes in zip(paths.words, acts, strict=True)
         if not word.compares
     )

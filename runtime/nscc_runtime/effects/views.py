@@ -4,9 +4,10 @@ and pixels while words run."""
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Protocol
 
 import numpy as np
@@ -15,6 +16,7 @@ from nscc.arrays import Floats, Ints
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.noise import key, poisson
 
 LIGHT, WITHOUT_LIGHT = 0, 1
 """Numbers of the sources of charge."""
@@ -77,22 +79,46 @@ class Word(Protocol):
 
 
 @dataclass(eq=False, kw_only=True)
-class Slots(Where, ABC):
-    """All slots, or intervals of slots, of complete rows of pixels, for effects on charge before it
-    falls on PIX (the photodiode). Arrays are (N, rows, cols), in electrons; fixed patterns are
-    (rows, cols)."""
+class Slots(Where):
+    """Slots, or intervals of slots, of complete rows of pixels, for effects on charge before it
+    falls on PIX (the photodiode). Arrays are (intervals, rows, cols), in electrons.
+
+    `rows`: these rows. `starts`: the first slot of each interval. An interval ends where the next
+    begins."""
 
     scene: Scene
+    rows: slice
+    starts: Sequence[int]
 
-    @abstractmethod
+    def fixed(self, make: OnDevice) -> Floats:
+        """Return the fixed pattern of the chip that `make` computes, for these rows, (rows,
+        cols)."""
+        return super().fixed(make).reshape(-1, self.scene.light.shape[1])
+
+    @remembered
     def electrons(self, light: Light) -> Floats:
-        """Return the electrons of `light` in every slot, (N, rows, cols)."""
+        """Return the electrons that `light` gives in each interval of slots, (intervals, rows,
+        cols); remembered for each light. Callers do not change the result.
 
-    @abstractmethod
+        Light that is NaN counts as 0, so that neighbours of its pixel stay valid."""
+        shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
+        out = np.zeros(shape)
+        for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):
+            for n in range(start, stop):
+                out[interval] += light.slot(n, self.rows)
+        out[np.isnan(out)] = 0.0
+        return out
+
     def counted(self, stream: int, source: int, rates: Floats) -> Floats:
-        """Return Poisson counts with the means `rates`, both (N, rows, cols). `stream`: random
-        stream of the effect. `source`: LIGHT or WITHOUT_LIGHT; counts of different sources are
-        independent."""
+        """Return Poisson counts with the means `rates`, both float64 (intervals, rows, cols).
+
+        Rates outside 0..`RATE_CAP` are clipped to it. `stream` (of the effect) and `source` (LIGHT
+        or WITHOUT_LIGHT) select the random numbers. The count of a NaN is 0."""
+        places, counted = self.places.reshape(rates.shape[1:]), np.empty(rates.shape)
+        for n, slot_rates in enumerate(rates):
+            of_slot = key(self.seed, stream, source, self.frame, n)
+            counted[n], _ = poisson(of_slot, places, slot_rates)
+        return counted
 
 
 class Pixels(Where, ABC):

@@ -28,7 +28,7 @@ from nscc_runtime.exposed_frame import Executed, Exposure
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
-from nscc_runtime.reference.charge import Fallen, charge_of_rows, places_of
+from nscc_runtime.reference.charge import charge_of_rows, places_of
 from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.stream import expose_stream
 from nscc_runtime.reference.trace import RunningWord, analog_words, retention_us, running_words
@@ -122,15 +122,13 @@ class Reference:
         final_planes = {name: np.empty((len(rows), cols), np.bool_) for name in names}
 
         # The rows are exposed in strips, so that memory does not grow with the array.
-        def fall(part_rows: range) -> Fallen:
-            """Return the charge that falls on the rows `part_rows` in each interval."""
-            return charge_of_rows(
+        def run(part_rows: range) -> tuple[Marked, Bits]:
+            """Run the program in the rows `part_rows` with the charge that falls on them. Return
+            its readouts with marks, and which pixels are valid; store the final bits of registers
+            in `final_planes`."""
+            charge, valid = charge_of_rows(
                 scene, self.sensor, self.effects, seeds, frame, part_rows, self.starts
             )
-
-        def run(part_rows: range, fallen: Fallen) -> Marked:
-            """Run the program in the rows `part_rows` with the charge `fallen`. Return its readouts
-            with marks, and store the final bits of registers in `final_planes`."""
             array_rows = slice(part_rows.start, part_rows.stop)
             pixels = ProgramPixels(
                 sensor=self.sensor,
@@ -143,14 +141,14 @@ class Reference:
                 program=self,
                 code={name: plane[array_rows].reshape(-1) for name, plane in loaded.items()},
             )
-            marked = pixels.run(fallen.charge.reshape(len(self.starts), -1))
+            marked = pixels.run(charge.reshape(len(self.starts), -1))
             chunk = slice(part_rows.start - rows.start, part_rows.stop - rows.start)
             for name, plane in final_planes.items():
                 plane[chunk] = pixels.digital.bits[name].reshape(len(part_rows), cols)
-            return marked
+            return marked, valid
 
         shape = len(container.buckets), cols, len(self.starts)
-        return Executed(in_rows(fall, run, rows, shape, threads), final_planes)
+        return Executed(in_rows(run, rows, shape, threads), final_planes)
 
 
 def frames(

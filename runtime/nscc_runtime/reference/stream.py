@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from nscc.arrays import Bytes, Floats
+from nscc.arrays import Bools, Floats
 from nscc.words.container import Container
 from nscc.words.stream import Stream
 from nscc_runtime.effects import Selection
@@ -20,8 +20,8 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals
-from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.words import Marked, in_rows
+from nscc_runtime.reference.charge import charge_of_rows, places_of
+from nscc_runtime.reference.words import Marked, clipped, in_rows
 
 _ACTING = {
     "scene", "light", "response", "count", "charge", "neighbours", "well", "resets", "reads",
@@ -59,30 +59,28 @@ def expose_stream(
     if sent is None:
         raise ValueError("the program has no bit planes: its target has pixels with logic")
 
-    def fall(part_rows: range) -> Fallen:
-        """Return the charge that falls on the rows `part_rows` in each slot."""
-        return charge_of_rows(
+    def run(part_rows: range) -> tuple[Marked, Bools]:
+        """Expose the rows `part_rows` with the charge that falls on them in each slot, and return
+        the exposures of their buckets and the saturation marks, each (buckets, pixels), and which
+        pixels are valid."""
+        charge, valid = charge_of_rows(
             scene, sensor, effects, seeds, frame, part_rows, range(container.slots)
         )
-
-    def run(part_rows: range, fallen: Fallen) -> Marked:
-        """Expose the rows `part_rows` with the charge `fallen`, and return the exposures of their
-        buckets and the saturation marks, each (buckets, pixels)."""
         pixels = _Taps(
             sensor=sensor,
             seed=seeds[0],
             device_seed=seeds[1],
             frame=frame,
-            places=np.arange(part_rows.start * cols, part_rows.stop * cols, dtype=np.int64),
+            places=places_of(part_rows, cols),
             container=container,
             sent=sent,
             effects=effects,
             rows=slice(part_rows.start, part_rows.stop),
         )
-        return pixels.run(fallen.charge.reshape(container.slots, -1))
+        return pixels.run(charge.reshape(container.slots, -1)), valid
 
     shape = len(container.buckets), cols, container.slots
-    return in_rows(fall, run, range(rows), shape, threads)
+    return in_rows(run, range(rows), shape, threads)
 
 
 @dataclass(frozen=True)
@@ -115,7 +113,7 @@ class _Taps(Pixels):
         electrons (N, pixels) that fall in each slot."""
         container, target = self.container, self.container.target
         shape = len(container.buckets), len(self.places)
-        tap_charge, marked = np.zeros(shape), np.zeros(shape, np.uint8)
+        tap_charge, is_full = np.zeros(shape), np.zeros(shape, np.bool_)
         for slot, slot_us in enumerate(container.slot_us):
             taps = self.sent.destinations(slot, target.cols)[self.rows].reshape(-1)
             fallen = charge[slot] * self._lit(slot, slot_us)
@@ -123,8 +121,10 @@ class _Taps(Pixels):
                 for leaks in self.effects.at("hold"):
                     tap_charge[tap] *= leaks(self, slot_us * 1e-6)
                 tap_charge[tap] += np.where(taps == tap, fallen, 0.0)
-                tap_charge[tap], full = self._clip_tap(tap_charge[tap])
-                marked[tap] |= full
+                tap_charge[tap], lost_e = clipped(self, self.effects, "well", tap_charge[tap])
+                is_full[tap] |= lost_e > 0
+        mark = self.effects.marking("well")
+        marked = is_full * np.uint8(0 if mark is None else mark.bit)
         return self._read_out(tap_charge), marked
 
     def _lit(self, slot: int, slot_us: float) -> float:
@@ -136,18 +136,6 @@ class _Taps(Pixels):
             return 1.0
         waits_us = [ends(_Step(slot, target.plane_load_us)) for ends in self.effects.at("time")]
         return 1.0 - float(sum(waits_us)) / slot_us
-
-    def _clip_tap(self, charge: Floats) -> tuple[Floats, Bytes]:
-        """Return the charge (pixels,) of a tap after saturation, in electrons, and its saturation
-        marks: the bit of each effect that reduced the charge."""
-        marked = np.zeros(len(charge), np.uint8)
-        for effect, holds in self.effects.acting("well"):
-            charge_before, charge = charge, holds(self, charge)
-            if "well" in effect.marks:
-                marked |= np.where(charge < charge_before, effect.marks["well"].bit, 0).astype(
-                    np.uint8
-                )
-        return charge, marked
 
     def _read_out(self, tap_charge: Floats) -> Floats:
         """Apply reset level, gain, read errors and readout to `tap_charge` (taps, pixels), which

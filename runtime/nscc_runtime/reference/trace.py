@@ -87,12 +87,6 @@ class AnalogWord(RunningWord):
 
     lanes: Bits
 
-    @classmethod
-    def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
-        """Return `word` with the mask `lanes` (lanes,) of the lanes (the pixels of one distinct
-        shutter each) in which it acts."""
-        return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
-
 
 def running_words(container: Container) -> Iterator[RunningWord]:
     """Yield every word of the exposure of a frame in execution order. Launches at one boundary run
@@ -158,7 +152,8 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
             )
         if word.resets or word.op.operation.effect is WordEffect.BUS:
             everywhere = word.resets and target.reset_honours_flag == "no"
-            words.append(AnalogWord.of(word, ~nothing if everywhere else pixel.read("FLAG") == 1))
+            lanes = ~nothing if everywhere else pixel.read("FLAG") == 1
+            words.append(AnalogWord(**vars(word), lanes=lanes))
         else:
             pixel.run(word.op)
     return tuple(words)

@@ -39,7 +39,7 @@ def traced(
     row, col = pixel
     reference = Reference.of(container, sensor, effects)
     scene, rows = reference_scene(container, light), range(row, row + 1)
-    fallen = charge_of_rows(
+    charge, _ = charge_of_rows(
         scene, sensor, effects, seeds=(seed, 0), frame=0, rows=rows, starts=reference.starts
     )
     watched = _WatchedPixel(
@@ -54,7 +54,7 @@ def traced(
         code={name: plane[row, col : col + 1] for name, plane in container.planes().items()},
     )
     # The charge of the whole row is needed for crosstalk; only this column runs.
-    exposures, _ = watched.run(fallen.charge[:, 0, col : col + 1])
+    exposures, _ = watched.run(charge[:, 0, col : col + 1])
     return {
         "registers": watched.names,
         "steps": watched.steps,

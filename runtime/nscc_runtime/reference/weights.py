@@ -6,12 +6,12 @@ all errors."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import groupby
 from math import exp
-from typing import Generic, Literal, TypeVar
+from typing import Literal, TypeVar
 
 import numpy as np
 
@@ -26,42 +26,29 @@ Weights = Floats
 Name = TypeVar("Name", int, tuple[int, int])
 
 
-class ByName(Mapping[Name, Weights], Generic[Name]):
+class ByName(Mapping[Name, Weights]):
     """Weights, each an array (lanes, buckets), by name: the number of a word, or this and the index
     of a destination. Names whose weights are all 0 are missing: reading one raises KeyError.
 
     In long frames most words act in one lane (the pixels of one distinct shutter) of thousands.
-    Only nonzero rows are stored, and arrays are built on access; they must not be modified."""
+    Only nonzero rows are stored, and arrays are built on access."""
 
     def __init__(self) -> None:
         """Begin without weights."""
-        self._held: dict[Name, tuple[int, Ints32 | None, Weights]] = {}
+        self._held: dict[Name, tuple[int, Ints32, Weights]] = {}
 
     def keep(self, name: Name, weight: Weights) -> None:
         """Store the weights (lanes, buckets) of a name, in place of those stored before; all 0
-        changes nothing. The caller does not change the array afterwards. A lane is the pixels of
-        one distinct shutter."""
-        # If more than half of the lanes have weights, a list of them would save little.
+        changes nothing. A lane is the pixels of one distinct shutter."""
         lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
-        if 2 * len(lanes) > len(weight):
-            self._held[name] = len(weight), None, weight
-        elif len(lanes):
+        if len(lanes):
             self._held[name] = len(weight), lanes, weight[lanes]
-
-    def renamed(self, name: Callable[[Name], int]) -> ByName[int]:
-        """Return the same weights under other names: `name` maps each name to its new one. If two
-        get the same, the later stored weights remain."""
-        renamed: ByName[int] = ByName()
-        renamed._held = {name(key): entry for key, entry in self._held.items()}
-        return renamed
 
     def __getitem__(self, name: Name) -> Weights:
         """Return the weights (lanes, buckets) of a name, 0 in the lanes (the pixels of one distinct
         shutter each) that are not stored. Raises KeyError for a name whose weights are all 0 or
         were never stored."""
         count, lanes, lane_weights = self._held[name]
-        if lanes is None:
-            return lane_weights
         weights = np.zeros((count, lane_weights.shape[1]))
         weights[lanes] = lane_weights
         return weights

@@ -20,7 +20,6 @@ from nscc_runtime.effects.views import Pixels, Word
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
-from nscc_runtime.reference.charge import Fallen
 from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.trace import RunningWord, readout_waits_s
 from nscc_runtime.reference.weights import error_sign
@@ -36,16 +35,11 @@ class Marks:
     `full`: uint8 by name; its bits tell whether the content includes a full PIX with positive sign
     (ADDED), with negative sign (SUBTRACTED), or in a reset level (LEVEL). `lost`: by name, the
     electrons that registers lost at the ends of their range, summed up over the words on which the
-    content depends. `mark`: by kind of mark, the mark of an effect, or None if no effect sets it.
-    """
+    content depends."""
 
-    def __init__(
-        self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
-    ) -> None:
+    def __init__(self, registers: Iterable[str], pixels: int) -> None:
         """Begin with `pixels` pixels without saturation: no mark and no lost electrons in any of
         the `registers`."""
-        self.effects, self.sensor = effects, sensor
-        self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
         self.lost = {name: np.zeros(pixels) for name in registers}
 
@@ -54,44 +48,24 @@ class Marks:
         PIX stay."""
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
-    def fallen(self, pixels: Pixels, charge: Floats) -> Floats:
-        """Return the charge (pixels,) of PIX (the photodiode), in electrons, after the effects of
-        the full well. Mark PIX as full where an effect with such a mark has reduced the charge."""
-        for effect, clip in self.effects.acting("well"):
-            charge_before, charge = charge, clip(pixels, charge)
-            if "well" in effect.marks:
-                self.fill(charge < charge_before)
-        return charge
-
-    def clip_register(self, pixels: Pixels, value: Floats, lost_e: Floats) -> tuple[Floats, Floats]:
-        """Return a register's `value` after saturation, and `lost_e` plus the electrons lost by it,
-        all in electrons (pixels,). Without effects of registers both stay."""
-        for effect, clip in self.effects.acting("registers"):
-            value_before, value = value, clip(pixels, value)
-            if "registers" in effect.marks:
-                lost_e = lost_e + np.abs(value_before - value)
-        return value, lost_e
-
     def empty(self, acting: Bools) -> None:
         """Clear the marks of PIX (the photodiode) where it is reset: in the pixels of the mask
         `acting`."""
         self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
 
-    def gathered(self, op: Op, unseen: Bools, lit: Bools) -> tuple[Full, Floats]:
+    def gathered(self, op: Op, fresh: Bools, lit: bool) -> tuple[Full, Floats]:
         """Return the marks, as bits ADDED, SUBTRACTED and LEVEL, and the lost electrons that the
         result of the bus word `op` inherits from its sources, each (pixels,).
 
-        `unseen`: where the word reads the reset level without the charge of PIX (the photodiode); a
-        full PIX leaves no mark there. `lit`: where it reads the reset level with light; LEVEL is
-        set there if PIX is full."""
+        `fresh`: where the word reads the reset level of PIX (the photodiode). `lit`: whether it
+        reads it with light; LEVEL is then set where PIX is full. Without light a full PIX leaves no
+        mark there."""
         full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
             source_full = self.full[name]
             if name == "PIX":
-                source_full = np.where(unseen, np.uint8(0), source_full)
-                source_full = source_full | np.where(
-                    lit & (source_full != 0), np.uint8(LEVEL), np.uint8(0)
-                )
+                of_level = np.where(source_full, source_full | np.uint8(LEVEL), np.uint8(0))
+                source_full = np.where(fresh, of_level if lit else np.uint8(0), source_full)
             full |= source_full
             lost_e = lost_e + self.lost[name]
         return inverted(full), lost_e / op.operation.divisor
@@ -102,25 +76,24 @@ class Marks:
         self.full[name] = np.where(acting, full, self.full[name])
         self.lost[name] = np.where(acting, lost_e, self.lost[name])
 
-    def read_out(self, name: str, gain: float) -> Bytes:
+    def read_out(self, name: str, gain: float, effects: Selection, sensor: Sensor) -> Bytes:
         """Return the bits of `saturated_by` (pixels,) for the readout of the register `name`.
 
-        A negative `gain` inverts its sign, so added and subtracted charge are exchanged. Losses of
-        registers set a bit if they exceed the mark's least number of electrons."""
+        A negative `gain` inverts its sign, so added and subtracted charge are exchanged. A bit is
+        set where an effect of `effects` has such a mark; that of registers where their losses
+        exceed the mark's least number of electrons."""
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
         bits = np.zeros_like(full)
-        for at, is_marked in (
+        for at, amount in (
             ("well", full & ADDED),
             ("subtracted", full & SUBTRACTED),
             ("level", full & LEVEL),
+            ("registers", self.lost[name]),
         ):
-            mark = self.mark[at]
+            mark = effects.marking(at)
             if mark is not None:
+                is_marked = amount > mark.least_e(sensor)
                 bits |= np.where(is_marked, np.uint8(mark.bit), np.uint8(0))
-        mark = self.mark["registers"]
-        if mark is not None:
-            exceeds = self.lost[name] > mark.least_e(self.sensor)
-            bits |= np.where(exceeds, np.uint8(mark.bit), np.uint8(0))
         return bits
 
 
@@ -131,48 +104,18 @@ def inverted(full: Full) -> Full:
     return np.asarray(exchanged | full & LEVEL, np.uint8)
 
 
+def clipped(pixels: Pixels, effects: Selection, at: str, value: Floats) -> tuple[Floats, Floats]:
+    """Return `value` after those `effects` that act at the stage `at`, "well" or "registers", and
+    by how much those with a saturation mark have changed it; all in electrons (pixels,)."""
+    lost_e = np.zeros_like(value)
+    for effect, clip in effects.acting(at):
+        value_before, value = value, clip(pixels, value)
+        if at in effect.marks:
+            lost_e = lost_e + np.abs(value_before - value)
+    return value, lost_e
+
+
 Bits = Bools
-
-
-class Resets:
-    """The reset levels of some pixels, in electrons, and when PIX (the photodiode) was reset;
-    arrays are (pixels,). Boundaries are numbers that never decrease from call to call. All pixels
-    begin at level 0, as if reset before the frame."""
-
-    def __init__(self, effects: Selection, pixels: int) -> None:
-        """Begin with a reset level of 0 in all `pixels` pixels, before the first boundary.
-        `effects`: those that change levels and what words read of them."""
-        self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
-        self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
-
-    def reset(self, pixels: Pixels, acting: Bits, word: Word, boundary: float) -> None:
-        """Set the reset level of the pixels in the mask `acting` to that which the effects of
-        resets give for `word`, and note `boundary` as the time of their last reset."""
-        level = np.zeros_like(self._level_e)
-        for change in self._leaving:
-            level = change(pixels, level, word)
-        self._level_e = np.where(acting, level, self._level_e)
-        self._last = np.where(acting, boundary, self._last)
-
-    def unseen(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words do not read the charge of PIX: PIX (the photodiode)
-        was reset at this boundary, and no effect lets light into the level."""
-        return np.asarray((self._last == boundary) & (not self._letting_in))
-
-    def lit(self, boundary: float) -> Bits:
-        """Return a mask of pixels where words read the reset level plus light since the reset: PIX
-        (the photodiode) was reset at this boundary, and an effect lets light into the level."""
-        return np.asarray((self._last == boundary) & bool(self._letting_in))
-
-    def read_level(self, pixels: Pixels, charge: Floats, word: Word, boundary: float) -> Floats:
-        """Return the electrons (pixels,) that `word` reads from PIX (the photodiode) at `boundary`
-        when PIX contains `charge`: reset level and charge. Where PIX was reset at this boundary,
-        only the level is read. If light falls during a reset, its effects add their charge."""
-        charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
-        for lit in self._letting_in:
-            charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)
-        return charge_and_level + self._level_e
-
 
 Marked = tuple[Floats, Bytes]
 """Exposures (buckets, pixels) in electrons, and their saturation marks, of the same shape."""
@@ -197,18 +140,17 @@ def most_destinations(target: Target) -> int:
 
 
 def in_rows(
-    fall: Callable[[range], Fallen],
-    run: Callable[[range, Fallen], Marked],
+    run: Callable[[range], tuple[Marked, Bools]],
     rows: range,
     shape: tuple[int, int, int],
     threads: int | None,
 ) -> Exposure:
     """Return the exposure of the consecutive `rows` of a frame, computed in strips of rows.
 
-    `fall(strip)` returns the charge of the rows `strip`. `run(strip, charge)` returns its exposures
-    and marks, (buckets, pixels). Both must not depend on the strips. `shape`: numbers of buckets,
-    of columns, and of slots or intervals in the charge. `threads`: None for all processors. Values
-    that are not finite become invalid."""
+    `run(strip)` returns the exposures and marks of the rows `strip`, and the mask (rows, cols) of
+    its valid pixels, which must not depend on the strips. `shape`: numbers of buckets, of columns,
+    and of slots or intervals in the charge. `threads`: None for all processors. Values that are not
+    finite become invalid."""
     buckets, cols, slots = shape
     exposure = np.empty((buckets, len(rows), cols))
     saturated_by = np.empty(exposure.shape, np.uint8)
@@ -217,12 +159,10 @@ def in_rows(
     def fill(strip: range) -> None:
         """Expose one strip of rows, and write exposures, marks and validity into the whole
         arrays."""
-        fallen = fall(strip)
-        strip_exposure, marked = run(strip, fallen)
         chunk = slice(strip.start - rows.start, strip.stop - rows.start)
+        (strip_exposure, marked), valid[chunk] = run(strip)
         exposure[:, chunk] = strip_exposure.reshape(-1, len(strip), cols)
         saturated_by[:, chunk] = marked.reshape(-1, len(strip), cols)
-        valid[chunk] = fallen.valid
 
     in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
     exposure[:, ~valid] = np.nan
@@ -245,25 +185,21 @@ class WordPixels(Pixels):
 
     def __post_init__(self) -> None:
         """Set PIX (the photodiode) and the analog registers to arbitrary values of the device seed,
-        without saturation marks."""
-        self.begin()
+        without saturation marks, and the reset level to 0, as if PIX was reset before the frame.
+        Look up what does not depend on pixels: `at`, the functions of effects by stage; `target`;
+        `most`, see `most_destinations`; `errors_at`, the stage of an effect's random errors, by
+        name."""
+        self.at, self.target = self.effects.at, self.container.target
+        self.most = most_destinations(self.target)
+        self.errors_at = {effect.name: errors.at for effect, errors in self.effects.having(Errors)}
         names = ("PIX", *self.target.analog_registers)
         start = {name: self.arbitrary(i) for i, name in enumerate(names)}
         # Values well inside the range, so that reading an unwritten register causes a large error.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
-        self.resets = Resets(self.effects, len(self.places))
-        self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
-
-    def begin(self) -> None:
-        """Look up everything that does not depend on pixels: `at`, the functions of effects by
-        stage; `target`; `most`, see `most_destinations`; `errors_at`, the stage at which an effect
-        adds random errors, by name."""
-        self.at, self.target = self.effects.at, self.container.target
-        self.most = most_destinations(self.target)
-        self.errors_at = {
-            effect.name: error_part.at for effect, error_part in self.effects.having(Errors)
-        }
+        self.level_e = np.zeros(len(self.places))
+        self.reset_boundary = np.full(len(self.places), -1)
+        self.marks = Marks((*names, "IN"), len(self.places))
 
     def arbitrary(self, group: int) -> Floats:
         """Return uniform numbers in [0, 1), (pixels,), for the initial values of a register. They
@@ -287,7 +223,8 @@ class WordPixels(Pixels):
 
     def fall(self, charge: Floats) -> None:
         """Add `charge` (pixels,), in electrons, to PIX (the photodiode), which may saturate."""
-        self.charge = self.marks.fallen(self, self.charge + charge)
+        self.charge, lost_e = clipped(self, self.effects, "well", self.charge + charge)
+        self.marks.fill(lost_e > 0)
 
     def hold(self, seconds: float) -> None:
         """Let analog registers leak for a time in seconds, if the effects include leakage; PIX
@@ -298,10 +235,24 @@ class WordPixels(Pixels):
 
     def reset(self, word: RunningWord, acting: Bits) -> None:
         """Run the reset word `word`: empty PIX (the photodiode) in the pixels of the mask `acting`,
-        clear its marks, and set its reset level."""
+        clear its marks, set its reset level, and note the boundary."""
+        level_e = np.zeros(len(self.places))
+        for change in self.at("resets"):
+            level_e = change(self, level_e, word)
         self.charge = np.where(acting, 0.0, self.charge)
         self.marks.empty(acting)
-        self.resets.reset(self, acting, word, word.boundary)
+        self.level_e = np.where(acting, level_e, self.level_e)
+        self.reset_boundary = np.where(acting, word.boundary, self.reset_boundary)
+
+    def read_level(self, word: RunningWord) -> Floats:
+        """Return the electrons (pixels,) that `word` finds on PIX (the photodiode): reset level and
+        charge. Where PIX was reset at this boundary, only the level is read; effects that let light
+        into it add their charge."""
+        is_fresh = self.reset_boundary == word.boundary
+        charge = np.where(is_fresh, 0.0, self.charge)
+        for lit in self.at("level"):
+            charge = np.where(is_fresh, lit(self, self.charge, word), self.charge)
+        return charge + self.level_e
 
     def total(self, word: RunningWord) -> Floats:
         """Return the sum of a word's sources in electrons (pixels,); reading PIX adds its reset
@@ -311,7 +262,7 @@ class WordPixels(Pixels):
             if name == "IN":
                 total += word.in_e
             elif name == "PIX":
-                level = self.resets.read_level(self, self.charge, word, word.boundary)
+                level = self.read_level(word)
                 for read in self.at("reads"):
                     level = read(self, level, word)
                 total += level
@@ -331,17 +282,16 @@ class WordPixels(Pixels):
         """Run a bus word in the pixels of the mask `acting`: write -(sum of its sources) / divisor,
         with the errors of words and saturation, and the marks of its sources to each
         destination."""
-        result, boundary = self.total(word) / -word.op.operation.divisor, word.boundary
-        full, lost_e = self.marks.gathered(
-            word.op, self.resets.unseen(boundary), self.resets.lit(boundary)
-        )
+        result = self.total(word) / -word.op.operation.divisor
+        is_fresh, lit = self.reset_boundary == word.boundary, bool(self.at("level"))
+        full, lost_e = self.marks.gathered(word.op, is_fresh, lit)
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            value, lost_in_register_e = self.marks.clip_register(self, value, lost_e)
+            value, lost_in_register_e = clipped(self, self.effects, "registers", value)
             self.register[name] = np.where(acting, value, self.register[name])
-            self.marks.write(name, acting, full, lost_in_register_e)
+            self.marks.write(name, acting, full, lost_e + lost_in_register_e)
 
     def run_word(self, word: RunningWord) -> None:
         """Execute one word in all pixels: a reset, a bus word, a comparison, or a digital word. The
@@ -378,5 +328,7 @@ class WordPixels(Pixels):
             for leaves in () if stays else self.at("readout"):
                 value = leaves(self, value, bucket)
             exposures[bucket] = value + 0.0  # -0 + 0 is +0
-            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
+            marked[bucket] = self.marks.read_out(
+                readout.register, readout.gain, self.effects, self.sensor
+            )
         return exposures, marked
