@@ -1,4 +1,4 @@
-"""Quantisation and clipping of the ADC."""
+"""The ADC: quantisation and clipping, and the temporal noise of the readout."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from nscc.arrays import Bytes, Floats
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import MOST_E, TARGET, Effect, InLoop, Mark, parameter
-from nscc_runtime.effects.parts import Codes
+from nscc_runtime.effects.effect import CHIP, MOST_E, TARGET, Effect, InLoop, Mark, parameter
+from nscc_runtime.effects.parts import Codes, Converter
 from nscc_runtime.effects.sensor import Sensor
 
 if TYPE_CHECKING:
@@ -46,6 +46,17 @@ OFFSET = parameter(
     "code of a register that holds nothing",
     TARGET,
 )
+NOISE = parameter(
+    "adc_noise_lsb",
+    "readout",
+    0.65,
+    "lsb",
+    0,
+    1e6,
+    "temporal noise of the readout",
+    f"{CHIP}; the scamp5c project's noise model has the same",
+    place=1,
+)
 
 
 def _codes(
@@ -74,8 +85,24 @@ ADC = Effect(
     reference={"codes": _codes},
     size="rms = electrons_per_lsb / sqrt(12) where the noise before it is 0.5 codes or more; "
     "in `frame` only",
-    sums=(Codes(ELECTRONS_PER_LSB, OFFSET),),
+    sums=(Codes(ELECTRONS_PER_LSB),),
     words=InLoop(),
     always=True,
     marks={"codes": Mark(bit=4, name="converter")},
+)
+ADC_NOISE = Effect(
+    name="adc_noise",
+    stream=15,
+    kind="after",
+    title="temporal noise of the readout",
+    model="A code is rounded from exposure / electrons_per_lsb + sigma z, sigma in codes; the "
+    "exposure itself does not have it.",
+    cost="one normal number a pixel and bucket",
+    applied="to `frame` before rounding",
+    absent="this sensor has none",
+    parameters=(NOISE, ELECTRONS_PER_LSB),
+    reference={"converter": NOISE},
+    size="rms = sigma electrons_per_lsb, in `frame` only",
+    sums=(Converter(NOISE),),
+    words=InLoop(),
 )

@@ -157,12 +157,10 @@ class Converter(CodeErrors, stage="converter"):
 
 @dataclass(frozen=True)
 class FixedCodes(CodeErrors, stage="pattern"):
-    """Declares an error of each converter code that is fixed for a chip. The function `codes`
-    computes it from sensor, device seed and shape of the array; its standard deviation is
-    `sigma_lsb`, in codes."""
+    """Declares an error of each converter code that is fixed for a chip, with standard deviation
+    `sigma_lsb` over the pixels, in codes."""
 
     sigma_lsb: OfSensor
-    codes: Callable[[Sensor, int, tuple[int, int]], Floats]
 
 
 @dataclass(frozen=True)
@@ -178,13 +176,9 @@ class InColumns(Part, stage="columns"):
     """Declares that converter noise is a weighted sum of the noise of a pixel and of those below
     it."""
 
-    weights: Callable[[Sensor], Floats]
-
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """Declares the converter's scale: `electrons` per converter code, and the code of 0 electrons
-    (`offset`)."""
+    """Declares the converter's scale: `electrons` per converter code."""
 
     electrons: OfSensor
-    offset: OfSensor

@@ -126,7 +126,7 @@ READOUT_PATTERN = Effect(
     parameters=(PATTERN, SMOOTH),
     reference={"pattern": _pattern_lsb},
     size="rms = sqrt(pattern^2 + smooth^2) electrons_per_lsb, in `frame` only",
-    sums=(FixedCodes(_pattern_sd_lsb, _pattern_lsb),),
+    sums=(FixedCodes(_pattern_sd_lsb),),
     words=InLoop(),
 )
 READOUT_LEVEL = Effect(
@@ -158,6 +158,6 @@ COLUMN_NOISE = Effect(
     parameters=(COLUMNS,),
     reference={"columns": _weights},
     size="none for a single pixel: variances stay",
-    sums=(InColumns(_weights),),
+    sums=(InColumns(),),
     words=InLoop(),
 )

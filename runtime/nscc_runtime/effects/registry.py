@@ -4,13 +4,14 @@ Incomplete declarations are refused when they are registered, so other code can 
 
 from __future__ import annotations
 
-from functools import cache
+from collections.abc import Callable
+from functools import lru_cache, wraps
+from typing import ParamSpec, TypeVar
 
 from nscc.diagnostics.diagnostic import rejected
 from nscc.mappings import JsonObject
 from nscc.plugins import added
-from nscc_runtime.effects.adc import ADC
-from nscc_runtime.effects.adc_noise import ADC_NOISE
+from nscc_runtime.effects.adc import ADC, ADC_NOISE
 from nscc_runtime.effects.analog import ANALOG
 from nscc_runtime.effects.black_sun import BLACK_SUN
 from nscc_runtime.effects.comparator import COMPARATOR_NOISE, COMPARATOR_OFFSET
@@ -32,6 +33,9 @@ from nscc_runtime.effects.reset import RESET
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.shot import SHOT
 from nscc_runtime.effects.spreading import SPREADING
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 _OURS = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, BLACK_SUN, ANALOG,
@@ -124,6 +128,23 @@ def registered() -> tuple[Effect, ...]:
     return tuple(_registered.values())
 
 
+def of_registered(make: Callable[P, R]) -> Callable[P, R]:
+    """Cache the results of `make` for equal arguments, which must be hashable, as long as the
+    registered effects are the same."""
+
+    # The effects are a part of the key only.
+    cached: Callable[..., R] = lru_cache(64)(
+        lambda _effects, *arguments, **named: make(*arguments, **named)
+    )
+
+    @wraps(make)
+    def call(*arguments: P.args, **named: P.kwargs) -> R:
+        """Return the result for these arguments and the registered effects, cached."""
+        return cached(registered(), *arguments, **named)
+
+    return call
+
+
 def by_name() -> dict[str, Effect]:
     """Return all effects by name, in the order of registration."""
     return {effect.name: effect for effect in registered()}
@@ -146,20 +167,10 @@ def _marks(effects: tuple[Effect, ...]) -> dict[str, Mark]:
     return {at: mark for effect in effects for at, mark in effect.marks.items()}
 
 
-def always_on() -> frozenset[str]:
-    """Return the names of the effects that cannot be left out."""
-    return frozenset(by_name()).difference(optional())
-
-
+@of_registered
 def parameters() -> tuple[Parameter, ...]:
     """Return the parameters of all effects, each once, in the order of a sensor file."""
-    return _parameters(registered())
-
-
-@cache
-def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
-    """Return the parameters of effects, each once, in their order in a file."""
-    rows = {row.name: row for effect in effects for row in effect.parameters}
+    rows = {row.name: row for effect in registered() for row in effect.parameters}
     return tuple(sorted(rows.values(), key=lambda row: row.place))
 
 

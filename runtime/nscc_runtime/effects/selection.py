@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from math import hypot
 from typing import Any, TypeVar
 
@@ -13,7 +13,7 @@ from nscc.diagnostics.suggest import meant
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.effect import RESERVED, Effect, Mark
 from nscc_runtime.effects.parts import CodeErrors, Errors, FixedCodes, Part
-from nscc_runtime.effects.registry import always_on, by_name, optional, registered
+from nscc_runtime.effects.registry import by_name, of_registered, registered
 from nscc_runtime.effects.sensor import Sensor
 
 P = TypeVar("P", bound=Part)
@@ -39,7 +39,7 @@ class Selection:
     def without_effects(self) -> bool:
         """Whether only permanent effects are selected: the exposure is the sum of light, without
         noise, losses or saturation."""
-        return not self.on & set(optional())
+        return all(effect.always for effect in self.effects)
 
     def __contains__(self, effect: object) -> bool:
         """Return whether `effect`, an `Effect`, is simulated; False for anything else, also for a
@@ -71,9 +71,7 @@ class Selection:
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
         """Return pairs of an effect that is on and its part that is an instance of `kind`, in the
         order of registration; empty if there is none."""
-        # mypy considers a class not hashable.
-        of_all = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
-        return [(effect, member) for effect, member in of_all if effect.name in self.on]
+        return [(effect, member) for effect, member in _parts_of_kind(kind) if effect in self]
 
     @remembered
     def names(self, *kinds: type[Part]) -> frozenset[str]:
@@ -117,39 +115,25 @@ def selection_of(on: frozenset[str], forced: frozenset[str], auto: bool = False)
     return Selection(on, forced, auto)
 
 
+@of_registered
 def everything() -> Selection:
     """Return the selection of all effects."""
-    return _all_of(registered())
+    return Selection(frozenset(by_name()), frozenset())
 
 
-@cache
-def _all_of(effects: tuple[Effect, ...]) -> Selection:
-    """Return the selection of these effects; cached."""
-    return Selection(frozenset(effect.name for effect in effects), frozenset())
-
-
-@cache
-def _parts_of_kind(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
+@of_registered
+def _parts_of_kind(kind: type[P]) -> tuple[tuple[Effect, P], ...]:
     """Return pairs of an effect and its part that is an instance of `kind`."""
-    return tuple(
-        (effect, effect_part) for effect in effects for effect_part in effect.parts_of_kind(kind)
-    )
+    return tuple((effect, part) for effect in registered() for part in effect.parts_of_kind(kind))
 
 
+@of_registered
 def selected(text: str) -> Selection:
     """Parse a selection: `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
 
     Changes alone start from `none` if the first change adds, and from `all` if it removes. Raises
-    Rejected (NS0756, status 2) for any other text."""
-    return _selected(text, registered())
-
-
-@lru_cache(64)
-def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
-    """Return the selection that a text such as `auto,-shot` describes; the second argument keys the
-    cache.
-
-    Raises Rejected (NS0756) for unknown effects, or for removing an effect that is always on."""
+    Rejected (NS0756, status 2) for any other text, for unknown effects, and for removing an effect
+    that is always on."""
     items = [item.strip() for item in text.split(",") if item.strip()]
     if not items:
         raise _invalid_selection(
@@ -157,7 +141,8 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
         )
     auto = items[0] == "auto"
     # A text that begins with -NAME removes from all effects; one with a name begins with none.
-    on = set(optional()) if items[0] in ("auto", "all") or items[0][0] == "-" else set()
+    from_all = items[0] in ("auto", "all") or items[0][0] == "-"
+    on = {effect.name for effect in registered() if effect.always or from_all}
     forced: set[str] = set()
     for index, item in enumerate(items):
         if item in RESERVED:
@@ -178,7 +163,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
         if not effect.always:
             (on.add if add else on.discard)(name)
             forced.add(name)
-    return Selection(frozenset(on | always_on()), frozenset(forced), auto)
+    return Selection(frozenset(on), frozenset(forced), auto)
 
 
 def named(name: str) -> Effect:

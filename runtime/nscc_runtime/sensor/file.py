@@ -6,29 +6,22 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
-from functools import cache, lru_cache
 from pathlib import Path
 
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.toml.schema import WIDTH, FileCodes, Schema, file_bytes, file_text, file_values
-from nscc_runtime.effects.effect import HEADINGS, Effect, Parameter
-from nscc_runtime.effects.registry import parameters, registered
+from nscc_runtime.effects.effect import HEADINGS, Parameter
+from nscc_runtime.effects.registry import of_registered, parameters
 from nscc_runtime.effects.sensor import Sensor
 
 
+@of_registered
 def schema() -> Schema[Parameter]:
     """Return the schema of the sensor file: the parameters of all registered effects."""
-    return schema_of(parameters())
-
-
-@cache
-def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
-    """Return the schema of sensor files with the parameters `rows`; cached. Raises ValueError if
-    two have the same name."""
     return Schema(
         "sensor",
-        rows,
+        parameters(),
         HEADINGS,
         FileCodes("NS0751", "NS0752", unknown="NS0753", wrong_value="NS0754", change="NS0755"),
         "`nscc effects --toml > sensor.toml` writes a complete file to start from",
@@ -71,14 +64,9 @@ def parse_sensor(target: Target, data: bytes, name: str, changes: Changes = ()) 
     return completed({**file_sensor_values, **changed}, target)
 
 
+@of_registered
 def default_sensor(target: Target) -> Sensor:
     """Return the sensor of a target with every parameter at its default."""
-    return _default(target, registered())
-
-
-@lru_cache(16)
-def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
-    """Return the sensor with the default values for a chip; cached."""
     return completed({}, target)
 
 
