@@ -150,7 +150,7 @@ def emulated(container: Container, scene: str) -> list[Frame]:
 
     light = scene_light(Scene(scene), container.slot_us, container.target)
     program = PicturedProgram(container, default_sensor(container.target), selected("none"))
-    return list(program.frames(light, 0, 0, 1))
+    return list(program.film([light], 0, 0))
 
 
 if __name__ == "__main__":

@@ -17,15 +17,13 @@ from nscc.lazy import attribute
 
 if TYPE_CHECKING:
     from nscc_runtime.captured import Capture
-    from nscc_runtime.exposing import audit, capture, captures, plan, scene, sensor_for
-    from nscc_runtime.filming import film
+    from nscc_runtime.exposing import audit, capture, captures, film, plan, scene, sensor_for
     from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
 
 _NAMES = {
     "captured": ("Capture",),
-    "exposing": ("audit", "capture", "captures", "plan", "scene", "sensor_for"),
-    "filming": ("film",),
+    "exposing": ("audit", "capture", "captures", "film", "plan", "scene", "sensor_for"),
     "light": ("Light",),
     "sensor": ("Sensor",),
 }

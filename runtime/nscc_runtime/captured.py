@@ -92,13 +92,13 @@ class Capture(Frame):
     def images(self) -> dict[str, Floats]:
         """The images that the program reads, by name: electrons before the converter, (rows, cols),
         with `repeat` after an axis of frames. Empty for a program without images."""
-        return self._told_arrays("image_", self._pictures_read)
+        return self._pictures_read("image_")
 
     @property
     def planes(self) -> dict[str, Bools]:
         """The planes that the program reads, by name: bool (rows, cols), with `repeat` after an
         axis of frames. Empty for a program without planes."""
-        return self._told_arrays("plane_", self._pictures_read)
+        return self._pictures_read("plane_")
 
     @property
     def margin(self) -> Bools | None:
@@ -129,15 +129,10 @@ class Capture(Frame):
             reports[f"{report.kind} {name}"] = frame_values if repeated else frame_values[0]
         return reports
 
-    @property
-    def _pictures_read(self) -> tuple[str, ...]:
-        """The images and planes that are read out."""
-        return self.container.pictures.reads
-
-    def _told_arrays(self, prefix: str, names: Sequence[str]) -> dict[str, Array]:
-        """Return the arrays `told` with the keys `prefix` + name for each of `names`, by name;
-        missing ones are left out."""
-        keys = {name: f"{prefix}{name}" for name in names}
+    def _pictures_read(self, prefix: str) -> dict[str, Array]:
+        """Return the arrays `told` with the keys `prefix` + name, by name, of those images and
+        planes that are read out and have one."""
+        keys = {name: f"{prefix}{name}" for name in self.container.pictures.reads}
         return {name: self.told[key] for name, key in keys.items() if key in self.told}
 
     @property
@@ -263,11 +258,6 @@ class Capture(Frame):
         """The range of the codes as text, such as 3..255; "of no bucket" for a frame without
         buckets."""
         return f"{self.frame.min()}..{self.frame.max()}" if self.frame.size else "of no bucket"
-
-
-def capture_of(exposed: Taken) -> Capture:
-    """Return the capture of an exposed scene."""
-    return Capture(**vars(exposed.simulated.frame), exposed=exposed)
 
 
 def _report(kind: str, values: Array, count: Any) -> Any:

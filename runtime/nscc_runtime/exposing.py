@@ -11,23 +11,20 @@ describes plans and their promise."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import cycle, islice
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.arguments import (
-    path_of,
-    warn,
-    wrong_argument,
-)
+from nscc.diagnostics.arguments import path_of, shown, warn, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
 from nscc.toml.arguments import checked
+from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.captured import Capture, capture_of
+from nscc_runtime.captured import Capture
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.host_setting import host_settings
@@ -48,8 +45,9 @@ from nscc_runtime.python_arguments import (
     sensor_of,
 )
 from nscc_runtime.request import Fidelity, Request
-from nscc_runtime.run_kinds import refuse_planless
+from nscc_runtime.run_kinds import KINDS, refuse_planless
 from nscc_runtime.scene_settings import Fit, FramesAre, Scene, Transfer
+from nscc_runtime.scenes import PlacedLight
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Listener
 
@@ -135,13 +133,26 @@ def capture(
     scene = laid_of(call, light, container, diagnostics.append)
     settings = host_settings(container, params, inputs)
     request = Request.of(**checked(call, Request, given), turn=turn, settings=settings)
+    return _captured(call, container, scene, sensor, request, diagnostics)
+
+
+def _captured(
+    call: str,
+    container: Container,
+    scene: Sequence[PlacedLight],
+    sensor: SensorLike,
+    request: Request,
+    diagnostics: list[Diagnostic],
+) -> Capture:
+    """Expose a scene, warn of `diagnostics` and of what is found meanwhile, write the file of a new
+    plan, and return the capture. `call` names the function in errors."""
     chip = sensor_of(call, sensor, _converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
     warn(diagnostics)
     result = exposed.simulated
     if result.plan_file is not None and isinstance(request.plan, Path):
         write_whole(request.plan, result.plan_file.encode())
-    return capture_of(exposed)
+    return Capture(**vars(result.frame), exposed=exposed)
 
 
 def captures(
@@ -204,6 +215,86 @@ def captures(
     with ThreadPoolExecutor(threads or processors(), thread_name_prefix=THREADS) as pool:
         arguments = islice(cycle(many_programs), count), cycle(many_lights)
         return [*pool.map(run, range(count), *arguments)]
+
+
+@refuse_removed
+def film(
+    program: ProgramLike,
+    lights: Iterable[LightLike],
+    *,
+    sensor: SensorLike = None,
+    effects: str | Selection | None = None,
+    seed: int = Request.seed,
+    device_seed: int = Request.device_seed,
+    threads: int | None = Request.threads,
+    params: Any = Request.params,
+    inputs: Any = Request.inputs,
+) -> Capture:
+    """Capture consecutive frames of a program with images or planes, each with its own light.
+
+    Kept states go on from frame to frame. `capture` with `repeat` does the same with one light.
+
+    Parameters
+    ----------
+    program : ShutterProgram or Container
+        A compiled program with images or planes; not a path.
+    lights : iterable of array, Light, Scene or str
+        The light of each frame, at least one: electrons per slot (N, rows, cols), electrons per
+        second (rows, cols), a `scene(..)`, or the name of a scene.
+    sensor : Sensor, mapping, str or PathLike, optional
+        A sensor, its file, or values by name; by default that of the chip.
+    effects : str or Selection, optional
+        "none" (the default), "auto", "all", or names as for `nscc run --effects`.
+    seed : int
+        Seed of the noise.
+    device_seed : int
+        Seed of the fixed pattern, which stands for one device.
+    threads : int, optional
+        Number of threads, by default all processors. The result does not depend on it.
+    params : mapping or sequence of mapping, optional
+        Values of parameters as for `capture`: for all frames, or one mapping for each frame. What a
+        later mapping leaves out keeps its value.
+    inputs : mapping or sequence of mapping, optional
+        Bits of input planes as for `capture`: for all frames, or one mapping for each frame.
+
+    Returns
+    -------
+    Capture
+        All arrays have a leading axis of frames. `light` is the light of the first frame.
+
+    Raises
+    ------
+    Rejected
+        NS0789 for a program without images or planes, or for no lights; otherwise as `capture`.
+    """
+    given = locals()
+    call = "nscc_runtime.film"
+    container = container_of(call, program)
+    if not KINDS.of(container).takes_films:
+        raise wrong_argument(
+            f"{call} takes a program with images or planes",
+            helps=("nscc_runtime.captures(program, lights) captures other programs",),
+        )
+    options = checked(call, Request, given)
+    if isinstance(lights, str) or not isinstance(lights, Iterable):
+        raise wrong_argument(
+            f"{call} takes a list with the light of each frame, not {shown(lights)}"
+        )
+    diagnostics: list[Diagnostic] = []
+    scenes = [laid_of(call, light, container, diagnostics.append) for light in lights]
+    if not scenes:
+        raise wrong_argument(f"{call}: there is no light", helps=("give one for each frame",))
+    for number, scene in enumerate(scenes):
+        if len(scene) > 1 or scene[0].placement.arrays != (1, 1):
+            raise wrong_argument(
+                f"{call}: light {number} takes several exposures",
+                helps=("use scenes in grey, and fit='crop' or fit='scale'",),
+            )
+    # The first frame is exposed like a capture; the request has the light of all others.
+    next_lights = tuple(scene[0].light for scene in scenes[1:])
+    settings = host_settings(container, params, inputs)
+    request = Request.of(**options, repeat=len(scenes), next_lights=next_lights, settings=settings)
+    return _captured(call, container, scenes[0], sensor, request, diagnostics)
 
 
 @refuse_removed

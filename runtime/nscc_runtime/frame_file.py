@@ -152,15 +152,16 @@ def check_adc(target: Target) -> None:
         )
 
 
+ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
+"""Names of the arrays of every frame, without those of `Frame.told`."""
+
+
 def joined(frames: Sequence[Frame], join: Callable[[list[Array]], Array]) -> Frame:
     """Return the frame each of whose arrays is `join(arrays)`, such as `numpy.stack`, where
     `arrays` lists the same array of all `frames`. There is at least one frame, and all have the
     arrays `told` of the first."""
     return Frame(
-        join([frame.frame for frame in frames]),
-        join([frame.exposure_e for frame in frames]),
-        join([frame.valid for frame in frames]),
-        join([frame.saturated_by for frame in frames]),
+        *(join([getattr(frame, name) for frame in frames]) for name in ARRAYS),
         told={key: join([frame.told[key] for frame in frames]) for key in frames[0].told},
     )
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from nscc.arrays import Array
 from nscc.diagnostics.diagnostic import rejected
-from nscc_runtime.frame_file import Frame
+from nscc_runtime.frame_file import ARRAYS, Frame
 
 MOST_BYTES = 1 << 28
 """Larger series of frames are stored in a temporary file."""
@@ -27,7 +27,7 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
     no room."""
     rooms: dict[str, Array] = {}
     for number, frame in enumerate(frames):
-        arrays = {name: getattr(frame, name) for name in _ARRAYS} | {**frame.told}
+        arrays = {name: getattr(frame, name) for name in ARRAYS} | {**frame.told}
         if not rooms:
             mapped = count * sum(values.nbytes for values in arrays.values()) > MOST_BYTES
             rooms = {
@@ -36,11 +36,7 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
             }
         for name, values in arrays.items():
             rooms[name][number] = values
-    frame_arrays = {name: rooms.pop(name) for name in _ARRAYS}
-    return Frame(**frame_arrays, told=rooms)
-
-
-_ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
+    return Frame(*(rooms.pop(name) for name in ARRAYS), told=rooms)
 
 
 def _room(shape: tuple[int, ...], kind: np.dtype[Any], mapped: bool) -> Array:

@@ -43,18 +43,6 @@ _MOST_LANES = 256
 """Number of shutters that are simulated together."""
 
 
-def marked_by_codes(frame: Bytes, container: Container, sensor: Sensor) -> Bytes:
-    """Return the bits of `saturated_by` that the converter codes of a chip's frame indicate, except
-    the mark of the largest code.
-
-    `frame`: converter codes (.., buckets, rows, cols). Raises Rejected (NS0442) for words that open
-    no shutters."""
-    marked = np.zeros(frame.shape, np.uint8)
-    for bit, codes in full_codes(container, sensor).items():
-        marked |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
-    return marked
-
-
 @lru_cache(maxsize=2)
 def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Floats]:
     """Return the smallest converter codes (buckets, rows, cols) that may mean saturation, by bit of
@@ -164,5 +152,7 @@ def marked_frame(container: Container, frame: Frame, sent: Sent) -> Frame:
     saturated_by = frame.saturated_by
     if not sent.exact:
         with suppress(Rejected):  # NS0442: words that open no shutters
-            saturated_by = saturated_by | marked_by_codes(frame.frame, container, sent.sensor)
+            for bit, codes in full_codes(container, sent.sensor).items():
+                is_full = frame.frame >= codes
+                saturated_by = saturated_by | np.where(is_full, np.uint8(bit), np.uint8(0))
     return replace(frame, saturated_by=saturated_by)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -92,11 +92,13 @@ def _mappings(argument: str, values: Any) -> list[Mapping[str, Any]]:
     return [*mappings]
 
 
-def _unknown(kind: str, name: object, known: Sequence[str]) -> Rejected:
-    """Return the error NS0546, for the caller to raise, for the unknown `name`. `kind`: what it
-    should name, with article, such as "a parameter". `known`: the names that there are."""
-    names = ", ".join(f"`{each}`" for each in known) or f"the program declares no {kind}"
-    return _refused(f"{shown(name)} is not the name of {kind}", f"known: {names}")
+def _check_names(kind: str, names: Iterable[object], known: Collection[str]) -> None:
+    """Raise Rejected (NS0546) for the first of `names` that is not among the names `known`. `kind`:
+    what they should name, with article, such as "a parameter"."""
+    for name in names:
+        if name not in known:
+            listed = ", ".join(f"`{each}`" for each in known) or f"the program declares no {kind}"
+            raise _refused(f"{shown(name)} is not the name of {kind}", f"known: {listed}")
 
 
 def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
@@ -104,9 +106,7 @@ def _params(container: Container, values: Mapping[str, Any]) -> dict[str, int]:
     level sent to all pixels), integers as they are. Raises Rejected (NS0546) for unknown names and
     invalid values."""
     params = {param.name: param for param in container.pictures.params}
-    for name in values:
-        if name not in params:
-            raise _unknown("a parameter", name, [*params])
+    _check_names("a parameter", values, params)
     return {name: _number(params[name], value, container.target) for name, value in values.items()}
 
 
@@ -156,9 +156,7 @@ def _inputs(container: Container, values: Mapping[str, Any]) -> dict[str, Bools]
     and 1, the path of a file, or None for its initial bits. Raises Rejected (NS0546) for names of
     no plane that the host may load, and for invalid values."""
     planes = {plane.name: plane for plane in container.pictures.inputs if plane.is_open}
-    for name in values:
-        if name not in planes:
-            raise _unknown("an input plane", name, [*planes])
+    _check_names("an input plane", values, planes)
     target = container.target
     return {name: _bits(planes[name], value, target) for name, value in values.items()}
 

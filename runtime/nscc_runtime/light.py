@@ -284,9 +284,7 @@ class Light:
         -------
         Light
         """
-        frames = np.ascontiguousarray(self.frames[:, rows, cols])
-        motion = None if self.motion is None else replace(self.motion, frames=frames)
-        return replace(self, frames=frames, motion=motion)
+        return self._with_frames(np.ascontiguousarray(self.frames[:, rows, cols]))
 
     def strips(self, around: int = 0) -> Iterator[tuple[range, int, Light]]:
         """Yield the light in strips of rows, so that drawn frames need little memory.
@@ -324,8 +322,12 @@ class Light:
         -------
         Light
         """
-        motion = None if self.motion is None else self.motion.scaled(factor)
-        return replace(self, frames=np.asarray(self.frames) * np.float32(factor), motion=motion)
+        return self._with_frames(np.asarray(self.frames) * np.float32(factor))
+
+    def _with_frames(self, frames: Floats32) -> Light:
+        """Return the light with other `frames`, which the motion within slots shares."""
+        motion = self.motion and replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
 
     def joined(self, starts: Sequence[int]) -> Light:
         """Return the same light in fewer, longer slots.
@@ -352,7 +354,7 @@ class Light:
             row_start=np.array(rows, np.int64),
             frame_index=np.concatenate(index).astype(np.int32),
             weight=np.concatenate(weight),
-            motion=None if self.motion is None else self.motion.joined(starts),
+            motion=self.motion and self.motion.joined(starts),
         )
 
     def dense(self) -> Floats32:

@@ -127,8 +127,8 @@ class Loop(Generic[_P]):
     def __init__(self, function: FunctionType) -> None:
         """Add `function` to the loops of its module, which are compiled together."""
         self.function, self.__doc__ = function, function.__doc__
-        self.name, self.module = function.__name__, function.__module__
-        object_file(self.module).loops.append(self)
+        self.name, self.file = function.__name__, object_file(function.__module__)
+        self.file.loops.append(self)
 
     def __call__(self, *args: _P.args, **values: _P.kwargs) -> None:
         """Run the loop without the GIL, with all arguments by name. Raises TypeError for
@@ -144,19 +144,18 @@ class Loop(Generic[_P]):
 
     def is_compiled(self) -> bool:
         """Return whether the machine code exists; otherwise the first use takes some seconds."""
-        return "linked" in vars(object_file(self.module)) or self.is_kept()
+        return "linked" in vars(self.file) or self.is_kept()
 
     def is_kept(self) -> bool:
         """Return whether a file with the machine code exists, which other runs can use."""
         if machine_code.IN_WEB:
             return True
-        file = object_file(self.module)
-        return machine_code.read_object_file(file.name, file.folders) is not None
+        return machine_code.read_object_file(self.file.name, self.file.folders) is not None
 
     def compiling(self, subject: str) -> str:
         """Return a message, without a final stop, that `subject` is compiled once, or, if no cache
         folder can be written, that loops are compiled in every run."""
-        if machine_code.can_keep(object_file(self.module).folders):
+        if machine_code.can_keep(self.file.folders):
             return f"compiling {subject} for this processor: once, some seconds"
         return (
             "compiling loops: some seconds in every run, because no cache folder can be "
@@ -166,20 +165,13 @@ class Loop(Generic[_P]):
     def load(self) -> None:
         """Load the machine code of all loops of the module, compiling it if necessary, so that the
         first call does not have to wait."""
-        object_file(self.module).linked  # noqa: B018  # computes the cached property
+        self.file.linked  # noqa: B018  # computes the cached property
 
     @cached_property
     def parameters(self) -> dict[str, LoopParameter | ArrayGroup]:
         """The declared parameters by name, in the order of the function's arguments."""
         hints = get_type_hints(self.function, include_extras=True)
-        parameters = [parameter_of(name, hints[name]) for name in hints if name != "return"]
-        axes = {
-            name
-            for parameter in parameters
-            for array in parameter.arrays
-            for name, _ in array.axes or ()
-        }
-        return {parameter.name: parameter.sized(axes) for parameter in parameters}
+        return {name: parameter_of(name, hints[name]) for name in hints if name != "return"}
 
     @cached_property
     def checks(self) -> Callable[[Mapping[str, Any]], list[int]]:
@@ -190,7 +182,7 @@ class Loop(Generic[_P]):
     def entry(self) -> Callable[..., None]:
         """The machine code as a function of the addresses of all arrays and records, in the order
         of `parameters`; it checks nothing."""
-        return object_file(self.module).linked[self.name]
+        return self.file.linked[self.name]
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import ctypes
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Annotated, Any, get_args, get_origin, get_type_hints
 
 import numpy as np
@@ -28,15 +28,13 @@ class LoopParameter:
     """A parameter of a loop: a record, or an array of numbers or of records.
 
     `axes`: name and surplus of each axis, None to accept any shape. All axes of one name must have
-    equal lengths, in all arrays, and equal the field of that name in a record. `lengths`: the
-    fields of the record that are lengths of axes."""
+    equal lengths, in all arrays, and equal the field of that name in a record."""
 
     name: str
     kind: np.dtype[Any]
     record: type[ctypes.Structure] | None = None
     written: bool = False
     axes: tuple[tuple[str, int], ...] | None = None
-    lengths: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, name: str, hint: Any) -> LoopParameter:
@@ -60,11 +58,6 @@ class LoopParameter:
         """The parameters that are passed as separate addresses: only this one."""
         return (self,)
 
-    def sized(self, axes: set[str]) -> LoopParameter:
-        """Return the parameter with `lengths`: those fields of its record that `axes`, the names of
-        axes of all arrays of the loop, contains."""
-        return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
-
     def widened(self, value: Any) -> Any:
         """Return the argument `value`; an array of numpy's indices as int64 if the parameter is of
         this type, because they have 32 bits in WebAssembly. An array that the loop modifies is not
@@ -82,10 +75,6 @@ class ArrayGroup:
     name: str
     kind: type[tuple[Any, ...]]
     arrays: tuple[LoopParameter, ...]
-
-    def sized(self, _axes: set[str]) -> ArrayGroup:
-        """Return the group unchanged: only records contain lengths of axes."""
-        return self
 
     def widened(self, value: Any) -> Any:
         """Return the NamedTuple `value` with arrays of numpy's indices as int64 where the loop
@@ -115,6 +104,8 @@ def checks_of(
     is to be, and for other numbers or lengths of axes. A loop has up to 50 arrays, so the checks
     are one function without calls, made for the loop."""
     lines, addresses, known = ["def addresses(values):"], list[str](), set[str]()
+    arrays_taken = [array for parameter in parameters.values() for array in parameter.arrays]
+    axis_names = {axis for array in arrays_taken for axis, _ in array.axes or ()}
     names: NamedValues = {
         "Array": np.ndarray,
         "at": ctypes.c_void_p.from_address,
@@ -177,8 +168,9 @@ def checks_of(
             lie_in_memory(parameter, value)
         else:
             have_type(name, value, parameter.record)
-            for axis in parameter.lengths:
-                have_length(name, axis, f"{value}.{axis}")
+            for axis in parameter.kind.names or ():
+                if axis in axis_names:
+                    have_length(name, axis, f"{value}.{axis}")
             addresses.append(f"of({value})")
     lines.append(f"    return [{', '.join(addresses)}]")
     exec("\n".join(lines), names)

@@ -84,24 +84,24 @@ def laid_of(
     WrongArgument for other objects, and the errors of scenes (NS0730 .. NS0740)."""
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
-    if isinstance(light, Light):
-        light = light.current()
-        _check_values(light)
-        return (PlacedLight(light, Placement("crop", array, array, array)),)
     if isinstance(light, str | os.PathLike):
         light = Scene(str(os.fspath(light)))
     if isinstance(light, Scene):
         return laid_lights(light, slot_us, target, warn)
-    if _container(light) is not None:
+    if isinstance(light, Light):
+        light = light.current()
+        _check_values(light)
+    elif _container(light) is not None:
         raise wrong_argument(
             f"{call}: the light is {shown(light)}, which is a program",
             helps=(f"the order is {call}(program, light)",),
         )
-    values = _array(call, light)
-    placed_light = light_of_array(
-        values, slot_us=slot_us, rows=target.rows, cols=target.cols, name="the array"
-    )
-    return (PlacedLight(placed_light, Placement("crop", array, array, array)),)
+    else:
+        values = _array(call, light)
+        light = light_of_array(
+            values, slot_us=slot_us, rows=target.rows, cols=target.cols, name="the array"
+        )
+    return (PlacedLight(light, Placement("crop", array, array, array)),)
 
 
 @remembered

@@ -31,12 +31,27 @@ class ReadoutNoise:
     streams: tuple[int, int]
 
     @classmethod
+    @lru_cache(8)
     def of(
         cls, sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
     ) -> ReadoutNoise:
         """Return the errors that `effects` cause in a readout of an array of `shape` (rows, cols)
         on the chip with the seed `device_seed`; the last eight results are cached."""
-        return _readout_noise(sensor, effects, device_seed, shape)
+        noisy, common = effects.acting("converter"), effects.acting("common")
+        weights = np.eye(1, WEIGHTS)[0]
+        for shared in effects.at("columns"):
+            weights = shared(sensor)
+        sigma_lsb, pattern = hypot(*(sigma(sensor) for _, sigma in noisy)), np.zeros(shape)
+        for fixed in effects.at("pattern"):
+            pattern += fixed(sensor, device_seed, shape)
+        # One draw with the first effect's stream: the sum of normal errors is normal.
+        streams = (noisy[0][0].stream if noisy else 0, common[0][0].stream if common else 0)
+        return cls(
+            sigma_lsb * weights if sigma_lsb else np.empty(0),
+            pattern,
+            np.array([hypot(*(sigma(sensor) for _, sigma in common))]),
+            streams,
+        )
 
     def drawn(self, seed: int, frame: int, buckets: int) -> ReadoutErrors:
         """Return what the errors of frame number `frame` are computed from. `seed`: of the noise.
@@ -52,26 +67,3 @@ class ReadoutNoise:
         nothing = np.zeros((buckets, *self.pattern_lsb.shape))
         errors = self.drawn(seed, frame, buckets)
         return codes_and_errors(nothing, errors, (1.0, 0.0, 255), True)[1]
-
-
-@lru_cache(8)
-def _readout_noise(
-    sensor: Sensor, effects: Selection, device_seed: int, shape: tuple[int, int]
-) -> ReadoutNoise:
-    """Return the errors that `effects` cause in a readout of an array of `shape` (rows, cols) on
-    the chip with the seed `device_seed`; cached."""
-    noisy, common = effects.acting("converter"), effects.acting("common")
-    weights = np.eye(1, WEIGHTS)[0]
-    for shared in effects.at("columns"):
-        weights = shared(sensor)
-    sigma_lsb, pattern = hypot(*(sigma(sensor) for _, sigma in noisy)), np.zeros(shape)
-    for fixed in effects.at("pattern"):
-        pattern += fixed(sensor, device_seed, shape)
-    # One draw with the first effect's stream: the sum of normal errors is normal.
-    streams = (noisy[0][0].stream if noisy else 0, common[0][0].stream if common else 0)
-    return ReadoutNoise(
-        sigma_lsb * weights if sigma_lsb else np.empty(0),
-        pattern,
-        np.array([hypot(*(sigma(sensor) for _, sigma in common))]),
-        streams,
-    )

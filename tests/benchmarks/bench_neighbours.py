@@ -144,7 +144,7 @@ def measure() -> dict[str, float]:
     weights = [np.array(rows) / 8 for rows in (SOBEL_X, SOBEL_Y)]
     frame, pair = milliseconds(
         [
-            lambda: list(program.frames(light, 0, 0, 1)),
+            lambda: list(program.film([light], 0, 0)),
             lambda: [correlate(image, kernel, mode="constant") for kernel in weights],
         ]
     )

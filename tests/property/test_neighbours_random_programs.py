@@ -29,7 +29,7 @@ def agree(program: Program, container: Container, seed: int) -> bool:
     light = (rng.integers(0, 1 << 20, (2, ROWS, COLS)) / 128).astype(np.float32)
     sensor = default_sensor(container.target)
     runner = PicturedProgram(container, sensor, selected("none"), threads=1)
-    (frame,) = runner.frames(Light.of_clip(light), 0, seed, 1)
+    (frame,) = runner.film([Light.of_clip(light)], 0, seed)
     slots = light.astype(np.float64)
     exposures = {"exposure": slots.sum(axis=0), "early": slots[0], "late": slots[1]}
     known = program.evaluate(exposures)

@@ -169,7 +169,7 @@ def cell_film(
         (frames, outputs, rows // pool, cols // pool): the bits in the middles of the squares.
         Without effects they are those of `PixelCell.film`, if `level` is a `level_on_chip`.
     """
-    from nscc_runtime.filming import film
+    from nscc_runtime.exposing import film
 
     full_e = np.float32(program.container.target.full_well_e)
     lights = [frame[None] * full_e for frame in exposure]

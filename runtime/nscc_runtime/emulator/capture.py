@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
 from nscc.diagnostics.diagnostic import rejected
+from nscc.words.container import Container
 from nscc.words.legality import decoded
 from nscc.words.soundness import faults
+from nscc.words.stream import Stream
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.emulator.chip_program import ChipProgram
 from nscc_runtime.exposed_frame import Exposure
-
-if TYPE_CHECKING:
-    from nscc.words.container import Container
-    from nscc_runtime.light import Light
+from nscc_runtime.light import Light
 
 
 def expose(
@@ -34,7 +31,7 @@ def expose(
     program) or light."""
     check(container, light)
     if container.stream is not None:
-        return _sorted_light(container, light)
+        return _sorted_light(container, container.stream, light)
     of_bucket = {readout.bucket: readout for readout in container.readouts}
     readouts = [of_bucket[bucket] for bucket in container.buckets]
     registers = [readout.register for readout in readouts]
@@ -46,15 +43,10 @@ def expose(
     return Exposure(exposure, np.isfinite(exposure))
 
 
-def _sorted_light(container: Container, light: Light) -> Exposure:
+def _sorted_light(container: Container, sent: Stream, light: Light) -> Exposure:
     """Return the exposure of a chip without logic: for each bucket the light that its tap collects,
-    times the tap's gain, in float64.
-
-    Raises ValueError for a container (a compiled program) without planes. Other errors must be
-    checked before."""
-    sent = container.stream
-    if sent is None:
-        raise ValueError("the program has no bit planes: its target has pixels with logic")
+    times the tap's gain, in float64. `sent`: the bit planes of `container`. Errors must be checked
+    before."""
     exposure = np.zeros((len(container.buckets), *light.shape))
     for slot in range(container.slots):
         fallen = light.slot(slot).astype(np.float64)

@@ -14,28 +14,30 @@ Not emulated, because no program of this project uses it: addresses (SELECT read
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property, partial
 from itertools import groupby
 from math import prod
 from types import MappingProxyType
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from nscc.arrays import Bools, Floats, Ints
+from nscc.chips.target import Target
 from nscc.mappings import NamedValues
 from nscc.operations import Op
+from nscc.record import Record
+from nscc.words.container import Launch
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked
+from nscc_runtime.emulator.loops import (
+    EmulatedWords,
+    KeptValues,
+    PixelRange,
+    RegisterBits,
+    expose_without_effects,
+)
+from nscc_runtime.light import Light
 from nscc_runtime.pool import in_parts, threads_of
-
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from nscc.chips.target import Target
-    from nscc.words.container import Launch
-    from nscc_runtime.emulator.loops import EmulatedWords
-    from nscc_runtime.light import Light
 
 Bits = Bools
 
@@ -43,7 +45,7 @@ EMULATED_BLOCK = 8192
 """Number of pixels exposed together, a multiple of 64. Their registers stay in the cache."""
 
 
-class ChipProgram:
+class ChipProgram(Record, eq=False):
     """A program as a chip executes it.
 
     `slots`: N, the number of slots. `kernels`: the words of each. `launches`: of these kernels
@@ -52,38 +54,28 @@ class ChipProgram:
     of analog registers that the previous frame left, by name; the others begin with arbitrary
     values."""
 
-    def __init__(
-        self,
-        target: Target,
-        slots: int,
-        kernels: Sequence[Sequence[Op]],
-        launches: Sequence[Launch],
-        planes: Mapping[str, Bits],
-        kept: Mapping[str, Floats] = MappingProxyType({}),
-    ) -> None:
-        """Store what a chip holds: kernels (lists of words), launches (starts of kernels), and the
-        registers at the start of a frame (see the class). Words are translated at the first `run`.
-        """
-        self.target, self.slots, self.planes, self.kept = target, slots, planes, kept
-        self._kernels, self._launches = kernels, launches
+    target: Target
+    slots: int
+    kernels: Sequence[Sequence[Op]]
+    launches: Sequence[Launch]
+    planes: Mapping[str, Bits]
+    kept: Mapping[str, Floats] = MappingProxyType({})
 
     @cached_property
     def _words(self) -> tuple[ArrayWords, EmulatedWords, Ints]:
         """The words as a table, as arrays for the loop, and their operands. A kernel (a list of
         words) occurs once for each value of IN with which it is launched, because each word has its
         own value. IN is the level sent to all pixels."""
-        from nscc_runtime.emulator.loops import EmulatedWords
-
         table, kernel_start, in_e = ArrayWords(self.target), [0], 0.0
         numbers: dict[tuple[int, float], int] = {}
         instants, launched = [], []
-        for launch in self._launches:
+        for launch in self.launches:
             if launch.level is not None:
                 in_e = launch.level * self.target.electrons_per_step
             if (launch.kernel, in_e) not in numbers:
                 numbers[launch.kernel, in_e] = len(numbers)
                 # No word reads its own result, so repeating a word changes nothing.
-                words = groupby(self._kernels[launch.kernel])
+                words = groupby(self.kernels[launch.kernel])
                 kernel_start.append(table.append((op, in_e) for op, _ in words))
             instants.append(launch.instant)
             launched.append(numbers[launch.kernel, in_e])
@@ -126,8 +118,6 @@ class ChipProgram:
         ValueError
             If the light's matrix is inconsistent.
         """
-        from nscc_runtime.emulator.loops import PixelRange, expose_without_effects
-
         _check_matrix(light)
         (table, _, operands), (rows, cols) = self._words, light.shape
         pixels = prod(light.shape)
@@ -189,8 +179,6 @@ class ChipProgram:
         """Return the arguments of the loop that all parts of a frame share, by name. `contents` and
         `bits.read` get the registers `analog` and `digital` at the end of the frame. `size`: rows
         and columns of digital registers."""
-        from nscc_runtime.emulator.loops import KeptValues, RegisterBits
-
         (table, words, _), pixels = self._words, prod(light.shape)
         loaded = packed(np.array([*self.planes.values()], np.bool_).reshape(-1, *size))
         return {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from itertools import chain, repeat
 from types import MappingProxyType
 from typing import Any
@@ -23,7 +23,7 @@ from nscc.words.cost import word_us
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
-from nscc_runtime.caches import OfContainer, Recent
+from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.in_loops import draws_keys, figures, patterns
 from nscc_runtime.effects.sensor import Sensor
@@ -192,19 +192,6 @@ class PicturedProgram:
         """The sensor that converts images."""
         return image_sensor(self.sensor, self.container.target)
 
-    def frames(
-        self,
-        light: Light,
-        seed: int,
-        device_seed: int,
-        count: int,
-        settings: Sequence[HostSetting] = (),
-    ) -> Iterator[Frame]:
-        """Yield frames 0 to `count` - 1 of one light; states and kept images go on from frame to
-        frame. `seed`: of the noise. `device_seed`: of the chip's fixed patterns. `settings`: what
-        the host sets before each frame; the last one holds for all later frames."""
-        return self.film(repeat(light, count), seed, device_seed, settings)
-
     def film(
         self,
         lights: Iterable[Light],
@@ -364,10 +351,7 @@ class PicturedProgram:
         exposed |= kept.images
         exposed_by |= kept.marks
         code = {name: plane.reshape(-1) for name, plane in container.planes().items()} | kept.bits
-        words = _recent_words(container).of(
-            tuple(sorted(params.items())),
-            lambda: PictureWords(container.target, picture_words(container, params)),
-        )
+        words = _words(container, tuple(sorted(params.items())))
         if not self._by_reference:
             errors = self.errors(seeds, number, shape[0] * shape[1])
             contents = words.run((shape[0], shape[1]), exposed, exposed_by, code, errors)
@@ -429,10 +413,11 @@ def _exposure_of(
     return Exposure(values, np.broadcast_to(valid, shape).copy(), marks)
 
 
-@OfContainer
-def _recent_words(_container: Container) -> Recent:
-    """Return the cache of the words of a container for the parameters that were used last."""
-    return Recent(1)
+@lru_cache(4)
+def _words(container: Container, params: tuple[tuple[str, int], ...]) -> PictureWords:
+    """Return the words of images and planes for the values of parameters by name; the last results
+    are cached."""
+    return PictureWords(container.target, picture_words(container, dict(params)))
 
 
 _beyond_reaches = OfContainer(beyond_reaches)

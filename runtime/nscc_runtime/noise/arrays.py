@@ -11,14 +11,22 @@ import numpy as np
 from nscc.arrays import Bools, Floats, Ints
 from nscc_runtime.loop import Words
 from nscc_runtime.noise.keys import stream_of
+from nscc_runtime.noise.noise_loops import (
+    Draws,
+    Groups,
+    Streams,
+    fill_bases,
+    fill_keys,
+    fill_normals,
+    fill_poisson,
+    fill_uniforms,
+)
 
 Pixels = Ints
 
 
 def keys(seed: int, effect: int, source: int, frame: int, groups: int) -> Words:
     """Return the random keys (`nscc_runtime.noise.keys.key`) of the first `groups` groups."""
-    from nscc_runtime.noise.noise_loops import Groups, fill_keys
-
     out, stream = np.empty(groups, np.uint64), np.uint64(stream_of(effect, source))
     fill_keys(of=Groups(seed=np.uint64(seed), stream=stream, frame=frame, groups=groups), out=out)
     return out
@@ -27,8 +35,6 @@ def keys(seed: int, effect: int, source: int, frame: int, groups: int) -> Words:
 def bases(seed: int, streams: Words, source: int) -> Words:
     """Return the parts of the random keys of `streams`, numbers of effects, that do not depend on
     frame and group (`nscc_runtime.noise.keys.base`)."""
-    from nscc_runtime.noise.noise_loops import Streams, fill_bases
-
     out, stream = np.empty_like(streams), streams | np.uint64(stream_of(0, source))
     fill_bases(of=Streams(seed=np.uint64(seed), streams=len(streams)), stream=stream, out=out)
     return out
@@ -38,8 +44,6 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
     """Return one uniform number inside (0, 1) for each of `pixels`, places of any shape, in this
     shape. It is an odd multiple of 2**-53 that depends on `key` and the pixel's place only, so
     equal places have equal numbers."""
-    from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
-
     places, out = _places(pixels), np.empty(np.shape(pixels))
     fill_uniforms(draws=Draws(count=places.size, key=key), pixels=places, out=out.reshape(-1))
     return out
@@ -49,8 +53,6 @@ def normals(key: np.uint64, pixels: Pixels) -> Floats:
     """Return one standard normal number for each of `pixels`, places of any shape, in this shape:
     the normal quantiles of `uniforms` of the same key and pixel. The relative error is below 1e-12
     within +-8.21, and numbers are monotonic in `uniforms`."""
-    from nscc_runtime.noise.noise_loops import Draws, fill_normals
-
     places, out = _places(pixels), np.empty(np.shape(pixels))
     fill_normals(draws=Draws(count=places.size, key=key), pixels=places, out=out.reshape(-1))
     return out
@@ -62,8 +64,6 @@ def poisson(key: np.uint64, pixels: Pixels, rate: Floats) -> tuple[Floats, Bools
     Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. For a NaN rate the count is 0
     and not valid. Counts never decrease with the rate: they are the inverse of the distribution
     function (`nscc_runtime.noise.poisson_law`) at `uniforms` of the same key and pixel."""
-    from nscc_runtime.noise.noise_loops import Draws, fill_poisson
-
     places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
     fill_poisson(

@@ -10,7 +10,6 @@ Mathematics 19 (2008)."""
 from __future__ import annotations
 
 import math
-from statistics import NormalDist
 
 import numpy as np
 
@@ -43,6 +42,13 @@ def taylor(z: float) -> list[float]:
     return terms
 
 
+def _quantile(v: float) -> float:
+    """Return the absolute value of the normal quantile of `v`, a probability below 1/2."""
+    from statistics import NormalDist  # slow to import, and only needed to compile loops
+
+    return -NormalDist().inv_cdf(v)
+
+
 def _table() -> Floats:
     """Return the Taylor coefficients of the quantile about the upper end of each cell of v, in
     ascending order of v: (cells, _TERMS), flattened."""
@@ -53,7 +59,7 @@ def _table() -> Floats:
         octave, step = divmod(cell, 1 << _CELL_BITS)
         size = 2.0 ** (octave - 53)
         upper = size * (1 + (step + 1) * width)
-        terms = taylor(-NormalDist().inv_cdf(upper) if upper < 0.5 else 0.0)
+        terms = taylor(_quantile(upper) if upper < 0.5 else 0.0)
         # Not below the end of the cell before, despite rounding: the quantile must not decrease.
         terms[0] = max(terms[0], below)
         cells[cell] = terms
@@ -74,14 +80,9 @@ def normal(u: float) -> float:
     cell = cell if cell < _LAST else _LAST
     t = np.int64((cell + _FIRST + np.int64(1)) << _SHIFT).view(np.float64) - v
     at = cell * _TERMS
-    z: float = _TABLE[at + 7]
-    z = _TABLE[at + 6] + t * z
-    z = _TABLE[at + 5] + t * z
-    z = _TABLE[at + 4] + t * z
-    z = _TABLE[at + 3] + t * z
-    z = _TABLE[at + 2] + t * z
-    z = _TABLE[at + 1] + t * z
-    z = _TABLE[at] + t * z
+    z: float = _TABLE[at + _TERMS - 1]
+    for term in range(2, _TERMS + 1):
+        z = _TABLE[at + _TERMS - term] + t * z
     return z if u >= 0.5 else -z
 
 
@@ -101,7 +102,7 @@ def _cells() -> Floats32:
         octave, step = divmod(cell, 1 << _CELL_BITS)
         middle = 2.0 ** (octave - 53) * (1 + (step + 0.5) / (1 << _CELL_BITS))
         # `taylor` expands in the distance towards 0.
-        value, slope, bend = taylor(-NormalDist().inv_cdf(middle))[:3]
+        value, slope, bend = taylor(_quantile(middle))[:3]
         cells[cell] = value, -slope, bend
     # The last cell contains only 1/2, whose quantile is 0.
     return cells.astype(np.float32)

@@ -41,10 +41,8 @@ class ImagesRun(RunKind):
         for frame_light in lights:
             check(container, frame_light)
         program = PicturedProgram(container, sensor, effects, request.threads, not request.by_plan)
-        settings = request.settings
-        run = partial(program.frames, light, *seeds, request.repeat or 1, settings)
-        if request.next_lights:
-            run = partial(program.film, lights, *seeds, settings)
+        film = lights if request.next_lights else lights * (request.repeat or 1)
+        run = partial(program.film, film, *seeds, request.settings)
         if effects.without_effects or not request.by_plan:
             return Exposing(run)
         from nscc_runtime.execution.frames import word_reasons

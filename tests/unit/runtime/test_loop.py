@@ -21,7 +21,7 @@ from nscc_runtime import loop as loops
 from nscc_runtime import machine_code
 from nscc_runtime.compile_ahead import modules
 from nscc_runtime.emulator.loops import expose_without_effects
-from nscc_runtime.loop import Written, compiled, loop, object_file, record
+from nscc_runtime.loop import Written, compiled, loop, record
 from nscc_runtime.loop_given import LoopParameter
 
 
@@ -232,7 +232,7 @@ def no_compiler(monkeypatch):
 
 def code(monkeypatch, *places):
     monkeypatch.setattr(machine_code, "folders", lambda module: places)
-    return object_file(expose_without_effects.module).code()
+    return expose_without_effects.file.code()
 
 
 def test_a_loop_is_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):

@@ -12,7 +12,7 @@ import torch
 from numpy.typing import NDArray
 
 from nscc.chips.load import load_target
-from nscc_runtime.filming import film
+from nscc_runtime.exposing import film
 from nscc_training.cell_programs import cell_files, cell_film, compiled_cell, level_on_chip
 from nscc_training.cells import CellNoise, PixelCell, set_moving_edges
 

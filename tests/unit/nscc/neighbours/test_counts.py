@@ -122,7 +122,7 @@ def test_the_error_of_counts_is_what_the_report_says(cell: Path) -> None:
     )
     runner = PicturedProgram(container, sensor, selected("analog"), threads=1)
     bright = np.random.default_rng(2).random((1, 64, 64)) < 0.5
-    (frame,) = runner.frames(Light.of_clip(bright * np.float32(30000)), 3, 1, 1)
+    (frame,) = runner.film([Light.of_clip(bright * np.float32(30000))], 3, 1)
     exact = film_of(container, [bright * np.float32(30000)])[0]["image_o"]
     word_e = sensor.analog_noise_lsb * sensor.analog_lsb_e
     noise_gain = picture_report(container)["images"]["o"]["noise_gain"]
@@ -233,7 +233,7 @@ def test_bits_fade_where_registers_keep_them_for_less_than_a_frame() -> None:
     for retention_us, bits in ((20_000.0, [True, False]), (40_000.0, [True, True])):
         sensor = default_sensor(container.target).changed(digital_retention_us=retention_us)
         runner = PicturedProgram(container, sensor, selected("decay"), threads=1)
-        frames = list(runner.frames(light, 0, 1, 2))
+        frames = list(runner.film([light] * 2, 0, 1))
         assert [bool(frame.told["plane_p"].all()) for frame in frames] == bits
 
 

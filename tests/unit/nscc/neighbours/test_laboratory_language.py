@@ -415,9 +415,9 @@ def flooded(pixels: int, light: Any) -> tuple[Any, bool]:
     propagations = sum(op.name == "PROP.write" for op, _ in picture_words(container))
     assert propagations == (-(-67 // pixels) if pixels else 0)
     run = PicturedProgram(container, default_sensor(target), selected("none"), 1)
-    frame = next(run.frames(Light.of_clip(light), 1, 0, 1))
+    frame = next(run.film([Light.of_clip(light)], 1, 0))
     reference = PicturedProgram(container, default_sensor(target), selected("adc_noise"), 1)
-    same = next(reference.frames(Light.of_clip(light), 1, 0, 1)).told["plane_part"]
+    same = next(reference.film([Light.of_clip(light)], 1, 0)).told["plane_part"]
     np.testing.assert_array_equal(same, frame.told["plane_part"])
     return frame.told["plane_part"], bool(frame.told["flood_complete_part"])
 

@@ -44,7 +44,7 @@ def exposed(
 ) -> Frame:
     sensor = default_sensor(container.target)
     runner = PicturedProgram(container, sensor, selected(effects), threads=1)
-    (frame,) = runner.frames(Light.of_clip(light[None].astype(np.float32)), seed, 1, 1)
+    (frame,) = runner.film([Light.of_clip(light[None].astype(np.float32))], seed, 1)
     return frame
 
 
@@ -125,7 +125,7 @@ def test_a_mark_travels_with_the_branch_that_was_chosen() -> None:
     light[0, 5, 6] = 20000.0
     sensor = default_sensor(container.target)
     runner = PicturedProgram(container, sensor, selected("none"), threads=1)
-    (frame,) = runner.frames(Light.of_clip(light), 0, 1, 1)
+    (frame,) = runner.film([Light.of_clip(light)], 0, 1)
     marked = frame.told["image_saturated_by_i"] & 32
     assert marked[5, 6] == 32
     assert np.count_nonzero(marked) == 1
@@ -142,7 +142,7 @@ def test_the_error_of_words_is_what_the_report_says() -> None:
         analog_pattern_lsb=0.0, analog_gain=1.0, analog_noise_lsb=0.4, analog_move_noise=1.0
     )
     runner = PicturedProgram(container, quiet, selected("analog"), threads=1)
-    (frame,) = runner.frames(Light.of_clip(light[None]), 3, 1, 1)
+    (frame,) = runner.film([Light.of_clip(light[None])], 3, 1)
     inside = ~frame.told["margin"]
     word_e = quiet.analog_noise_lsb * quiet.analog_lsb_e
     # The exposure has errors of its own: two words, blurred by the kernel.
@@ -171,7 +171,7 @@ def test_the_frame_has_only_the_buckets_that_the_program_reads() -> None:
     light = np.stack([np.full((SIDE, SIDE), e, np.float32) for e in (100.0, 700.0)])
     sensor = default_sensor(container.target)
     runner = PicturedProgram(container, sensor, selected("none"), threads=1)
-    (frame,) = runner.frames(Light.of_clip(light), 0, 1, 1)
+    (frame,) = runner.film([Light.of_clip(light)], 0, 1)
     assert container.buckets_read == ("b",)
     assert np.all(frame.exposure_e == 700.0)
     assert np.all(frame.told["image_d"] == 600.0)
