@@ -22,7 +22,7 @@ from nscc.words.reach import Reach, RegisterReaches, reaches_of_frames
 from nscc_runtime.frame_file import Frame, joined
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.plane_summary import reported, summary_of
+from nscc_runtime.neighbours.plane_summary import report_of
 from nscc_runtime.progress import unseen
 from nscc_runtime.request import Request
 from nscc_runtime.response import Response, response_of
@@ -225,24 +225,23 @@ def with_planes_for_reports(container: Container) -> Container:
 
 def with_reports(frame: Frame, container: Container, placement: Placement) -> Frame:
     """Return the joined `frame` of the program of `with_planes_for_reports` as a frame of
-    `container`: with the reports, computed from the joined planes without their margin, and without
-    planes that the program only reports.
+    `container`: with the reports, computed from the joined planes and images without their margin,
+    and without those that the program only reports.
 
     The arrays of the frame have the size of the picture, and repeats a leading axis."""
     pictures = container.pictures
     shape = container.target.rows, container.target.cols
-    hidden = {f"plane_{report.plane}" for report in pictures.reports}
-    hidden -= {f"plane_{name}" for name in pictures.reads}
+    only_reported = {report.plane for report in pictures.reports}.difference(pictures.reads)
+    kinds = "plane", "image", "image_codes", "image_saturated_by"
+    hidden = {f"{kind}_{name}" for kind in kinds for name in only_reported}
     told = {key: values for key, values in frame.told.items() if key not in hidden}
     for report in pictures.reports:
-        planes = frame.told[f"plane_{report.plane}"]
+        planes = frame.told[f"{'image' if report.kind == 'sum' else 'plane'}_{report.plane}"]
         repeats = planes.reshape(-1, *planes.shape[-2:])
         all_reaches = islice(reaches_of_frames(container), len(repeats))
         arrays = [
-            reported(
-                report, summary_of(bits & ~placement.repeated(reaches[report.plane].margin(shape)))
-            )
-            for bits, reaches in zip(repeats, all_reaches, strict=True)
+            report_of(report, values, placement.repeated(reaches[report.plane].margin(shape)))
+            for values, reaches in zip(repeats, all_reaches, strict=True)
         ]
         for key, values in arrays[0].items():
             told[key] = values if planes.ndim == 2 else np.stack([each[key] for each in arrays])

@@ -34,7 +34,7 @@ from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.host_setting import HostSetting
 from nscc_runtime.light import Light
-from nscc_runtime.neighbours.plane_summary import PlaneSummary, reported, summary_of
+from nscc_runtime.neighbours.plane_summary import PlaneSummary, report_of, reported
 from nscc_runtime.reference.array_pixels import RANGE_BIT, ArrayPixels
 from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.words import most_destinations
@@ -451,9 +451,8 @@ def sums_of_images(
     told: Told = {}
     for report in pictures.reports:
         if report.kind == "sum":
-            known = ~reaches[report.plane].margin(shape)
             image = values[pictures.registers[report.plane]].reshape(shape)
-            told[report.key] = np.array(image[known].sum())
+            told |= report_of(report, image, reaches[report.plane].margin(shape))
     return told
 
 
@@ -487,8 +486,8 @@ def told_of_planes(
         if report.kind == "sum":
             continue
         register = pictures.registers[report.plane]
-        summary = summaries.get(register)
-        if summary is None:
-            summary = summary_of(planes[register] & ~reaches[report.plane].margin(shape))
-        told |= reported(report, summary)
+        if register in summaries:
+            told |= reported(report, summaries[register])
+        else:
+            told |= report_of(report, planes[register], reaches[report.plane].margin(shape))
     return told

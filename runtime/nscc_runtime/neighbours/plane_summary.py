@@ -25,6 +25,14 @@ def summary_of(bits: Bools) -> PlaneSummary:
     return len(places), box, places
 
 
+def report_of(report: PlaneReport, values: Array, margin: Bools) -> dict[str, Array]:
+    """Return the arrays of a report, by key, about `values` (rows, cols): the electrons of an image
+    for a report of its sum, else the bits of a plane. Pixels of the `margin` do not count."""
+    if report.kind == "sum":
+        return {report.key: np.array(values[~margin].sum())}
+    return reported(report, summary_of(values & ~margin))
+
+
 def reported(report: PlaneReport, summary: PlaneSummary) -> dict[str, Array]:
     """Return the arrays of a report about a plane, by the report's key.
 

@@ -103,6 +103,20 @@ def test_reports_of_a_reduced_picture_are_inside_it(tmp_path: Path) -> None:
     assert repeated.reports["box p"] == [(9, 0, 9, 19)] * 2
 
 
+def test_the_sum_of_an_image_in_parts_is_that_of_the_joined_image(tmp_path: Path) -> None:
+    """Also if the program only reports the sum, and does not read the image."""
+    image = TEXT.replace("nsl 3", "nsl 4").partition("plane bright")[0]
+    text = image + "read strength\nreport sum strength\n"
+    parts = captured(text, (16, 16), PICTURE, tmp_path, fit="tiles")
+    assert parts.margin is not None
+    expected_e = parts.images["strength"][~parts.margin].sum()
+    assert parts.reports == {"sum strength": pytest.approx(expected_e)}
+    unread = image + "report sum strength\n"
+    only_reported = captured(unread, (16, 16), PICTURE, tmp_path, fit="tiles")
+    assert only_reported.images == {}
+    assert only_reported.reports == parts.reports
+
+
 def test_colours_are_computed_one_by_one(tmp_path: Path) -> None:
     """The image of a colour picture has three planes, one a colour. The first is that of its
     channel alone, and a report counts each."""
