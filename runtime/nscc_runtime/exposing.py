@@ -25,8 +25,7 @@ from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.caches import OfContainer
 from nscc_runtime.captured import Capture
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.host_setting import host_settings
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene

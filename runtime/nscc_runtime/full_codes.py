@@ -23,9 +23,8 @@ from numpy.typing import NDArray
 from nscc.arrays import Bytes, Floats
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
-from nscc_runtime.effects import everything
+from nscc_runtime.effects import Sensor, everything
 from nscc_runtime.effects.parts import Leak, Well, WordGain
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import OnDevice
 from nscc_runtime.execution.program import AnalysedProgram, analysed
 from nscc_runtime.frame_file import Frame

@@ -12,8 +12,7 @@ import numpy as np
 
 from nscc.arrays import Bools
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.emulator.capture import check
 from nscc_runtime.execution.block_program import lacks
 from nscc_runtime.execution.block_scene import BlockScene, expose_pixels, prepare_pixels

@@ -17,9 +17,8 @@ from nscc.arrays import Array, Bools, Floats, Indices, Ints, Ints32
 from nscc.words.container import Container
 from nscc.words.machine import StateMachine
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.parts import CountedLight, Soft
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looking.paths import Paths, paths_of, start_bits
 from nscc_runtime.reference.trace import AnalogWord, retention_us

@@ -16,7 +16,7 @@ from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file, run_messages
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.frame_series import gathered
 from nscc_runtime.light import Light
@@ -25,7 +25,6 @@ from nscc_runtime.pool import keep_memory
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.request import Request
 from nscc_runtime.run_kinds import KINDS, refuse_planless
-from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
 if TYPE_CHECKING:  # a frame without effects starts without planning

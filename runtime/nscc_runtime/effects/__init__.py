@@ -19,6 +19,7 @@ from nscc_runtime.effects.effect import (
 )
 from nscc_runtime.effects.registry import effects_json, marks, optional, register, registered
 from nscc_runtime.effects.selection import Selection, everything, named, selected
+from nscc_runtime.effects.sensor import Sensor
 
 __all__ = [
     "CannotHave",
@@ -26,6 +27,7 @@ __all__ = [
     "InLoop",
     "Mark",
     "Selection",
+    "Sensor",
     "effects_json",
     "everything",
     "marks",

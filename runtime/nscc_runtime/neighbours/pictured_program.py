@@ -24,9 +24,8 @@ from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures
 from nscc.words.reach import Reach, beyond_reaches, reaches_of_frames
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.in_loops import draws_keys, figures, patterns
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import whole_device
 from nscc_runtime.emulator.array_loop import run_array_words
 from nscc_runtime.emulator.array_words import ArrayWords, packed, unpacked

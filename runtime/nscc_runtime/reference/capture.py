@@ -20,8 +20,7 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check
 from nscc_runtime.exposed_frame import Executed, Exposure

@@ -9,8 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from nscc.arrays import Bools, Floats, Ints
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.views import Scene, Slots
 
 

@@ -15,8 +15,7 @@ import numpy as np
 from nscc.arrays import Bools, Floats
 from nscc.words.container import Container
 from nscc.words.stream import Stream
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals

@@ -19,8 +19,7 @@ from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
 from nscc_runtime.caches import OfContainer
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.reference.digital import Digital
 
 Bits = Bools

@@ -17,9 +17,8 @@ import numpy as np
 
 from nscc.arrays import Bools, Floats, Ints32
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGain
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters, readout_waits_s
 
 Weights = Floats

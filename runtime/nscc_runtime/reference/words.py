@@ -12,10 +12,9 @@ from nscc.arrays import Bools, Bytes, Floats
 from nscc.chips.target import Target
 from nscc.operations import OPERATIONS, Op, WordEffect
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.registry import by_name
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
 from nscc_runtime.exposed_frame import Exposure
 from nscc_runtime.noise import key, normals, uniforms

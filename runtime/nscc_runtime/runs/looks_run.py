@@ -7,10 +7,9 @@ from functools import partial
 from typing import Any
 
 from nscc.words.container import Container
-from nscc_runtime.effects import everything, selected
+from nscc_runtime.effects import Sensor, everything, selected
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.run_kinds import Exposing, RunKind, Sent
-from nscc_runtime.sensor import Sensor
 
 
 class LooksRun(RunKind):

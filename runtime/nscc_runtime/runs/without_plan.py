@@ -7,12 +7,11 @@ from __future__ import annotations
 from functools import partial
 
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, Sensor
 from nscc_runtime.frame_file import Frame, read_out, repeated
 from nscc_runtime.light import Light
 from nscc_runtime.request import Request
 from nscc_runtime.run_kinds import Exposing
-from nscc_runtime.sensor import Sensor
 
 
 def exact_or_reference(
