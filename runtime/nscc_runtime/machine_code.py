@@ -149,9 +149,11 @@ def load_in_web(parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]
     addresses each takes. Raises OSError if there is no library, AttributeError if it lacks a
     function."""
     library = ctypes.CDLL(str(WEB_LIBRARY))
-    functions: dict[str, Any] = {entry: library[entry] for entry in parameters}
-    for entry, function in functions.items():
-        function.argtypes, function.restype = (ctypes.c_void_p,) * parameters[entry], None
+    functions: dict[str, Callable[..., None]] = {}
+    for entry, count in parameters.items():
+        function = library[entry]
+        function.argtypes, function.restype = (ctypes.c_void_p,) * count, None
+        functions[entry] = function
     return functions
 
 

@@ -17,9 +17,11 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from dataclasses import field as field_of
+from types import MappingProxyType
 from typing import Any, Literal, TypeVar, get_args
 
 from nscc.chips.target import Target
+from nscc.record import Record
 from nscc.toml.kinds import Number
 from nscc.toml.schema import Key
 from nscc_runtime.effects.parts import Part
@@ -114,8 +116,7 @@ MARKED = {
 """The kinds of marks: the stage that sets each, and its meaning. Each belongs to one effect."""
 
 
-@dataclass(frozen=True)
-class Mark:
+class Mark(Record):
     """A bit of `saturated_by`, a power of two, and its name. It is set where an effect has clipped
     a value; that of registers only if more than `least_e` electrons (a function of the sensor) are
     lost.
@@ -169,15 +170,13 @@ STAGES = {
 `nscc_runtime.effects.views` defines `slots`, `pixels` and `word`."""
 
 
-@dataclass(frozen=True)
-class CannotHave:
+class CannotHave(Record):
     """Declares that the loops or sums cannot simulate an effect, with the reason."""
 
     reason: str
 
 
-@dataclass(frozen=True)
-class InLoop:
+class InLoop(Record):
     """The fields of the loop over words that an effect sets, by name; without any, the loop has
     nothing to do for it.
 
@@ -187,8 +186,8 @@ class InLoop:
     for its random key, if it has no `Errors`."""
 
     switch: str | None = None
-    numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
-    patterns: Mapping[str, OnDevice] = field_of(default_factory=dict)
+    numbers: Mapping[str, Callable[[Sensor], float]] = MappingProxyType({})
+    patterns: Mapping[str, OnDevice] = MappingProxyType({})
     draws: str | None = None
 
 

@@ -7,39 +7,37 @@ belongs to one effect, except `Errors` and `Converter`, which several effects ma
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import ClassVar, Literal
+from typing import Literal
 
 from nscc.arrays import Floats
+from nscc.record import Record
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import OnDevice
 
 OfSensor = Callable[[Sensor], float]
 
 
-class Part:
+class Part(Record):
     """A part of an effect, which fast paths use instead of the effect's function at a `stage`."""
 
-    stage: ClassVar[str] = ""
+    stage = ""
 
     def __init_subclass__(cls, stage: str = "") -> None:
         """Store the stage of a frame to which a kind of part belongs."""
+        super().__init_subclass__()
         cls.stage = stage
 
 
-@dataclass(frozen=True)
 class Moving(Part, stage="scene"):
     """Declares that light moves inside slots, if the scene has motion."""
 
 
-@dataclass(frozen=True)
 class Echo(Part, stage="light"):
     """Declares that a fraction of the light of the previous frame is added."""
 
     fraction: OfSensor
 
 
-@dataclass(frozen=True)
 class Response(Part, stage="response"):
     """Declares that the light of each pixel is multiplied by a fixed factor."""
 
@@ -50,19 +48,16 @@ class Counted(Part):
     """Declares that charge is drawn as Poisson counts of electrons."""
 
 
-@dataclass(frozen=True)
 class CountedLight(Counted, stage="count"):
     """Declares that photon counts are Poisson numbers."""
 
 
-@dataclass(frozen=True)
 class CountedDark(Counted, stage="charge"):
     """Declares a dark charge: a Poisson number with mean `per_s` electrons per second."""
 
     per_s: OnDevice
 
 
-@dataclass(frozen=True)
 class Exchange(Part, stage="neighbours"):
     """Declares that a fraction of a pixel's charge moves to each of its four neighbours.
     `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards."""
@@ -76,14 +71,12 @@ class Saturates(Part):
     their words."""
 
 
-@dataclass(frozen=True)
 class Well(Saturates, stage="well"):
     """Declares that PIX (the photodiode) is clipped at `full_e` electrons."""
 
     full_e: OfSensor
 
 
-@dataclass(frozen=True)
 class Soft(Saturates, stage="registers"):
     """Declares that registers are linear up to `linear_e` and lose `lost_e` of larger values."""
 
@@ -91,7 +84,6 @@ class Soft(Saturates, stage="registers"):
     lost_e: Callable[[Sensor, Floats], Floats]
 
 
-@dataclass(frozen=True)
 class Errors(Part):
     """Declares normal errors with standard deviation `sigma_e` at every read or reset of PIX (the
     photodiode), or at every word. Their sum in a bucket is one draw."""
@@ -100,7 +92,6 @@ class Errors(Part):
     sigma_e: OfSensor
 
 
-@dataclass(frozen=True)
 class WordGain(Part, stage="words"):
     """Declares that an addition multiplies by `gain` and adds a fixed error, with mean `mean_e` and
     standard deviation `spread_e` over the pixels. A move multiplies by `move_gain`. Its random
@@ -114,7 +105,6 @@ class WordGain(Part, stage="words"):
     spread_e: OfSensor
 
 
-@dataclass(frozen=True)
 class Leak(Part, stage="hold"):
     """Declares that registers decay exponentially at a rate `per_s` in 1/s that differs between
     pixels. The rates are lognormal with mean 1 / `tau_s` and relative standard deviation `spread`.
@@ -125,17 +115,14 @@ class Leak(Part, stage="hold"):
     spread: OfSensor
 
 
-@dataclass(frozen=True)
 class SlowWords(Part, stage="time"):
     """Declares that light is collected while words run."""
 
 
-@dataclass(frozen=True)
 class LitLevel(Part, stage="level"):
     """Declares that light collected while words run is included in the reset level."""
 
 
-@dataclass(frozen=True)
 class Fading(Part, stage="digital"):
     """Declares that digital registers lose their values after a time."""
 
@@ -147,37 +134,26 @@ class CodeErrors(Part):
     sigma_lsb: OfSensor
 
 
-@dataclass(frozen=True)
 class Converter(CodeErrors, stage="converter"):
     """Declares converter noise with standard deviation `sigma_lsb`, in converter codes. All effects
     with this part share one draw (a random number of every pixel)."""
 
-    sigma_lsb: OfSensor
 
-
-@dataclass(frozen=True)
 class FixedCodes(CodeErrors, stage="pattern"):
     """Declares an error of each converter code that is fixed for a chip, with standard deviation
     `sigma_lsb` over the pixels, in codes."""
 
-    sigma_lsb: OfSensor
 
-
-@dataclass(frozen=True)
 class CommonCode(CodeErrors, stage="common"):
     """Declares an error that all converter codes of a bucket share, with standard deviation
     `sigma_lsb`, in codes."""
 
-    sigma_lsb: OfSensor
 
-
-@dataclass(frozen=True)
 class InColumns(Part, stage="columns"):
     """Declares that converter noise is a weighted sum of the noise of a pixel and of those below
     it."""
 
 
-@dataclass(frozen=True)
 class Codes(Part, stage="codes"):
     """Declares the converter's scale: `electrons` per converter code."""
 
