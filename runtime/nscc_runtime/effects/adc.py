@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from nscc.arrays import Bytes, Floats
 from nscc.chips.target import Target
 from nscc_runtime.effects.effect import CHIP, MOST_E, TARGET, Effect, InLoop, Mark, parameter
 from nscc_runtime.effects.parts import Codes, Converter
 from nscc_runtime.effects.sensor import Sensor
-
-if TYPE_CHECKING:
-    from nscc_runtime.readout_loop import ReadoutErrors
+from nscc_runtime.readout_loop import ReadoutErrors, codes_and_errors
 
 
 def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
@@ -65,8 +62,6 @@ def _codes(
     """Return converter codes 0..`top`, at most 255, of exposures in electrons; 0 for NaN. `noise`:
     codes added before rounding, an array like `exposure` or one number, or errors to be drawn for
     exposures (buckets, rows, cols)."""
-    from nscc_runtime.readout_loop import codes_and_errors
-
     scale = ELECTRONS_PER_LSB(sensor), OFFSET(sensor), top
     return codes_and_errors(exposure, noise, scale)[0]
 

@@ -155,16 +155,11 @@ def optional() -> tuple[str, ...]:
     return tuple(effect.name for effect in registered() if not effect.always)
 
 
+@of_registered
 def marks() -> dict[str, Mark]:
     """Return the saturation marks of all effects by kind, the keys of `MARKED`. Callers must not
     change them."""
-    return _marks(registered())
-
-
-@cache
-def _marks(effects: tuple[Effect, ...]) -> dict[str, Mark]:
-    """Return the saturation marks of `effects` by kind; cached."""
-    return {at: mark for effect in effects for at, mark in effect.marks.items()}
+    return {at: mark for effect in registered() for at, mark in effect.marks.items()}
 
 
 @of_registered
