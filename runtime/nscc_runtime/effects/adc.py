@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from nscc.arrays import Bytes, Floats
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import CHIP, MOST_E, TARGET, Effect, InLoop, Mark, parameter
+from nscc_runtime.effects.effect import CHIP, MOST_E, TARGET, Effect, Mark, parameter
 from nscc_runtime.effects.parts import Codes, Converter
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.readout_loop import ReadoutErrors, codes_and_errors
@@ -81,7 +81,6 @@ ADC = Effect(
     size="rms = electrons_per_lsb / sqrt(12) where the noise before it is 0.5 codes or more; "
     "in `frame` only",
     sums=(Codes(ELECTRONS_PER_LSB),),
-    words=InLoop(),
     always=True,
     marks={"codes": Mark(bit=4, name="converter")},
 )
@@ -99,5 +98,4 @@ ADC_NOISE = Effect(
     reference={"converter": NOISE},
     size="rms = sigma electrons_per_lsb, in `frame` only",
     sums=(Converter(NOISE),),
-    words=InLoop(),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import Effect, InLoop, parameter
+from nscc_runtime.effects.effect import Effect, parameter
 from nscc_runtime.effects.parts import Exchange
 
 FRACTION = parameter(
@@ -48,7 +48,6 @@ CROSSTALK = Effect(
     size="rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the "
     "counts that pass between pixels; worst at saturated and moving edges",
     sums=(Exchange(FRACTION, smeared),),
-    words=InLoop(),
     cost_ns=20.0,
     light_ns=0.8,
 )

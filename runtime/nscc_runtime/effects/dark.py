@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import MOST_E, Effect, InLoop, parameter
+from nscc_runtime.effects.effect import MOST_E, Effect, parameter
 from nscc_runtime.effects.parts import CountedDark
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal
@@ -55,6 +55,5 @@ DARK = Effect(
     size="bias = mean of D t, t the open time by weight, D of each pixel and what its "
     "neighbours spill; rms = sqrt(mean (D t)^2 + counts of variance D t)",
     sums=(CountedDark(current_e_per_s),),
-    words=InLoop(),
     cost_ns=15.0,
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import PUBLISHED, Effect, InLoop, parameter
+from nscc_runtime.effects.effect import PUBLISHED, Effect, parameter
 from nscc_runtime.effects.parts import Fading
 
 RETENTION = parameter(
@@ -33,5 +33,4 @@ DECAY = Effect(
     size="rms and mean of the difference that wrong bits make, found by running the words with "
     "them and without",
     sums=(Fading(),),
-    words=InLoop(),
 )

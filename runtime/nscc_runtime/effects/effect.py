@@ -191,6 +191,10 @@ class InLoop(Record):
     draws: str | None = None
 
 
+_UNNEEDED = InLoop()
+"""The loop over words has nothing to do for an effect."""
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Effect:
     """One effect of the sensor.
@@ -211,7 +215,7 @@ class Effect:
     reference : mapping
         Its functions in the reference, by stage.
     sums, words
-        Its parts in sums over slots, and its fields in the loops over words.
+        Its parts in sums over slots, and its fields in the loops over words, by default none.
     cost_ns, light_ns : float
         Measured nanoseconds per pixel saved by leaving it out when the sums of a scene are
         prepared, to a factor of about two, and additional ones per frame of light. The costs of
@@ -231,7 +235,7 @@ class Effect:
     applied: str
     reference: Mapping[str, Callable[..., Any]]
     sums: tuple[Part, ...] | CannotHave
-    words: InLoop | CannotHave
+    words: InLoop | CannotHave = _UNNEEDED
     size: str = ""
     absent: str = "exactly nothing with this sensor, scene and program"
     parameters: tuple[Parameter, ...] = ()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Effect, InLoop, parameter
+from nscc_runtime.effects.effect import Effect, parameter
 from nscc_runtime.effects.parts import Echo
 
 FRACTION = parameter(
@@ -34,5 +34,4 @@ LAG = Effect(
     },
     size="rms and mean of l times the light of the frame before, the same scene",
     sums=(Echo(FRACTION),),
-    words=InLoop(),
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nscc_runtime.effects.effect import Effect, InLoop
+from nscc_runtime.effects.effect import Effect
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.effects.views import Scene
 
@@ -29,6 +29,5 @@ MOTION = Effect(
     reference={"scene": _moving},
     size="rms and mean of sum S (integral - sample), about 1/2 rms of sum S dE",
     sums=(Moving(),),
-    words=InLoop(),
     cost_ns=0.5,
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import Effect, InLoop, parameter
+from nscc_runtime.effects.effect import Effect, parameter
 from nscc_runtime.effects.parts import Response
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Places
@@ -42,6 +42,5 @@ PRNU = Effect(
     reference={"response": lambda slots, light: light * slots.fixed(response)},
     size="rms and mean of the light that the pixels' own factors add or take, about p rms(L)",
     sums=(Response(response),),
-    words=InLoop(),
     cost_ns=5.0,
 )

@@ -10,7 +10,7 @@ import numpy as np
 
 from nscc.arrays import Floats
 from nscc.chips.target import Target
-from nscc_runtime.effects.effect import CHIP, Default, Effect, InLoop, parameter
+from nscc_runtime.effects.effect import CHIP, Default, Effect, parameter
 from nscc_runtime.effects.parts import CommonCode, FixedCodes, InColumns
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key, normals, uniforms
@@ -127,7 +127,6 @@ READOUT_PATTERN = Effect(
     reference={"pattern": _pattern_lsb},
     size="rms = sqrt(pattern^2 + smooth^2) electrons_per_lsb, in `frame` only",
     sums=(FixedCodes(_pattern_sd_lsb),),
-    words=InLoop(),
 )
 READOUT_LEVEL = Effect(
     name="readout_level",
@@ -143,7 +142,6 @@ READOUT_LEVEL = Effect(
     reference={"common": LEVEL},
     size="rms = sigma electrons_per_lsb, in `frame` only",
     sums=(CommonCode(LEVEL),),
-    words=InLoop(),
 )
 COLUMN_NOISE = Effect(
     name="column_noise",
@@ -159,5 +157,4 @@ COLUMN_NOISE = Effect(
     reference={"columns": _weights},
     size="none for a single pixel: variances stay",
     sums=(InColumns(),),
-    words=InLoop(),
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nscc.arrays import Floats
-from nscc_runtime.effects.effect import Effect, InLoop
+from nscc_runtime.effects.effect import Effect
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.effects.views import LIGHT, Slots
 
@@ -26,7 +26,6 @@ SHOT = Effect(
     reference={"count": _count},
     size="rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included",
     sums=(CountedLight(),),
-    words=InLoop(),
     cost_ns=10.0,
     light_ns=0.5,
 )

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from nscc.chips.target import Target
 from nscc.words.readout import SPREADING_ERRORS
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import CHIP, Effect, InLoop, parameter
+from nscc_runtime.effects.effect import CHIP, Effect, parameter
 from nscc_runtime.effects.parts import Converter
 
 
@@ -46,5 +46,4 @@ SPREADING = Effect(
     reference={"converter": SIGMA},
     size="rms = sigma electrons_per_lsb, in `frame` only",
     sums=(Converter(SIGMA),),
-    words=InLoop(),
 )
