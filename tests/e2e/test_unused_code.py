@@ -12,7 +12,7 @@ USERS = ("docs/nscc_site", "docs/motion_cells.py", "training/results")
 """What uses the product without being a part of it; tests do not count."""
 
 CALLED_BY_LIBRARIES = [
-    "__getattr__", "__dir__", "__init_subclass__", "_repr_html_", "_render_traceback_",
+    "__getattr__", "__dir__", "_repr_html_", "_render_traceback_",
     "closure",  # of an optimizer's step in torch
     "setup_context", "A_dagger", "A_A_adjoint",  # torch, DeepInverse
     "stdio", "command_class",  # click
