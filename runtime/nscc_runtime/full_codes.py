@@ -95,7 +95,7 @@ def _steady(program: AnalysedProgram, lanes: NDArray[np.integer]) -> tuple[Float
     `lanes`: numbers of lanes (the pixels of one distinct shutter each) of `program`. A lane whose
     PIX (the photodiode) is never read gets no light."""
     container, sensor, effects = program.container, program.sensor, everything()
-    seen_s = program.slot_s @ program.seen_slots[:, lanes]
+    seen_s = program.slot_s @ program.seen_slots(True)[:, lanes]
     never = seen_s <= 0
     scale = effects.require_part(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
     rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)

@@ -114,7 +114,8 @@ def block_program(container: Container, sensor: Sensor, effects: Selection) -> B
     """Return a program for the block loop with these effects; cached with the container (a compiled
     program).
 
-    All sets of effects count in the same stretches, so that they have the same random numbers.
+    All sets of effects count in the same stretches, so that they have the same random numbers, with
+    one exception: without decay of digital registers, words may run that otherwise do not.
     Raises Rejected if a word is no operation of the chip
     (`nscc_runtime.reference.trace.analog_words`), and ValueError if pixels look and their paths
     cannot be listed."""

@@ -34,6 +34,8 @@ from nscc_runtime.reference.weights import WeightModel
 
 _LEAK_SIGMAS = 4.0
 """Two nodes are placed for leakage rates within this number of standard deviations."""
+_ALL_SIGMAS = 6.0
+"""No pixel leaks at a rate farther than this number of standard deviations from the mean."""
 _SMALL_LEAK = 2.5e-3
 """Two nodes are enough if the decay of a frame differs by at most this part between pixels."""
 _MOST_LEAK = 0.03
@@ -301,6 +303,18 @@ def leak_rates(program: AnalysedProgram, effects: Selection) -> tuple[float, ...
     nodes = (low + high) / 2 - away, (low + high) / 2 + away
     # Without a spread, or with one that float64 cannot represent, both nodes are equal.
     return nodes if nodes[0] < nodes[1] else (mean,)
+
+
+def even_leak_rates(program: AnalysedProgram, effects: Selection) -> tuple[float, ...]:
+    """Return the lowest and the highest leakage rate in 1/s of pixels that sums expose; (0,)
+    without leakage."""
+    leak = effects.find_part(Leak)
+    if leak is None:
+        return (0.0,)
+    mean, away = 1.0 / leak.tau_s(program.sensor), _MOST_LEAK / program.oldest_s
+    sigma = math.sqrt(math.log1p(leak.spread(program.sensor) ** 2))
+    low, high = (mean * math.exp(side * _ALL_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1))
+    return max(low, mean - away), min(high, mean + away)
 
 
 def _uneven_leakage(program: AnalysedProgram, effects: Selection, device: Device) -> Ints:

@@ -150,19 +150,20 @@ def _limits(program: AnalysedProgram, effects: Selection) -> _Limits:
     """Return what decides whether a pixel may saturate, for each lane (the pixels of one distinct
     shutter) of `program` under these effects. Without an effect that saturates PIX (the photodiode)
     or registers, their limits are infinite."""
-    reach = reach_of(program)
-    charge_weights = () if reach.charge_weights is None else reach.charge_weights
+    model, soft = program.model(effects), effects.find_part(Soft)
+    reach = None if soft is None else reach_of(program, effects)
+    charge_weights = () if reach is None or reach.charge_weights is None else reach.charge_weights
     # Words that run for a while collect light of slots that no other word reads from PIX.
-    collected = np.abs(program.weights(program.model(effects)).slots).max(axis=2)
-    seen = np.where(program.seen_slots, 1.0, collected)
+    collected = np.abs(program.weights(model).slots).max(axis=2)
+    seen = np.where(program.seen_slots(model.decay), 1.0, collected)
     weights = np.stack([seen, *charge_weights]).astype(np.float64)
     saturation_e = np.full((len(weights), len(program.container.encoding)), np.inf)
     well = effects.find_part(Well)
     if well is not None:
         saturation_e[0] = well.full_e(program.sensor)
-    if effects.find_part(Soft) is not None:
+    if reach is not None:
         # If no register holds a sum of its own, row 0 stands for PIX and the registers.
-        registers = saturation_e if reach.charge_weights is None else saturation_e[1:]
+        registers = saturation_e[1:] if len(charge_weights) else saturation_e
         np.minimum(registers, reach.least_e, out=registers)
     least_e = np.maximum(_SLACK * saturation_e, 0.0)
     # The smallest mean charge m that noise raises to the limit: m + SIGMAS sqrt(m) = least_e.

@@ -89,6 +89,11 @@ class AnalysedProgram:
         remembered for each selection."""
         return WeightModel.of(effects, self.sensor)
 
+    def words(self, model: WeightModel) -> tuple[AnalogWord, ...]:
+        """Return the analog words that run under `model`: with or without decay of digital
+        registers."""
+        return self.decayed if model.decay else self.fresh
+
     def weights(self, model: WeightModel) -> Backward:
         """Return the weights of slots and of words' errors under `model`; cached."""
         # Models with the same weights share a result: decay may change nothing, and light is in a
@@ -101,7 +106,7 @@ class AnalysedProgram:
     def _backward(self, model: WeightModel) -> Backward:
         """Return the weights of slots and words under `model`, which `weights` has simplified;
         cached."""
-        return backward(self.container, self.decayed if model.decay else self.fresh, model)
+        return backward(self.container, self.words(model), model)
 
     def buckets_overlap(self, model: WeightModel) -> bool:
         """Return whether the charge of some slot reaches two or more buckets, in any lane (the
@@ -113,16 +118,17 @@ class AnalysedProgram:
         """The shutters (N, lanes, buckets). A lane is the pixels of one distinct shutter."""
         return self._backward(WeightModel()).open()
 
-    @cached_property
-    def seen_slots(self) -> Bools:
-        """Mask (N, lanes) of the slots whose charge is on PIX (the photodiode) when a word reads
-        it: slots with no read between them and the next reset, or the end of the frame, are False.
-        A lane is the pixels of one distinct shutter."""
+    @remembered
+    def seen_slots(self, decay: bool) -> Bools:
+        """Return the mask (N, lanes) of the slots whose charge is on PIX (the photodiode) when a
+        word reads it: slots with no read between them and the next reset, or the end of the frame,
+        are False. `decay`: whether digital registers decay. A lane is the pixels of one distinct
+        shutter."""
         container = self.container
         is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
         later = container.slots
-        for word in reversed(self.decayed):
+        for word in reversed(self.decayed if decay else self.fresh):
             if word.boundary < later:
                 is_seen[word.boundary : later] = live
                 later = word.boundary

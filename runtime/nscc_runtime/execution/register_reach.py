@@ -2,7 +2,11 @@
 
 The words run forwards over some lanes. Register values are linear functions of the charge of each
 interval of slots, of the fixed error of a word, and of noise. An interval ends at each boundary at
-which an analog word runs, whatever the word does and in whichever lane."""
+which an analog word runs, whatever the word does and in whichever lane.
+
+Registers that leak subtract less of the charge from before a shutter opened. So the words run at
+the lowest and at the highest leakage rate of the pixels that sums expose, and the larger charge
+counts."""
 
 from __future__ import annotations
 
@@ -11,8 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.arrays import Bools, Floats, Indices, Ints
-from nscc_runtime.effects import everything
+from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Soft, WordGain
+from nscc_runtime.execution.moments import even_leak_rates
 from nscc_runtime.execution.program import AnalysedProgram
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
@@ -27,6 +32,9 @@ _KINDS = 2
 """Number of kinds of register content, usually light of open slots and light subtracted later."""
 _ROUNDING = 1e-9
 """Weights that differ by less are equal; their differences are rounding errors."""
+_ALIKE = 0.05
+"""A register joins a kind if this adds at most this part to the weights. The larger weights count,
+so this decides only how tight the bound is: gains and leakage leave parts of subtracted charge."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,23 +51,24 @@ class RegisterReach:
     least_e: Floats
 
 
-def reach_of(program: AnalysedProgram) -> RegisterReach:
+def reach_of(program: AnalysedProgram, effects: Selection) -> RegisterReach:
     """Return the charge up to which a program's registers stay in their linear range, with the
-    noise of every effect; cached with the program."""
-    return program.recent.of(RegisterReach, lambda: _reach_of(program))
+    words, gains, leakage and noise that `effects` give them; cached with the program.
+
+    `effects` include one that saturates registers. With more than `_MOST_LANES` lanes or
+    `_MOST_INTERVALS` intervals, only a sample evenly spread over them is followed, and the worst of
+    it counts for all. A lane is the pixels of one distinct shutter."""
+    return program.recent.of((RegisterReach, effects.on), lambda: _reach_of(program, effects))
 
 
-def _reach_of(program: AnalysedProgram) -> RegisterReach:
-    """Return the charge with which registers of `program` leave their linear range.
-
-    With more than `_MOST_LANES` lanes or `_MOST_INTERVALS` intervals, only a sample evenly spread
-    over them is followed, and the worst of it counts for all. A lane is the pixels of one distinct
-    shutter."""
+def _reach_of(program: AnalysedProgram, effects: Selection) -> RegisterReach:
+    """Return the charge with which registers of `program` leave their linear range under
+    `effects`."""
     lanes, slots = len(program.container.encoding), program.container.slots
     sampled_lanes = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
-    ends = np.unique([word.boundary for word in program.decayed])
+    ends = np.unique([word.boundary for word in program.words(program.model(effects))])
     shown = np.unique(np.linspace(0, len(ends) - 1, min(len(ends), _MOST_INTERVALS)).astype(int))
-    register_reach = _farthest(program, sampled_lanes, ends[shown])
+    register_reach = _farthest(program, effects, sampled_lanes, ends[shown])
     if len(sampled_lanes) < lanes or len(shown) < len(ends):
         # Only some lanes or intervals are known.
         return RegisterReach(
@@ -67,26 +76,35 @@ def _reach_of(program: AnalysedProgram) -> RegisterReach:
         )
     # The interval of each slot; slots after the last word get the appended column of zeros.
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
-    weights = np.append(
-        register_reach.charge_weights, np.zeros((*register_reach.least.shape, 1)), axis=2
-    )
-    return RegisterReach(np.moveaxis(weights[:, :, of_slot], 1, 2), register_reach.least)
+    # One lane after the other for each leakage rate.
+    weights = register_reach.charge_weights.reshape(_KINDS, -1, lanes, len(ends)).max(axis=1)
+    weights = np.append(weights, np.zeros((_KINDS, lanes, 1)), axis=2)
+    least = register_reach.least.reshape(_KINDS, -1, lanes).min(axis=1)
+    return RegisterReach(np.moveaxis(weights[:, :, of_slot], 1, 2), least)
 
 
-def _farthest(program: AnalysedProgram, sampled_lanes: Indices, ends: Ints) -> _RegisterReach:
-    """Run the words over the lanes with the numbers `sampled_lanes`, and return how far the written
-    registers are from the ends of their linear range. Intervals of slots end at the boundaries
-    `ends`, ascending. A lane is the pixels of one distinct shutter."""
-    effects, sensor = everything(), program.sensor
+def _farthest(
+    program: AnalysedProgram, effects: Selection, sampled_lanes: Indices, ends: Ints
+) -> _RegisterReach:
+    """Run the words over the lanes with the numbers `sampled_lanes`, at each leakage rate, and
+    return how far the written registers are from the ends of their linear range: of all lanes at
+    the lowest rate, then of all at the highest. Intervals of slots end at the boundaries `ends`,
+    ascending. A lane is the pixels of one distinct shutter."""
+    sensor, rates = program.sensor, even_leak_rates(program, effects)
     gain_part, linear_e = effects.find_part(WordGain), effects.require_part(Soft).linear_e(sensor)
     error_e = (gain_part.mean_e(sensor), gain_part.spread_e(sensor)) if gain_part else (0.0, 0.0)
-    state = _RegisterState(program, len(sampled_lanes), len(ends))
-    charge_weights = np.zeros((_KINDS, len(sampled_lanes), len(ends)))
-    least = np.full((_KINDS, len(sampled_lanes)), np.inf)
+    lanes, per_s = np.tile(sampled_lanes, len(rates)), np.repeat(rates, len(sampled_lanes))
+    state = _RegisterState(program, effects, len(lanes), len(ends))
+    charge_weights = np.zeros((_KINDS, len(lanes), len(ends)))
+    least = np.full((_KINDS, len(lanes)), np.inf)
     reach, at = _RegisterReach(linear_e, error_e, charge_weights, least), -1
-    for word in program.decayed:
-        state.charge_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
-        at, in_lane = word.boundary, word.lanes[sampled_lanes]
+    start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
+    for word in program.words(program.model(effects)):
+        if word.boundary > at:
+            state.charge_weights[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
+            state.leak(np.exp(-per_s * (start_s[word.boundary] - start_s[max(at, 0)])))
+            at = word.boundary
+        in_lane = word.lanes[lanes]
         if word.resets:
             state.reset(in_lane)
         elif in_lane.any():
@@ -104,21 +122,27 @@ class _RegisterState:
     column, of the fixed error. `covariance` (lanes, rows, rows): covariance of their noise. A lane
     is the pixels of one distinct shutter."""
 
-    def __init__(self, program: AnalysedProgram, lanes: int, intervals: int) -> None:
+    def __init__(
+        self, program: AnalysedProgram, effects: Selection, lanes: int, intervals: int
+    ) -> None:
         """Begin with all registers at 0, without noise, for this number of `lanes` and of
-        `intervals`. Errors of words have the variances that all effects give them together."""
-        self._container, sensor, effects = program.container, program.sensor, everything()
+        `intervals`. Words have the gains, and their errors the variances, that `effects` give."""
+        self._container, self._model = program.container, program.model(effects)
         self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
         self.pix, self._level = len(self.names) - 2, len(self.names) - 1
         self.charge_weights = np.zeros((lanes, len(self.names), intervals + 1))
         self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
-        gain = effects.find_part(WordGain)
-        # Plans may drop the effect, so a gain below 1 counts as 1.
-        self._gain = max(1.0, gain.gain(sensor), gain.move_gain(sensor)) if gain else 1.0
-        self._move_noise = gain.move_noise(sensor) if gain else 1.0
         self._variance = {"reads": 0.0, "resets": 0.0, "words": 0.0}
         for _, errors in effects.errors():
-            self._variance[errors.at] += errors.sigma_e(sensor) ** 2
+            self._variance[errors.at] += errors.sigma_e(program.sensor) ** 2
+
+    def leak(self, remaining: Floats) -> None:
+        """Multiply the contents of analog registers by `remaining` (lanes,). A lane is the pixels
+        of one distinct shutter."""
+        registers = slice(len(self._container.target.analog_registers))
+        self.charge_weights[:, registers] *= remaining[:, None, None]
+        self.covariance[:, registers] *= remaining[:, None, None]
+        self.covariance[:, :, registers] *= remaining[:, None, None]
 
     def reset(self, in_lane: Bools) -> None:
         """Reset PIX (the photodiode) in the lanes (the pixels of one distinct shutter each) of the
@@ -133,7 +157,8 @@ class _RegisterState:
         """Run the bus word `word` in the lanes (the pixels of one distinct shutter each) of the
         mask `in_lane` (lanes,): update weights and covariance of its destinations, with the errors
         of reading PIX (the photodiode) and of the word itself."""
-        source_factor = -self._gain / word.op.operation.divisor
+        gain = self._model.gain if word.adds else self._model.move_gain
+        source_factor = -gain / word.op.operation.divisor
         total = np.zeros(len(self.names))
         for name in word.op.sources:
             total[self.names.index(name)] += source_factor
@@ -145,7 +170,7 @@ class _RegisterState:
         self._write(lanes, rows, total, read)
         for name, row in zip(word.op.destinations, rows, strict=True):
             self.charge_weights[lanes, row, -1] += error_sign(name, self._container) * word.adds
-            own = 1.0 if word.adds else self._move_noise**2
+            own = 1.0 if word.adds else self._model.move_noise**2
             self.covariance[lanes, row, row] += own * self._variance["words"]
 
     def _write(self, lanes: Indices, rows: list[int], total: Floats, variance: float) -> None:
@@ -196,14 +221,12 @@ class _RegisterReach:
         least = np.minimum(least, np.where((lit < -_ROUNDING).any(axis=1), below, np.inf))
         least = np.where((above < 0) | (below < 0), 0.0, least)
         size = np.abs(lit)
-        # Merge into the first kind whose weights are all smaller or all larger, else into the last.
-        for kind in range(_KINDS):
-            charge_weights = self.charge_weights[kind]
-            is_smaller = (size <= charge_weights + _ROUNDING).all(axis=1)
-            is_larger = (charge_weights <= size).all(axis=1)
-            fits = lanes & (is_smaller | is_larger | (kind == _KINDS - 1))
-            self.charge_weights[kind] = np.where(
-                fits[:, None], np.maximum(charge_weights, size), charge_weights
-            )
-            self.least[kind] = np.where(fits, np.minimum(self.least[kind], least), self.least[kind])
-            lanes = lanes & ~fits
+        # Join the first kind that then holds little more than the larger of the two, else the kind
+        # that grows least.
+        joined = np.maximum(self.charge_weights, size)
+        total = joined.sum(axis=2)
+        more = total - np.maximum(self.charge_weights.sum(axis=2), size.sum(axis=1))
+        kind = np.where(more <= _ALIKE * total, 0.0, more).argmin(axis=0)
+        joins = lanes & (np.arange(_KINDS)[:, None] == kind)
+        self.charge_weights = np.where(joins[:, :, None], joined, self.charge_weights)
+        self.least = np.where(joins, np.minimum(self.least, least), self.least)

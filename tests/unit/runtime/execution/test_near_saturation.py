@@ -53,7 +53,7 @@ def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple
     places = np.arange(shape[0] * shape[1])
     scale = 1.1 * response(sensor, DEVICE, places).reshape(shape)
     current = current_e_per_s(sensor, DEVICE, places).reshape(shape)
-    seen = program.seen_slots[:, program.lanes].reshape(SLOTS, *shape)
+    seen = program.seen_slots(True)[:, program.lanes].reshape(SLOTS, *shape)
     own = (seen * light.dense()).sum(axis=0) * scale
     charge = light.sum_e * scale + current * 0.5e-3 * SLOTS
     given, taken = 0.05 * beside(charge), 0.05 * beside(np.ones(shape))

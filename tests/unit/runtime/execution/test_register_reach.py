@@ -7,9 +7,12 @@ from itertools import takewhile
 import numpy as np
 import pytest
 from plan_cases import CASES, case
+from reference_programs import program as compiled
 from reference_programs import sensor_of
 from saturation_oracle import lost_e
 
+from nscc.words.container import Container
+from nscc_runtime import capture
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.selection import Selection, everything
 from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
@@ -21,11 +24,13 @@ from nscc_runtime.light import Light
 SHAPE, DEVICE = (6, 8), 5
 
 
+QUIET = {"reset_noise_e": 0.0, "read_noise_e": 0.0, "analog_noise_lsb": 0.0}
+
+
 def program_of(name: str, **values: float) -> AnalysedProgram:
     container = case(name, rows=SHAPE[0], cols=SHAPE[1])
-    quiet = {"reset_noise_e": 0.0, "read_noise_e": 0.0, "analog_noise_lsb": 0.0}
     offsets = {"analog_bias_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_gain": 1.0}
-    return AnalysedProgram.of(container, sensor_of(container, **{**quiet, **offsets, **values}))
+    return AnalysedProgram.of(container, sensor_of(container, **{**QUIET, **offsets, **values}))
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -33,9 +38,13 @@ def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
     program = program_of(name)
     linear_e = everything().require_part(Soft).linear_e(program.sensor)
     light = np.random.default_rng(4).lognormal(0.0, 1.5, (program.container.slots, *SHAPE))
-    assert reach_of(program).charge_weights is not None
-    weights = reach_of(program).charge_weights[:, :, program.lanes].reshape(-1, len(light), *SHAPE)
-    least_e = reach_of(program).least_e[:, program.lanes].reshape(-1, *SHAPE)
+    assert reach_of(program, everything()).charge_weights is not None
+    weights = (
+        reach_of(program, everything())
+        .charge_weights[:, :, program.lanes]
+        .reshape(-1, len(light), *SHAPE)
+    )
+    least_e = reach_of(program, everything()).least_e[:, program.lanes].reshape(-1, *SHAPE)
     part = ((weights * light).sum(axis=1) / least_e).max(axis=0)
     whole = light / np.where(part > 0, part, 1.0)
     limits = {"most_e": linear_e / 0.999, "knee": 0.999}
@@ -49,17 +58,19 @@ def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
 def test_noise_leaves_less_room() -> None:
     """With noise a register saturates at less light, for the same lanes as without."""
     quiet, noisy = program_of("codebook"), program_of("codebook", analog_noise_lsb=2.0)
-    finite = np.isfinite(reach_of(quiet).least_e)
+    finite = np.isfinite(reach_of(quiet, everything()).least_e)
     assert finite.any()
-    assert np.array_equal(finite, np.isfinite(reach_of(noisy).least_e))
-    assert (reach_of(noisy).least_e < reach_of(quiet).least_e)[finite].all()
+    assert np.array_equal(finite, np.isfinite(reach_of(noisy, everything()).least_e))
+    assert (reach_of(noisy, everything()).least_e < reach_of(quiet, everything()).least_e)[
+        finite
+    ].all()
 
 
 def test_noise_alone_can_saturate_a_register() -> None:
     """Reset noise of 100 000 electrons exceeds the register, so the least light that saturates is
     0."""
     program = program_of("codebook", reset_noise_e=1e5)
-    assert (reach_of(program).least_e[0] == 0).all()
+    assert (reach_of(program, everything()).least_e[0] == 0).all()
 
 
 @pytest.mark.parametrize("bias_lsb", [-1000.0, 1000.0])
@@ -67,7 +78,7 @@ def test_a_fixed_error_of_either_sign_can_saturate_a_register(bias_lsb: float) -
     """A bias of 1000 codes, up or down, exceeds the register, so the least light that saturates is
     0."""
     program = program_of("codebook", analog_bias_lsb=bias_lsb)
-    assert (reach_of(program).least_e[0] == 0).all()
+    assert (reach_of(program, everything()).least_e[0] == 0).all()
 
 
 @pytest.mark.parametrize("name", ["a", "codebook", "two buckets"])
@@ -97,3 +108,69 @@ def test_registers_of_pixels_that_sums_expose_lose_nothing_to_noise(name: str) -
     *_, brightest = takewhile(is_by_sums, map(flat.scaled, np.geomspace(1e5, 1e8, 300)))
     assert lost(brightest) <= 0.002
     assert lost(brightest.scaled(2.0)) > 0.002
+
+
+def marked(container: Container, frames: np.ndarray, effects: str, **values: float) -> int:
+    """Compare frames without noise with the reference, and return how many pixels saturate."""
+    shot = np.ascontiguousarray(frames, np.float32)
+    sensor = sensor_of(container, **{**QUIET, "dark_current_e_per_s": 0.0, **values})
+    frame, expected = (
+        capture(
+            container,
+            Light.of_clip(shot),
+            sensor=sensor,
+            effects=f"{effects},-shot",
+            fidelity=fidelity,
+        )
+        for fidelity in ("planned", "reference")
+    )
+    np.testing.assert_allclose(frame.exposure_e, expected.exposure_e, atol=0.05)
+    assert np.array_equal(frame.saturated_by, expected.saturated_by)
+    return int(np.count_nonzero(expected.saturated_by))
+
+
+@pytest.mark.parametrize("effects", ["all", "all,-decay", "all,-full_well,-decay"])
+def test_registers_of_words_that_run_without_decay_saturate(effects: str) -> None:
+    """With decay the last words do not run, so registers keep less."""
+    text = "nsl 1\nframe 4 slots of 11ms\nopen when true"
+    frames = np.full((4, 16, 16), 10000.0 if "full_well" in effects else 6000.0)
+    limits = {"register_max_e": 15000.0, "register_min_e": -15000.0}
+    container = compiled(text, "auto", 16, 16)
+    values = {"digital_retention_us": 30000.0, **limits}
+    assert bool(marked(container, frames, effects, **values)) == ("-decay" in effects)
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {"leakage_tau_s": 0.05, "leakage_spread_fraction": 0.0},
+        {"leakage_tau_s": 0.05, "leakage_spread_fraction": 0.02},
+        {"analog_gain": 1.3, "leakage_tau_s": 1e9},
+    ],
+    ids=["leakage", "uneven leakage", "gain"],
+)
+def test_light_that_is_not_wholly_subtracted_saturates(values: dict[str, float]) -> None:
+    """Leakage and gains leave light from before the shutter opened in a register."""
+    text = (
+        "nsl 1\nframe 8 slots of 11ms\ncode start : 0..7\ncode stop : 1..8\n"
+        "require start < stop\nopen when start <= n < stop\npixels start = 3\npixels stop = 8"
+    )
+    frames = np.full((8, 16, 16), 4000.0)
+    frames[:3] = 6000.0
+    frames *= np.linspace(0.5, 1.5, 16)
+    container = compiled(text, "edges", 16, 16)
+    assert 0 < marked(container, frames, "all", full_well_e=90000.0, **values) < 256
+
+
+def test_words_that_accumulate_are_near_saturation_only_in_bright_light() -> None:
+    """Each word loses a part of the noise and the errors of the words before it."""
+    text = (
+        "nsl 1\nframe 256 slots of 500us\ncode start : 0..7\ncode stop : 9..16\n"
+        "open when 16 * start <= n < 16 * stop\n"
+        "pixels start = (x + y) % 8\npixels stop = 9 + (x + 3 * y) % 8"
+    )
+    container = compiled(text, "accumulate", 16, 16)
+    made = AnalysedProgram.of(container, sensor_of(container))
+    dim, bright = (Light.of_clip(np.full((256, 16, 16), e, np.float32)) for e in (24.0, 480.0))
+    near = [len(near_saturation(made, x, DEVICE, everything()).places) for x in (dim, bright)]
+    assert near == [0, 256]
