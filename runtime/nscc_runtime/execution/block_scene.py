@@ -234,16 +234,10 @@ def _charge_scene(scene: BlockScene, number: Ints, threads: int) -> ChargeScene:
     exchanged = 0.0 if exchange is None else exchange.fraction(scene.sensor)
     sites = _sites_of(scene, scene.places[number], exchanged > 0)
     lit, dark = effects.having(CountedLight), effects.having(CountedDark)
-
-    def compute() -> StretchMeans:
-        """Return the means of these pixels and sites."""
-        return _stretch_means(scene, sites, pixels, exchanged, threads)
-
-    if scene.known_means is None:
-        means = compute()
-    else:
-        changing = Moving, Echo, Response, Exchange, CountedLight, CountedDark, SlowWords
-        means = scene.known_means.of((program, effects.names(*changing)), compute)
+    compute = partial(_stretch_means, scene, sites, pixels, exchanged, threads)
+    changing = Moving, Echo, Response, Exchange, CountedLight, CountedDark, SlowWords
+    key, known = (program, effects.names(*changing)), scene.known_means
+    means = compute() if known is None else known.of(key, compute)
     counted = [(effect.stream, LIGHT, means.lit) for effect, _ in lit]
     counted += [(effect.stream, WITHOUT_LIGHT, means.dark) for effect, _ in dark]
     device = whole_device(scene.sensor, scene.device_seed, program.lane.size)

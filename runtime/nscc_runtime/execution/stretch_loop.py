@@ -254,44 +254,6 @@ def _set_light(
 
 
 @compiled
-def _set_pace(
-    sizes: StretchSizes,
-    stretches: Stretches,
-    sites: Sites,
-    block: LightBlock,
-    first: int,
-    begin: int,
-    r: int,
-    at: int,
-    boundary_at: int,
-    means: StretchMeans,
-) -> None:
-    """Set means.pace of the pixels of run r of `block` when a stretch ends: that of the next
-    stretch to electrons per microsecond of its first slot, and that of the ended one, whose charge
-    is now known, to fractions of this charge.
-
-    `at`: to be added to the number of a site for its index. `boundary_at`: index in
-    stretches.boundary of the beginning of the stretch. For the other arguments see `_turn`. A
-    stretch is a group of slots between reads or resets of PIX."""
-    times, ends, e = stretches.start_s, stretches.boundary[boundary_at + 1], block.reached[r]
-    n, own = min(ends, sizes.slots - 1), sizes.own
-    for p in range(block.run[r], block.run[r + 1]):
-        gained_e = block.gained_e[p - first]
-        if not sizes.even:
-            gained_e = _gained(sizes, sites, at + p, p, block.slot_e, begin)
-        light_e_per_s = (block.slot_e[p - begin] + gained_e) / (times[n + 1] - times[n])
-        pace = light_e_per_s + block.dark_e_per_s[p - first]
-        means.pace[(e + 1) * own + at + p] = 1e-6 * pace
-    # After the last slot, its light counts as a part of the last stretch.
-    for row in range(max(e, 0), e + 1 + (ends == sizes.slots)):
-        for p in range(block.run[r], block.run[r + 1]):
-            charge, pace = means.charge[e * own + at + p], means.pace[row * own + at + p]
-            # Without charge, the fraction of the time.
-            part = pace / charge if charge > 0.0 else 1e-6 * stretches.per_s[boundary_at]
-            means.pace[row * own + at + p] = part
-
-
-@compiled
 def _turn(
     sizes: StretchSizes,
     stretches: Stretches,
@@ -332,11 +294,26 @@ def _turn(
     for p in range(run, run if sizes.even else stop):
         block.stretch_e[p - first] = 0.0
     block.counted[r] = k + 1
-    boundary_at = stretches.start[sites.lane[run]] + e
-    if is_own and stretches.boundary[boundary_at + 1] == n:
-        if sizes.slow_words:
-            _set_pace(sizes, stretches, sites, block, first, begin, r, at, boundary_at, means)
+    lane_at = stretches.start[sites.lane[run]] + e
+    if is_own and stretches.boundary[lane_at + 1] == n:
         block.reached[r] = e + 1
+        last = min(n, sizes.slots - 1)
+        slot_us = 1e6 * (stretches.start_s[last + 1] - stretches.start_s[last])
+        for p in range(run, stop if sizes.slow_words else run):
+            # The next stretch: electrons per microsecond of its first slot.
+            gained_e = block.gained_e[p - first]
+            if not sizes.even:
+                gained_e = _gained(sizes, sites, at + p, p, block.slot_e, begin)
+            light_e_per_us = (block.slot_e[p - begin] + gained_e) / slot_us
+            dark_e_per_us = 1e-6 * block.dark_e_per_s[p - first]
+            means.pace[(e + 1) * own + at + p] = light_e_per_us + dark_e_per_us
+        # This stretch, also after the last slot: fractions of its charge; without, of its time.
+        rows = e + 1 + (n == sizes.slots) if sizes.slow_words else 0
+        for row in range(max(e, 0), rows):
+            for p in range(run, stop):
+                charge, pace = means.charge[e * own + at + p], means.pace[row * own + at + p]
+                part = pace / charge if charge > 0.0 else 1e-6 * stretches.per_s[lane_at]
+                means.pace[row * own + at + p] = part
     return stretches.boundary[next_at + 1] if n < sizes.slots else sizes.slots + 1
 
 
