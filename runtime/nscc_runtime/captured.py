@@ -237,7 +237,7 @@ class Capture(Frame):
         lines = html.plain("\n".join(frame_lines(self.container, self)))
         plan_card = html.Html()
         if self.plan is not None:
-            summary = f"what was simulated, to {self.plan.allowed or self.plan.tolerance}"
+            summary = f"what was simulated, to {self.plan.allowed}"
             plan_card = html.folded(summary, html.plain(plan_table(self.plan, self.audit)))
         effects = "by a plan" if self.plan is not None else f"fidelity {self._fidelity}"
         subtitle = f"{' x '.join(map(str, self.frame.shape))}, codes {self._codes()}, {effects}"

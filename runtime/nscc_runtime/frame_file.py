@@ -201,8 +201,6 @@ class Provenance:
 _UNPLANNED = (
     "tolerance",
     "tolerance_e",
-    "signal_e",
-    "noise_e",
     "predicted_e",
     "bound_e",
     "worst_e",

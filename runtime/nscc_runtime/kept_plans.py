@@ -76,35 +76,22 @@ class KeptPlans:
         self.passed(turn.number)
         try:
             earlier = None if last is None or last.exception() else last.result()
-            kept = _planned(turn.frames, earlier, make, measure)
-            mine.set_result(kept)
+            if earlier is None:
+                kept = _KeptPlan(make(turn.frames))
+            else:
+                is_due = earlier.scenes >= earlier.most_scenes
+                measured = None if is_due else measure(earlier.plan)
+                if measured is None:
+                    most_scenes = 2 * earlier.most_scenes if is_due else _AGAIN
+                    new_plan = make(min(turn.frames, earlier.scenes))
+                    kept = _KeptPlan(new_plan, most_scenes=most_scenes)
+                else:
+                    kept = replace(earlier, plan=measured, scenes=earlier.scenes + 1)
         except BaseException as error:
             mine.set_exception(error)
             raise
+        mine.set_result(kept)
         return kept.plan
-
-
-def _planned(
-    frames: int,
-    earlier: _KeptPlan | None,
-    make: Callable[[int], Plan],
-    measure: Callable[[Plan], Plan | None],
-) -> _KeptPlan:
-    """Return the plan (the effects that are simulated) of a scene, to keep for the next one.
-
-    `frames`: the largest number of frames for which a plan has to pay. `earlier`: the plan kept
-    last; None makes a new one. `make` makes a new plan for a number of frames; `measure` returns
-    the earlier plan with its error on this scene, or None if the error is too large."""
-    if earlier is None:
-        return _KeptPlan(make(frames))
-    # A plan that served as many scenes as it may is made anew, and the new one may serve twice as
-    # many.
-    is_due = earlier.scenes >= earlier.most_scenes
-    measured = None if is_due else measure(earlier.plan)
-    if measured is not None:
-        return replace(earlier, plan=measured, scenes=earlier.scenes + 1)
-    most_scenes = 2 * earlier.most_scenes if is_due else _AGAIN
-    return _KeptPlan(make(min(frames, earlier.scenes)), most_scenes=most_scenes)
 
 
 @dataclass(frozen=True, eq=False)

@@ -161,26 +161,23 @@ def _for_all(
     from nscc_runtime.planning.planned_scene import PlannedScene
     from nscc_runtime.planning.tolerance import tolerance_of, unit_of
 
-    class All:
-        """A scene of all lights, as `tolerance_of` takes it for relative tolerances."""
+    def pieces() -> Iterator[PlannedScene]:
+        """Yield what is planned for each light in turn; only one is in memory."""
+        for light in lights:
+            check(container, light)
+            yield PlannedScene(container, sensor, light, request.device_seed)
 
-        def pieces(self) -> Iterator[PlannedScene]:
-            """Yield what is planned for each light in turn; only one is in memory."""
-            for light in lights:
-                check(container, light)
-                yield PlannedScene(container, sensor, light, request.device_seed)
+    def signal_e() -> float:
+        """Return the mean signal of all lights in electrons."""
+        return sum(piece.signal_e() for piece in pieces()) / len(lights)
 
-        def signal_e(self) -> float:
-            """Return the mean signal of all lights in electrons."""
-            return sum(piece.signal_e() for piece in self.pieces()) / len(lights)
-
-        def noise_e(self) -> float:
-            """Return the root mean square noise of all lights in electrons."""
-            return math.sqrt(sum(piece.noise_e() ** 2 for piece in self.pieces()) / len(lights))
+    def noise_e() -> float:
+        """Return the root mean square noise of all lights in electrons."""
+        return math.sqrt(sum(piece.noise_e() ** 2 for piece in pieces()) / len(lights))
 
     if unit_of(request.tolerance) == "noise" and not request.audit:
         return request
-    return replace(request, tolerance=tolerance_of(request.tolerance, sensor, All()))
+    return replace(request, tolerance=tolerance_of(request.tolerance, sensor, signal_e, noise_e))
 
 
 def overlapping(container: Container, placement: Placement) -> Placement:

@@ -155,10 +155,9 @@ def _by_plan(
     timings, seed = listener.timings, request.seed
     check(container, light)
     _say_compiling(listener, run_blocks, "planner")
-    scene = PlannedScene(container, sensor, light, request.device_seed, request.threads)
-    digest = digest_of(container)
     with timings.measure("analyse_s"):
-        scene.ready()
+        scene = PlannedScene(container, sensor, light, request.device_seed, request.threads)
+    digest = digest_of(container)
     # A plan may be given as a file or a value, or `plan` names a file that this call writes.
     file = request.plan if isinstance(request.plan, Path) else None
     is_new_file = file is not None and not file.exists()

@@ -137,7 +137,17 @@ def plan_of(effects: str, tolerance_e: float = 5.0, **values: Any) -> Plan:
         for effect in registered()
     )
     plan = Plan(
-        f"{tolerance_e:g}e", tolerance_e, 0.0, 0.0, 0.0, False, (), 0.5, 1.0, 2.0, decisions
+        tolerance=f"{tolerance_e:g}e",
+        tolerance_e=tolerance_e,
+        predicted_e=0.0,
+        bound_e=0.0,
+        worst_e=0.0,
+        slot_loop=False,
+        slot_loop_reasons=(),
+        sampled_fraction=0.5,
+        total_ms=1.0,
+        all_ms=2.0,
+        decisions=decisions,
     )
     return replace(plan, **values)
 

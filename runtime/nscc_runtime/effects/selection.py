@@ -12,7 +12,7 @@ from nscc.diagnostics.diagnostic import Rejected, rejected, unknown_name
 from nscc.diagnostics.suggest import meant
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.effect import RESERVED, Effect, Mark
-from nscc_runtime.effects.parts import CodeErrors, Errors, FixedCodes, Part
+from nscc_runtime.effects.parts import CodeErrors, Errors, Part
 from nscc_runtime.effects.registry import by_name, of_registered, registered
 from nscc_runtime.effects.sensor import Sensor
 
@@ -96,12 +96,10 @@ class Selection:
         """Return the effects with small errors and their parts: reads, then resets, then words."""
         return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
-    def converter_lsb(self, sensor: Sensor, *, fixed: bool = True) -> float:
-        """Return the standard deviation of a converter code before rounding, in codes. It covers
-        the noise of frames and, with `fixed`, the fixed pattern over pixels."""
-        errors = [part for _, part in self.having(CodeErrors)]
-        errors = [part for part in errors if fixed or not isinstance(part, FixedCodes)]
-        return hypot(*(part.sigma_lsb(sensor) for part in errors))
+    def converter_lsb(self, sensor: Sensor) -> float:
+        """Return the standard deviation of a converter code before rounding, in codes: over frames,
+        and of the fixed pattern over pixels."""
+        return hypot(*(part.sigma_lsb(sensor) for _, part in self.having(CodeErrors)))
 
     def without(self, *names: str) -> Selection:
         """Return the selection without the effects called `names`; names that are not on change

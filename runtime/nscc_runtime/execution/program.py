@@ -180,7 +180,8 @@ class AnalysedProgram:
     def recent(self) -> Recent:
         """Cache of what the last scenes and sets of effects needed. Keys begin with the class or
         the function of the result: `SlotWeights`, `RegisterReach`, `NearSaturation` (by light),
-        `_Limits` of saturation, `_ChipMoments`, `_neighbour_weights` and `_word_errors`."""
+        `_Limits` of saturation, `_ChipMoments`, `_neighbour_weights`, `_word_errors`, and
+        `_estimated_e2` of planning."""
         size = max(self.container.slots * len(self.container.encoding), self.lane.size * 16)
         return Recent(_RECENT_LARGE if size > _MUCH else _RECENT_MODELS)
 

@@ -15,8 +15,10 @@ import numpy as np
 
 from nscc.arrays import Floats
 from nscc_runtime.effects import everything
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels, without_draws
+from nscc_runtime.execution.frames import frame_source
 from nscc_runtime.planning.plan import MOST_OTHER_STATES, Plan
-from nscc_runtime.planning.planned_scene import PlannedScene, trial_of
+from nscc_runtime.planning.planned_scene import SEED, PlannedScene, trial_of
 
 SLACK = 1.1
 """The audit passes if the measured error is at most this multiple of the tolerance."""
@@ -31,8 +33,8 @@ _NO_NOISE_E2 = 1e-12
 """A variance over frames below this value, in square electrons, counts as rounding."""
 _SIGMAS = 3.0
 """An error exceeds a limit if it does so by this number of standard errors."""
-_ONE_SIDED_E2 = 1e60
-"""Square error, in square electrons, of a pixel that is finite on one side only."""
+_NOT_FINITE_E = 1e30
+"""What an exposure that is NaN or infinite counts as, in electrons."""
 
 
 @dataclass(frozen=True)
@@ -44,10 +46,11 @@ class Audit:
     error. `measured_max_e`: the largest difference. `samples`: pixels x buckets x frames.
 
     The run's own frames, in distribution: `path_e`: the root of the mean squared difference of
-    expected values plus the difference of mean variances, each less three standard errors.
+    expected values plus the difference of mean variances, less three standard errors.
     `path_mc_error_e2`: the standard error of its square. `bias_e`: mean difference of the expected
     values. `std_ratio`: noise divided by the noise with every effect; None without noise. For
-    pixels that look these are None: the loop itself exposes their frames.
+    pixels that look, and effects that only the reference has, these are None: frames and loop are
+    one simulator.
 
     `other_states`: fraction of pixels that end in other states than with every effect; None for
     programs without states. `holds`: whether the errors are within their limits."""
@@ -103,14 +106,14 @@ class Audit:
 
 
 def audit(scene: PlannedScene, plan: Plan) -> Audit:
-    """Measure the errors of `plan` on all pixels of `scene` in the loop over words. Unless pixels
-    look, also compare its own frames with those of the loop in distribution. Nothing is raised if a
-    limit is exceeded: `holds` is then False."""
-    repeats = min(-(-_POOLED // scene.pixels), _MOST_POOLED)
+    """Measure the errors of `plan` on all pixels of `scene` in the loop over words. Also compare
+    its own frames with those of the loop in distribution, unless pixels look, or only the reference
+    has some effect. Nothing is raised if a limit is exceeded: `holds` is then False."""
+    repeats, full = min(-(-_POOLED // scene.pixels), _MOST_POOLED), everything()
     trial = trial_of(scene, scene.pixels, repeats)
-    errors = trial.errors(plan.kept, everything())
+    errors = trial.errors(plan.kept, full)
     rms_e, square_e2 = errors.rms_e, errors.size_e**2
-    spread_e2 = float(square_e2.std(axis=(1, 2)).max()) / math.sqrt(square_e2[0].size)
+    spread_e2 = float((square_e2.std(axis=(1, 3)) / math.sqrt(repeats * scene.pixels)).max())
     report = Audit(
         rms_e,
         spread_e2 / (2 * rms_e) if rms_e > 0 else 0.0,
@@ -119,56 +122,47 @@ def audit(scene: PlannedScene, plan: Plan) -> Audit:
         errors.bias_e,
         other_states=errors.other_states if scene.looks else None,
     )
-    if not scene.looks:
+    if not (scene.looks or scene.needs_reference(full)):
         frames = max(_FRAMES, repeats)
         own_e = np.stack([f.exposure_e for f in scene.frames(plan.kept, _SEED, frames)], axis=1)
-        loop_e = trial.frames(frames).exposure_e
-        expected_e = scene.expected_e(plan.kept)
+        loop_e = trial.frames(frames).exposure_e[0].swapaxes(0, 1)
+        # Frames without draws are expected exposures.
+        chip, device_seed = (scene.container, scene.sensor, scene.light), scene.device_seed
+        source = frame_source(*chip, plan.kept, device_seed, scene.threads).without_draws()
+        loop = without_draws(prepare_pixels(*chip, full, np.arange(scene.pixels), device_seed))
+        expected_e = source.expose(SEED, 0).exposure_e, expose_pixels(loop, SEED, 0).exposure_e
         report = in_distribution(report, own_e.reshape(loop_e.shape), loop_e, expected_e)
     return replace(report, holds=report.breach(plan) is None)
 
 
 def in_distribution(
-    report: Audit, own_e: Floats, loop_e: Floats, expected_e: tuple[Floats, Floats] | None = None
+    report: Audit, own_e: Floats, loop_e: Floats, expected_e: tuple[Floats, Floats]
 ) -> Audit:
     """Return `report` with the difference in distribution of two series of independent frames, of
     the bucket in which it is largest.
 
     `own_e`, `loop_e`: exposures in electrons, (buckets, frames, pixels), at least two frames, of
-    the run's own simulation and of the loop over words. `expected_e`: their expected values
-    (buckets, pixels); None to estimate these from the frames. Pixels that are not finite count as
-    equal if both sides agree in this, else as an error of 1e30 e."""
-    own_means_e, loop_means_e = expected_e or (own_e.mean(axis=1), loop_e.mean(axis=1))
-    # Both are not finite if a frame is not, or the expected value.
-    own_variance, loop_variance = own_e.var(axis=1, ddof=1), loop_e.var(axis=1, ddof=1)
-    own_known = np.isfinite(own_means_e + own_variance)
-    loop_known = np.isfinite(loop_means_e + loop_variance)
-    difference, own_variance, loop_variance = (
-        np.where(own_known & loop_known, part, 0.0)
-        for part in (own_means_e - loop_means_e, own_variance, loop_variance)
+    the run's own simulation and of the loop over words. `expected_e`: their expected values, for
+    each bucket and pixel. Pixels that are not finite are equal if both sides agree in this."""
+    own_e, loop_e, own_mean_e, loop_mean_e = (
+        np.nan_to_num(values_e, nan=-_NOT_FINITE_E, posinf=_NOT_FINITE_E, neginf=-_NOT_FINITE_E)
+        for values_e in (own_e, loop_e, *(each.reshape(len(own_e), -1) for each in expected_e))
     )
-    # Means over frames have noise, whose variance is subtracted.
-    noise_e2 = 0.0 if expected_e else (own_variance + loop_variance) / own_e.shape[1]
-    parts_e2 = np.array([difference**2 - noise_e2, own_variance - loop_variance])
-    # Scatter over pixels tells of distributions that are not normal, frames of few pixels.
-    scatter_e2 = np.array([2.0 * difference * np.sqrt(noise_e2), parts_e2[1]]).std(axis=2)
-    of_pixel_e2 = np.array(
-        [
-            np.hypot(2.0 * difference * np.sqrt(noise_e2), math.sqrt(2.0) * noise_e2),
-            np.hypot(own_variance, loop_variance) * math.sqrt(2.0 / (own_e.shape[1] - 1)),
-        ]
-    )
-    of_frames_e2 = np.sqrt((of_pixel_e2**2).mean(axis=2))
-    errors_e2 = np.maximum(scatter_e2, of_frames_e2) / math.sqrt(difference.shape[1])
-    sizes_e2 = np.abs(parts_e2.mean(axis=2))
-    path_e2 = np.maximum(sizes_e2 - _SIGMAS * errors_e2, 0.0).sum(axis=0)
-    path_e2 += _ONE_SIDED_E2 * (own_known != loop_known).any(axis=1)
+    own_e2, loop_e2 = own_e.var(axis=1, ddof=1), loop_e.var(axis=1, ddof=1)
+    difference_e, change_e2 = own_mean_e - loop_mean_e, own_e2 - loop_e2
+    # A variance over few normal frames has this standard error. Scatter over pixels tells of other
+    # distributions, frames of few pixels do not.
+    chance_e2 = np.hypot(own_e2, loop_e2) * math.sqrt(2.0 / (own_e.shape[1] - 1))
+    chance_e2 = np.maximum(change_e2.std(axis=1), np.sqrt((chance_e2**2).mean(axis=1)))
+    chance_e2 /= math.sqrt(change_e2.shape[1])
+    path_e2 = np.maximum(np.abs(change_e2.mean(axis=1)) - _SIGMAS * chance_e2, 0.0)
+    path_e2 += (difference_e**2).mean(axis=1)
     worst = int(path_e2.argmax())
-    own_e2, loop_e2 = float(own_variance[worst].mean()), float(loop_variance[worst].mean())
+    noise_e2 = float(loop_e2[worst].mean())
     return replace(
         report,
         path_e=math.sqrt(path_e2[worst]),
-        path_mc_error_e2=math.hypot(*errors_e2[:, worst]),
-        bias_e=float(difference[worst].mean()),
-        std_ratio=math.sqrt(own_e2 / loop_e2) if loop_e2 > _NO_NOISE_E2 else None,
+        path_mc_error_e2=float(chance_e2[worst]),
+        bias_e=float(difference_e[worst].mean()),
+        std_ratio=math.sqrt(own_e2[worst].mean() / noise_e2) if noise_e2 > _NO_NOISE_E2 else None,
     )

@@ -1,10 +1,11 @@
 """Make a plan for a scene.
 
-1. List the sets of effects that may be left out, those that save most time first (`_moves`).
+1. List the sets of effects that may be left out, those that save most time first, without those
+   whose estimated error is too large (`_promising`).
 2. Expose a sample of the pixels with every effect (`trial_of`).
-3. Leave out all sets at once whose estimated errors fit into the tolerance, else one after the
-   other. Measure the error of everything that is left out on the sample, with the same random
-   numbers; a set stays on if the error is too near to the tolerance (`_fits`).
+3. Leave out all sets at once whose estimated errors fit together, else one after the other. Measure
+   the error of everything that is left out on the sample, with the same random numbers; a set stays
+   on if the error is too near to the tolerance (`_choice`).
 4. Say of each effect what was decided, and why (`_decision`).
 
 Effects are only measured if that is predicted to save more time than it takes, or if the user
@@ -14,15 +15,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from nscc.arrays import Array
-from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects import Effect, everything, registered
 from nscc_runtime.effects.parts import (
-    CodeErrors,
-    Codes,
     Counted,
     CountedLight,
     Exchange,
@@ -47,10 +46,10 @@ from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import (
     Tolerance,
     ToleranceInput,
-    check_tolerance,
     tolerance_of,
     unit_of,
 )
+from nscc_runtime.readout_noise import readout_rms_e
 
 _WORTH, _EACH_WORTH = 6.0, 2.0
 """Effects are measured if leaving them out is predicted to save `_WORTH` times the time of a trial;
@@ -71,23 +70,21 @@ _QUICK = 3 * SAMPLED // 10
 
 @dataclass(frozen=True, eq=False)
 class _Case:
-    """A scene to be planned: the work of its frames, and the request. `absent`: effects that
-    certainly change nothing here. `reused`: whether the plan was made for an earlier scene."""
+    """A scene to be planned, and what is known so far: the work of its frames, the request, the
+    effects that certainly change nothing here (`absent`), and the tolerance (`allowed`), None for a
+    fraction of the noise before a trial. `reused`: whether the plan was made for an earlier scene.
+
+    With a `trial`: the effects that the planner leaves out (`dropped`), and the errors with which
+    effects were tried (`tried`), by name."""
 
     work: Work
     request: PlanRequest
     absent: Names
-    reused: bool = False
-
-
-@dataclass(frozen=True, eq=False)
-class _Measured:
-    """What was measured: the `trial`, the effects that the planner leaves out (`dropped`), and the
-    errors with which others were tried and kept (`tried`), by the name of the effect."""
-
-    trial: Trial
+    allowed: Tolerance | None
     dropped: Names
     tried: Mapping[str, SampledErrors]
+    trial: Trial | None = None
+    reused: bool = False
 
 
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
@@ -97,19 +94,15 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     If measuring would take longer than it saves, the plan simulates every requested effect. The
     errors of effects that the user turned off do not restrict the choice of others; `Plan.breach`
     tells if they exceed the tolerance. Raises Rejected (NS0746) for an invalid tolerance."""
-    check_tolerance(request.tolerance, scene.sensor)
-    case = _Case(Work.of(scene), request, absent_effects(scene))
-    allowed, moves = _known_tolerance(scene, request), _moves(case)
-    sizes_e = {} if request.figures or not moves else _estimated_e(scene)
-    sets = _promising(moves, sizes_e, allowed)
-    is_checked = request.effects.auto and bool(request.forced_off - case.absent)
-    saved_ms = case.work.saved_ms(request.requested, sets[0], request.frames) if sets else 0.0
-    is_worth = saved_ms > _WORTH * case.work.trials_ms(1, _QUICK)
-    if not (request.figures or is_checked or is_worth):
-        return _plan(case, allowed)
-    trial, allowed = _trial(case, allowed)
-    sets = _promising(moves, sizes_e, allowed)
-    return _plan(case, allowed, _dropped(case, trial, allowed, sets))
+    case = _case(scene, request)
+    sets, saved_ms = _promising(case), 0.0
+    if sets:
+        saved_ms = case.work.saved_ms(request.requested, sets[0], request.frames)
+    turns_off = request.effects.auto and bool(request.forced_off - case.absent)
+    if not (request.figures or turns_off or saved_ms > _WORTH * case.work.trial_ms(_QUICK)):
+        return _plan(case)
+    measured = _with_trial(case)
+    return _plan(_choice(measured, sets if case.allowed else _promising(measured)))
 
 
 def measured_again(
@@ -128,12 +121,10 @@ def measured_again(
     drops nothing and no figures are wanted, nothing is measured."""
     asked = plan.tolerance if tolerance is None else tolerance
     request = PlanRequest(plan.requested_effects, asked, figures=figures)
-    case = _Case(Work.of(scene), request, absent_effects(scene), reused=True)
-    dropped, allowed = frozenset(plan.names("dropped")), _known_tolerance(scene, request)
-    if not (dropped or figures):
-        return _plan(case, allowed)
-    trial, allowed = _trial(case, allowed)
-    return _plan(case, allowed, _Measured(trial, dropped - request.forced_off, {}))
+    case, dropped = replace(_case(scene, request), reused=True), frozenset(plan.names("dropped"))
+    if dropped or figures:
+        case = replace(_with_trial(case), dropped=dropped - request.forced_off)
+    return _plan(case)
 
 
 def served_plan(scene: PlannedScene, plan: Plan, tolerance: ToleranceInput) -> Plan | None:
@@ -155,7 +146,7 @@ def absent_effects(scene: PlannedScene) -> Names:
     """Return the names of the effects of the exposure that certainly change nothing on `scene`:
     motion of still light, comparators if no pixel compares, saturation if no pixel comes near
     it."""
-    all_effects, names = everything(), frozenset[str]()
+    all_effects, names = everything(), Names()
     if scene.light.motion is None:
         names |= all_effects.names(Moving)
     if not scene.looks:
@@ -165,242 +156,222 @@ def absent_effects(scene: PlannedScene) -> Names:
     return names
 
 
-def _known_tolerance(scene: PlannedScene, request: PlanRequest) -> Tolerance | None:
-    """Return the tolerance; None for a fraction of the noise, which only a trial measures."""
-    is_known = unit_of(request.tolerance) != "noise"
-    return tolerance_of(request.tolerance, scene.sensor, scene) if is_known else None
+def _case(scene: PlannedScene, request: PlanRequest) -> _Case:
+    """Return what is known without a trial. Raises Rejected (NS0746) for an invalid tolerance."""
+    asked, sensor = request.tolerance, scene.sensor
+    allowed = None if unit_of(asked) == "noise" else tolerance_of(asked, sensor, scene.signal_e)
+    if allowed is None:
+        tolerance_of(asked, sensor)
+    return _Case(Work.of(scene), request, absent_effects(scene), allowed, Names(), {})
 
 
-def _trial(case: _Case, allowed: Tolerance | None) -> tuple[Trial, Tolerance]:
-    """Expose a sample of the scene with every effect, with figures a larger one; return the trial,
-    and the tolerance, measured if it is not known (None)."""
+def _with_trial(case: _Case) -> _Case:
+    """Expose a sample of the scene with every effect, with figures a larger one. Also measure the
+    tolerance if it is not known."""
     scene, request = case.work.scene, case.request
     trial = trial_of(scene, SAMPLED if request.figures else _QUICK)
-    return trial, allowed or tolerance_of(request.tolerance, scene.sensor, trial)
+    allowed = case.allowed or tolerance_of(request.tolerance, scene.sensor, noise_e=trial.noise_e)
+    return replace(case, trial=trial, allowed=allowed)
 
 
-def _moves(case: _Case) -> dict[Names, float]:
-    """Return the sets of effects that may be left out together, and the milliseconds that each
-    saves of all requested frames; those that save most first. Without figures, they are those that
-    save enough to be measured, else all that save anything.
+def _promising(case: _Case) -> list[Names]:
+    """Return the sets of effects that may be left out together, those that save most first. They
+    are single effects, and groups of effects that share work; effects that the user decided on and
+    absent ones are not in them.
 
-    These are single effects and the groups whose effects share work. Effects that the user decided
-    on and absent ones are not in them."""
+    Without figures, sets must save enough to be measured, their estimated error must be within
+    the tolerance if that is known, and before them comes the union of as many as fit together."""
     work, request, all_effects = case.work, case.request, everything()
     # Noise may drive any pixel near saturation beyond a limit, in few frames: too rare to measure.
     free = frozenset(e.name for e in effects_of_exposure()) - all_effects.names(Saturates)
     free -= request.forced | case.absent
-    if not free:
-        return {}
-    groups = [all_effects.names(kind) - case.absent for kind in (Counted, SmallErrors)]
-    sets = {names for names in groups if names and names <= free}
-    sets |= {frozenset({name}) for name in free}
-    saved_ms = {names: work.saved_ms(request.requested, names, request.frames) for names in sets}
-    least_ms = 0.0 if request.figures else _EACH_WORTH * work.trials_ms(1, _QUICK)
-    ordered = sorted(sets, key=lambda names: (-saved_ms[names], sorted(names)))
-    return {names: saved_ms[names] for names in ordered if saved_ms[names] > least_ms}
-
-
-def _estimated_e(scene: PlannedScene) -> dict[str, float]:
-    """Return rough errors of leaving out effects whose size follows from the light and the sensor,
-    in electrons, by name: noise of counts and of words, and crosstalk."""
-    all_effects, sensor = everything(), scene.sensor
-    sizes_e = {
-        effect.name: part.sigma_e(sensor)
-        for effect, part in all_effects.errors()
-        if part.at != "resets"  # double sampling subtracts these
-    }
-    if scene.looks:
-        return sizes_e
-    program, light_e = analysed(scene.container, sensor), scene.light.sum_e
-    open_share = program.opened.mean(axis=0, dtype=np.float32).max(axis=1)[program.lane]
-
-    def exposed_e(light_e: Array) -> Array:
-        """Return the exposures in `light_e`, about; light that is NaN or infinite fills a pixel."""
-        most_e = np.fmin(light_e * open_share, np.float32(sensor.full_well_e))
-        return np.asarray(np.maximum(most_e, 0.0))
-
-    alone_e = exposed_e(light_e)
-    sizes_e |= dict.fromkeys(all_effects.names(CountedLight), float(alone_e.mean()) ** 0.5)
-    for effect, part in all_effects.having(Exchange):
-        moved_e = (
-            exposed_e(part.smeared(light_e.astype(np.float64), part.fraction(sensor))) - alone_e
-        )
-        sizes_e[effect.name] = float((moved_e**2).mean()) ** 0.5
-    return sizes_e
-
-
-def _promising(
-    moves: Mapping[Names, float], sizes_e: Mapping[str, float], allowed: Tolerance | None
-) -> list[Names]:
-    """Return the sets of `moves` whose estimated error is within the tolerance `allowed` (None if
-    it is not known), and before them, with estimates, the union of as many as fit together."""
-    limit_e2 = math.inf if allowed is None else (_MARGIN * allowed.electrons) ** 2
+    limit_e2, size_e2, least_ms = math.inf, dict[str, float](), 0.0
+    if not request.figures:
+        least_ms = _EACH_WORTH * work.trial_ms(_QUICK)
+        if case.allowed:
+            limit_e2 = (_MARGIN * case.allowed.electrons) ** 2
+            # A quarter of the rows tells which errors are far too large.
+            for step in (4, 1):
+                size_e2 = _estimated_e2(work.scene, free, step)
+                free = frozenset(n for n in free if size_e2.get(n, 0.0) <= step * limit_e2)
 
     def fits(names: Names) -> bool:
         """Return whether the estimated error of leaving out `names` leaves the margin."""
-        return sum(sizes_e.get(name, 0.0) ** 2 for name in names) <= limit_e2
+        return sum(size_e2.get(name, 0.0) for name in names) <= limit_e2
 
-    sets, union = [names for names in moves if fits(names)], Names()
-    for names in sets if sizes_e else ():
-        if fits(union | names):
-            union |= names
-    return [*dict.fromkeys([union] if union else []), *sets]
+    groups = [all_effects.names(kind) for kind in (Counted, SmallErrors)]
+    sets = {frozenset({name}) for name in free} | {names for names in groups if names <= free}
+    saved_ms = {
+        names: work.saved_ms(request.requested, names, request.frames)
+        for names in sets
+        if names and fits(names)
+    }
+    ordered = sorted(saved_ms, key=lambda names: (-saved_ms[names], sorted(names)))
+    ordered = [names for names in ordered if saved_ms[names] > least_ms]
+    union = Names()
+    for names in ordered if not request.figures else ():
+        union |= names if fits(union | names) else Names()
+    return [union, *ordered] if union else ordered
 
 
-def _dropped(case: _Case, trial: Trial, allowed: Tolerance, sets: Iterable[Names]) -> _Measured:
-    """Return the effects that are left out: those of each of the `sets` in turn, if the error of
-    all together is within the tolerance. The error is that of what the planner leaves out, from
-    the exposures without the effects that the user turned off."""
-    requested, tolerance_e = case.request.requested, allowed.electrons
+def _estimated_e2(scene: PlannedScene, names: Names, step: int) -> dict[str, float]:
+    """Return rough mean square errors of leaving out those effects of `names` whose size follows
+    from the light and the sensor, by name: noise of counts and of words, and crosstalk. Only each
+    `step`-th strip of rows is looked at."""
+    all_effects, sensor = everything(), scene.sensor
+    square_e2 = {
+        effect.name: part.sigma_e(sensor) ** 2
+        for effect, part in all_effects.errors()
+        if part.at != "resets"  # double sampling subtracts these
+    }
+    counted, exchange = all_effects.names(CountedLight), all_effects.having(Exchange)
+    if scene.looks or not names & (counted | {effect.name for effect, _ in exchange}):
+        return square_e2
+    program = analysed(scene.container, sensor)
+
+    def strips(values: Array) -> Array:
+        """Return the rows of `values` (rows, cols) that are looked at, (.., rows, cols)."""
+        if step == 1 or len(values) < 8 * step:
+            return values
+        return values[: len(values) // 8 * 8].reshape(-1, 8, values.shape[1])[::step]
+
+    def open_share() -> Array:
+        """Return the fraction of the slots in which each pixel is open."""
+        return strips(program.opened.mean(axis=0, dtype=np.float32).max(axis=1)[program.lane])
+
+    light_e = strips(scene.light.sum_e)
+    share = program.recent.of((_estimated_e2, step), open_share)
+
+    def exposed_e(light_e: Array) -> Array:
+        """Return the exposures in `light_e`, about; light that is NaN or infinite fills a pixel."""
+        return np.asarray(np.fmin(light_e * share, np.float32(sensor.full_well_e)))
+
+    alone_e = exposed_e(light_e)
+    square_e2 |= dict.fromkeys(counted, float(alone_e.mean()))
+    for effect, part in exchange:
+        moved_e = exposed_e(part.smeared(light_e, part.fraction(sensor))) - alone_e
+        square_e2[effect.name] = float((moved_e**2).mean())
+    return square_e2
+
+
+def _choice(case: _Case, sets: Iterable[Names]) -> _Case:
+    """Return the case with the effects that are left out: those of each of the `sets` in turn, if
+    the error of all together is within the tolerance. The error is that of what the planner leaves
+    out, from the exposures without the effects that the user turned off."""
+    request, trial, allowed = case.request, case.trial, case.allowed
+    assert trial
+    assert allowed
     dropped, tried = Names(), dict[str, SampledErrors]()
 
     def fits(names: Names) -> bool:
         """Return whether the error of leaving out `names`, also with two standard errors added,
         and the fraction of pixels in other states are within their limits."""
-        effects = requested.without(*names)
-        errors = trial.errors(effects, requested)
+        effects = request.requested.without(*names)
+        errors = trial.errors(effects, request.requested)
         tried.update(dict.fromkeys(names, errors))
-        sure_e2, limit_e2 = errors.square_e2(2.0), (_SURE * tolerance_e) ** 2
+        sure_e2, limit_e2 = errors.square_e2(2.0), (_SURE * allowed.electrons) ** 2
         return (
             errors.other_states <= _OTHER_STATES
-            and errors.square_e2() <= (_MARGIN * tolerance_e) ** 2
+            and errors.square_e2() <= (_MARGIN * allowed.electrons) ** 2
             and sure_e2 <= limit_e2
             and sure_e2 + trial.unseen_e2(effects) <= limit_e2
         )
 
     for names in sets:
         # With figures every effect is measured alone anyway.
-        if names <= dropped or (case.request.figures and not fits(names)):
-            continue
-        if fits(dropped | names):
+        if not names <= dropped and (not request.figures or fits(names)) and fits(dropped | names):
             dropped |= names
-    return _Measured(trial, dropped, tried)
+    return replace(case, dropped=dropped, tried=tried)
 
 
-def _plan(case: _Case, allowed: Tolerance | None, measured: _Measured | None = None) -> Plan:
+def _plan(case: _Case) -> Plan:
     """Return the plan (the effects that are simulated) of a choice: its errors, a decision on every
-    effect with its reason, and its predicted time. `allowed`: the tolerance, None if it is unknown.
-
-    `measured`: None if nothing was measured. Then every requested effect is simulated."""
+    effect with its reason, and its predicted time. Without a trial every requested effect is
+    simulated."""
     work, request, scene = case.work, case.request, case.work.scene
-    effects = request.requested.without(*measured.dropped) if measured else request.requested
-    reasons = _reasons_for_words(scene, effects)
-
-    def make() -> Plan:
-        """Return the plan."""
-        errors, bound_e = None, None
-        if measured:
-            errors = measured.trial.errors(effects, everything())
-            bound_e2 = errors.square_e2(_BOUND_ERRORS) + measured.trial.unseen_e2(effects)
-            bound_e = math.sqrt(bound_e2)
-        return Plan(
-            tolerance=str(request.tolerance) if allowed is None else allowed.text,
-            tolerance_e=None if allowed is None else allowed.electrons,
-            predicted_e=errors.rms_e if errors else None,
-            bound_e=bound_e,
-            worst_e=errors.worst_e if errors else None,
-            slot_loop=bool(reasons),
-            slot_loop_reasons=reasons,
-            sampled_fraction=len(errors.weight) / scene.pixels if errors else 0.0,
-            total_ms=work.milliseconds(effects),
-            all_ms=work.milliseconds(request.requested),
-            decisions=tuple(_decision(each, case, allowed, measured) for each in registered()),
-            signal_e=None if allowed is None else allowed.signal_e,
-            noise_e=None if allowed is None else allowed.noise_e,
-            other_states=errors.other_states if errors and scene.looks else None,
-            reused=case.reused,
-        )
-
-    if measured or scene.looks:
-        return make()
-    # Nothing else of the scene and the chip is in a plan without a measurement.
-    key = Plan, request, case.absent, case.reused, allowed, work.near, reasons
-    recent = analysed(scene.container, scene.sensor).recent
-    return recent.of((*key, len(scene.light.frames)), make)
-
-
-def _reasons_for_words(scene: PlannedScene, effects: Selection) -> tuple[str, ...]:
-    """Return why the words of some pixels run one by one under `effects`; empty if sums suffice for
-    all."""
+    effects, trial, allowed = request.requested.without(*case.dropped), case.trial, case.allowed
     reasons = scene.needs_reference(effects)
-    if reasons:
-        return reasons
-    if scene.looks:
-        return ("pixels look at the light: each runs through the words that act in it",)
-    chip = scene.container, scene.sensor, [scene.light]
-    return word_reasons(*chip, effects, scene.device_seed)
+    if not reasons and scene.looks:
+        reasons = ("pixels look at the light: each runs through the words that act in it",)
+    elif not reasons:
+        chip = scene.container, scene.sensor, [scene.light]
+        reasons = word_reasons(*chip, effects, scene.device_seed)
+
+    errors: dict[str, float | None] = {}
+    if trial:
+        sampled = trial.errors(effects, everything())
+        bound_e2 = sampled.square_e2(_BOUND_ERRORS) + trial.unseen_e2(effects)
+        errors = {
+            "sampled_fraction": len(trial.sample.places) / scene.pixels,
+            "predicted_e": sampled.rms_e,
+            "bound_e": math.sqrt(bound_e2),
+            "worst_e": sampled.worst_e,
+            "other_states": sampled.other_states if scene.looks else None,
+        }
+    return Plan(
+        tolerance=allowed.text if allowed else str(request.tolerance),
+        tolerance_e=allowed.electrons if allowed else None,
+        slot_loop=bool(reasons),
+        slot_loop_reasons=reasons,
+        total_ms=work.milliseconds(effects),
+        all_ms=work.milliseconds(request.requested),
+        decisions=tuple(_decision(each, case) for each in registered()),
+        reused=case.reused,
+        **errors,  # type: ignore[arg-type]
+    )
 
 
-def _decision(
-    effect: Effect, case: _Case, allowed: Tolerance | None, measured: _Measured | None
-) -> Decision:
+def _decision(effect: Effect, case: _Case) -> Decision:
     """Return whether one effect is kept, dropped or absent, with its errors, the time that it
     costs, and the reason. In the code, `alone` is the error of dropping only this effect."""
+    name, request, scene = effect.name, case.request, case.work.scene
+    is_off = effect not in request.effects or name in case.dropped
+    decision: Choice = "dropped" if is_off else "kept"
+    is_forced = name in request.forced and not effect.always
     if effect.kind == "after":
-        return _after_exposure(effect, case)
-    name, request, full, alone = effect.name, case.request, everything(), None
-    tried = measured.tried.get(name) if measured else None
-    if measured and request.figures and name not in case.absent:
-        alone = measured.trial.errors(full.without(name), full)
-    is_off = name in request.forced_off or (measured is not None and name in measured.dropped)
-    is_absent = not is_off and (name in case.absent or (alone is not None and alone.is_zero))
-    saved_ms = 0.0
-    if measured and not is_absent:
+        reason = "named in --effects" if is_forced else "always applied, after the exposure"
+        rms_e = readout_rms_e(effect, scene.sensor)
+        return Decision(name, effect.kind, decision, is_forced, reason, rms_e, 0.0)
+    full, alone, saved_ms, tried = everything(), None, 0.0, case.tried.get(name)
+    if case.trial and request.figures and name not in case.absent:
+        alone = case.trial.errors(full.without(name), full)
+    if not is_off and (
+        name in case.absent or (alone and max(alone.worst_e, alone.other_states) == 0.0)
+    ):
+        decision = "absent"
+    elif case.trial:
         saved_ms = max(0.0, case.work.saved_ms(full, frozenset({name})))
-    if case.reused and measured:
+    if case.reused and case.trial:
         reason = "taken from an earlier plan"
-    elif is_absent:
+    elif decision == "absent":
         reason = effect.absent
-    elif name in request.forced:
+    elif is_forced:
         reason = "named in --effects"
-    elif measured is None:
+    elif case.trial is None:
         reason = "choosing effects would take longer than it saves"
     elif is_off:
         reason = ("" if alone is None else f"{alone.rms_e:.3g} e ") + "fits into the tolerance"
+    elif saved_ms <= 0:
+        reason = "costs nothing"
+    elif tried is None or case.allowed is None:
+        reason = "saves too little, or is too large, to be tried"
+    elif tried.rms_e > _MARGIN * case.allowed.electrons:
+        reason = f"left out, the error would be {tried.rms_e:.3g} e"
+    elif tried.other_states > _OTHER_STATES:
+        reason = f"left out, {tried.other_states:.2%} would end in other states"
     else:
-        reason = _why_kept(tried, saved_ms, allowed)
+        reason = "left out, the error could be too large: few pixels tell"
     # `alone` is the exposure without the effect minus that with it, so the effect's own bias has
     # the opposite sign; 0.0 - x is never -0.
     return Decision(
         name,
         effect.kind,
-        "absent" if is_absent else "dropped" if is_off else "kept",
-        name in request.forced,
+        decision,
+        is_forced,
         reason,
         alone.rms_e if alone else None,
         0.0 - alone.bias_e if alone else None,
         tried.rms_e if tried else None,
         saved_ms,
-        alone.other_states if alone and case.work.scene.looks else None,
+        alone.other_states if alone and scene.looks else None,
     )
-
-
-def _why_kept(errors: SampledErrors | None, saved_ms: float, allowed: Tolerance | None) -> str:
-    """Return, as text, the reason why the planner simulates an effect. `errors`: those with which
-    dropping it was tried. `saved_ms`: the milliseconds that this would save."""
-    if saved_ms <= 0:
-        return "costs nothing"
-    if errors is None or allowed is None:
-        return "saves too little, or is too large, to be tried"
-    if errors.rms_e > _MARGIN * allowed.electrons:
-        return f"left out, the error would be {errors.rms_e:.3g} e"
-    if errors.other_states > _OTHER_STATES:
-        return f"left out, {errors.other_states:.2%} would end in other states"
-    return "left out, the error could be too large: few pixels tell"
-
-
-def _after_exposure(effect: Effect, case: _Case) -> Decision:
-    """Return the decision on an effect of the readout. It is simulated if the user selects it, or
-    with automatic effects unless the user turns it off. The tolerance does not include its error,
-    which is None for effects that have no size of their own."""
-    request, sensor = case.request, case.work.scene.sensor
-    forced = not effect.always and effect.name in request.forced
-    code_e = everything().require_part(Codes).electrons(sensor)
-    rms_e = code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
-    for errors in effect.parts_of_kind(CodeErrors):
-        rms_e = errors.sigma_lsb(sensor) * code_e
-    is_on = effect in request.effects or (request.effects.auto and not forced)
-    reason = "named in --effects" if forced else "always applied, after the exposure"
-    decision: Choice = "kept" if is_on else "dropped"
-    return Decision(effect.name, effect.kind, decision, forced, reason, rms_e, 0.0)

@@ -5,15 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from time import process_time
+from timeit import repeat
 
 import numpy as np
 
 import nscc
 from nscc_runtime.effects import Selection, everything, selected
-from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.light import Light
-from nscc_runtime.planning.make import make_plan
-from nscc_runtime.planning.plan import PlanRequest, effects_of_exposure
 from nscc_runtime.planning.planned_scene import SAMPLED, PlannedScene, trial_of
 from nscc_runtime.planning.prices import FRAME_NS, SLOT_NS, Work
 from nscc_runtime.reference.capture import Reference, reference_scene
@@ -25,8 +23,6 @@ code stop : 1..16
 open when n < stop
 pixels stop = 1 + (5 * x + 3 * y) % 16
 """
-_NEAR = 512
-"""Number of pixels that run through their words."""
 _ROUNDS = 5
 """Number of timed rounds of each measurement; the fastest counts."""
 
@@ -55,89 +51,48 @@ def measure_prices() -> list[Price]:
     still = Light.of_still((250e3 + 220e3 * wave).astype(np.float32), slot_s)
     scene, all_effects = PlannedScene(container, sensor, still, threads=1), everything()
     work = Work.of(scene)
-    places = np.linspace(0, scene.pixels - 1, _NEAR).astype(np.int64)
-    prepared = prepare_pixels(container, sensor, still, all_effects, places, 0)
-    reference, light = (
-        Reference.of(container, sensor, all_effects),
-        reference_scene(container, still),
-    )
-    request = PlanRequest(selected("auto"), 5.0, figures=True)
-    reference_ns = 1e9 * _least_s(lambda: reference.expose(light, 0, 0, 0, 1), 1)
+    reference = Reference.of(container, sensor, all_effects)
+    light = reference_scene(container, still)
     # Without an effect that costs little, so that the exposures are not those of the trial itself.
     trial, dim = trial_of(scene), all_effects.without("lag")
-    return [
-        Price(
-            "planning",
-            f"a plan for {rows} x {cols} pixels",
-            "ms",
-            work.trials_ms(3 + len(effects_of_exposure()), SAMPLED),
-            1e3 * _least_s(lambda: make_plan(scene, request)),
+
+    def frame(effects: Selection) -> Callable[[], object]:
+        """Return a function that exposes the first frame of the scene with `effects`. The light is
+        copied for each frame, so that none of its cached properties is reused."""
+        return lambda: [*replace(scene, light=replace(still)).frames(effects, 0, 1)]
+
+    pixel_ns = 1e9 / scene.pixels
+    trial_s, words_s, sums_s, every_s, reference_s = map(
+        _least_s,
+        (
+            lambda: replace(trial).exposed(dim),
+            lambda: trial.frames(1),
+            frame(selected("none")),
+            frame(all_effects),
+            lambda: reference.expose(light, 0, 0, 0, 1),
         ),
-        Price(
-            "trial",
-            f"{SAMPLED} pixels with one set of effects",
-            "ms",
-            work.trials_ms(1, SAMPLED),
-            1e3 * _least_s(lambda: replace(trial).exposures(dim)),
-        ),
-        Price(
-            "words",
-            "a pixel through its words, all effects",
-            "ns",
-            work.loop_ns(all_effects),
-            1e9 / _NEAR * _least_s(lambda: expose_pixels(prepared, 0, 0)),
-        ),
-        Price(
-            "reference",
-            "a pixel and slot in the reference",
-            "ns",
-            SLOT_NS,
-            reference_ns / (scene.pixels * still.slots),
-        ),
-        *_of_sums(scene),
+    )
+    sampled, slot_ns = len(trial.sample.places), pixel_ns / still.slots
+    words_text, one_set = "a pixel through its words, all effects", "pixels with one set of effects"
+    prices = [
+        Price("trial", f"{SAMPLED} {one_set}", "ms", work.trial_ms(SAMPLED), 1e3 * trial_s),
+        Price("words", words_text, "ns", work.loop_ns(all_effects), 1e9 * words_s / sampled),
+        Price("reference", "a pixel and slot", "ns", SLOT_NS, slot_ns * reference_s),
+        Price("sums", "a pixel without effects", "ns", FRAME_NS, pixel_ns * sums_s),
     ]
-
-
-def _of_sums(scene: PlannedScene) -> list[Price]:
-    """Return the measured times of the first frame of `scene` by sums, per pixel: without effects,
-    and what dropping each effect saves, for effects that cost something there; at least 0."""
-    all_effects = everything()
-    every_ns = _frame_ns(scene, all_effects)
-    bare_ns = _frame_ns(scene, selected("none"))
-    return [
-        Price("sums", "a pixel without effects", "ns", FRAME_NS, bare_ns),
-        *(
-            Price(
-                effect.name,
-                "a pixel by sums over slots",
-                "ns",
-                effect.cost_ns,
-                max(0.0, every_ns - _frame_ns(scene, all_effects.without(effect.name))),
+    # What dropping an effect saves of the first frame by sums, for effects that cost something.
+    for effect in all_effects.effects:
+        if effect.cost_ns and isinstance(effect.sums, tuple):
+            saved_s = every_s - _least_s(frame(all_effects.without(effect.name)))
+            measured_ns = max(0.0, pixel_ns * saved_s)
+            prices.append(
+                Price(effect.name, "a pixel by sums over slots", "ns", effect.cost_ns, measured_ns)
             )
-            for effect in all_effects.effects
-            if effect.cost_ns and isinstance(effect.sums, tuple)
-        ),
-    ]
+    return prices
 
 
-def _frame_ns(scene: PlannedScene, effects: Selection) -> float:
-    """Return the time of the first frame of `scene` with `effects`, in nanoseconds per pixel on one
-    core. The light is copied for each frame, so that none of its cached properties is reused."""
-
-    def expose() -> None:
-        """Expose one frame, without stored sums of its light."""
-        [_] = replace(scene, light=replace(scene.light)).frames(effects, 0, 1)
-
-    return 1e9 / scene.pixels * _least_s(expose)
-
-
-def _least_s(run: Callable[[], object], rounds: int = _ROUNDS) -> float:
-    """Return the processor seconds of the fastest of `rounds` calls of `run`, after one more call
+def _least_s(run: Callable[[], object]) -> float:
+    """Return the processor seconds of the fastest of `_ROUNDS` calls of `run`, after one more call
     to warm up."""
     run()
-    seconds = []
-    for _ in range(rounds):
-        begin = process_time()
-        run()
-        seconds.append(process_time() - begin)
-    return min(seconds)
+    return min(repeat(run, timer=process_time, repeat=_ROUNDS, number=1))

@@ -47,21 +47,16 @@ class PlanRequest:
     frames: int = MANY
     figures: bool = False
 
-    @cached_property
+    @property
     def forced(self) -> Names:
         """Names of the effects that the user switched on or off, on which a plan does not decide;
         all effects unless the selection is automatic."""
-        effects = self.effects
-        return frozenset(
-            e.name for e in registered() if not effects.auto or e.name in effects.forced
-        )
+        return self.effects.forced if self.effects.auto else everything().on
 
     @cached_property
     def forced_off(self) -> Names:
         """Names of the effects of the exposure that the user switched off."""
-        return frozenset(
-            e.name for e in effects_of_exposure() if e.name in self.forced and e not in self.effects
-        )
+        return frozenset(e.name for e in effects_of_exposure() if e not in self.effects)
 
     @property
     def requested(self) -> Selection:
@@ -109,23 +104,21 @@ class Plan:
         The requested tolerance as text.
     tolerance_e : float or None
         The tolerance in electrons; None if it is a fraction of a noise that was not measured.
-    predicted_e, bound_e : float or None
-        The error measured on a sample of the scene, and this error plus three standard errors.
-    worst_e : float or None
-        The largest error of a pixel of the sample.
     slot_loop : bool
         Whether pixels run through their words one by one.
     slot_loop_reasons : tuple of str
         Why pixels run through their words, or why the reference simulates them.
-    sampled_fraction : float
-        The fraction of the pixels that was measured.
     total_ms, all_ms : float
         Predicted times of a frame under the plan and with every effect, in milliseconds of one
         core, from the shipped prices.
     decisions : tuple of Decision
         The decision on each effect.
-    signal_e, noise_e : float or None
-        The mean signal, or the frame's own noise, that a relative tolerance refers to.
+    sampled_fraction : float
+        The fraction of the pixels that was measured.
+    predicted_e, bound_e : float or None
+        The error measured on a sample of the scene, and this error plus three standard errors.
+    worst_e : float or None
+        The largest error of a pixel of the sample.
     other_states : float or None
         For a program that looks, the fraction of pixels that end in other states than with every
         effect. Errors are those of the other pixels.
@@ -136,17 +129,15 @@ class Plan:
 
     tolerance: str
     tolerance_e: Annotated[float, Within(LEAST_E, MOST_E)] | None
-    predicted_e: float | None
-    bound_e: float | None
-    worst_e: float | None
     slot_loop: bool
     slot_loop_reasons: tuple[str, ...]
-    sampled_fraction: float
     total_ms: float
     all_ms: float
     decisions: Annotated[tuple[Decision, ...], KeyName("effects")]
-    signal_e: float | None = None
-    noise_e: float | None = None
+    sampled_fraction: float = 0.0
+    predicted_e: float | None = None
+    bound_e: float | None = None
+    worst_e: float | None = None
     other_states: float | None = None
     reused: bool = False
 
@@ -180,12 +171,12 @@ class Plan:
         return Selection(everything().on - forced.intersection(self.names("dropped")), forced, True)
 
     @property
-    def allowed(self) -> Tolerance | None:
-        """The tolerance on the scene that the plan (the effects that are simulated) was made for;
-        None if it is a fraction of a noise that was not measured."""
+    def allowed(self) -> str:
+        """The tolerance as text, with its electrons on the scene that the plan (the effects that
+        are simulated) was made for unless they were not measured."""
         if self.tolerance_e is None:
-            return None
-        return Tolerance(self.tolerance, self.tolerance_e, self.signal_e, self.noise_e)
+            return self.tolerance
+        return str(Tolerance(self.tolerance, self.tolerance_e))
 
     @property
     def breach(self) -> str | None:
@@ -209,8 +200,40 @@ class Plan:
         return f"<nscc plan: {self.line}>"
 
     def __str__(self) -> str:
-        """Return the table of effects."""
-        return _table(self)
+        """Return the plan (the effects that are simulated) as a table with a row for each effect,
+        then the errors, why words run one by one, and the times. Figures that were not measured are
+        empty."""
+        looks = self.other_states is not None
+        head = ("effect", "rms e", "bias e", "choice", "why", "saves ms", "other states")
+        rows: list[tuple[str, ...]] = [head]
+        for each in self.decisions:
+            row = (
+                each.name,
+                _shown(each.predicted_rms_e, ".3g"),
+                _shown(each.predicted_bias_e or None, "+.3g"),
+                each.decision + (", forced" if each.forced else ""),
+                each.reason,
+                _shown(each.cost_ms_model or None, ".2f"),
+                _shown(each.other_states or None, ".2%"),
+            )
+            rows.append(row)
+        lines = [columns([row if looks else row[:-1] for row in rows], left_aligned=(0, 3, 4))]
+        if self.predicted_e is None:
+            lines.append(f"no error was measured; tolerance {self.allowed}")
+        else:
+            lines.append(
+                f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e or 0.0:.3g}), "
+                f"tolerance {self.allowed}, worst pixel {self.worst_e or 0.0:.3g} e, measured on "
+                f"{self.sampled_fraction:.1%} of the pixels"
+            )
+        if looks:
+            lines.append(
+                f"predicted to end in other states: {self.other_states:.2%} of the pixels, at most "
+                f"{MOST_OTHER_STATES:.1%}"
+            )
+        reasons = "; ".join(self.slot_loop_reasons) if self.slot_loop else "of no pixel"
+        lines += [f"words run one by one: {reasons}", self.time_summary]
+        return "\n".join([*lines, *["made for an earlier scene"] * self.reused])
 
     def _repr_html_(self) -> str:
         """Return the card that a notebook shows."""
@@ -252,43 +275,6 @@ class Plan:
         return plain
 
 
-def _table(plan: Plan) -> str:
-    """Return the plan (the effects that are simulated) as text: a row for each effect, then the
-    errors, why words run one by one, and the times. Figures that were not measured are empty."""
-    looks = plan.other_states is not None
-    head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
-    rows: list[tuple[str, ...]] = [(*head, "other states") if looks else head]
-    for decision in plan.decisions:
-        rms = "" if decision.predicted_rms_e is None else f"{decision.predicted_rms_e:.3g}"
-        bias = "" if not decision.predicted_bias_e else f"{decision.predicted_bias_e:+.3g}"
-        choice = decision.decision + (", forced" if decision.forced else "")
-        cost = "" if decision.cost_ms_model <= 0 else f"{decision.cost_ms_model:.2f}"
-        other_states = (
-            (f"{decision.other_states:.2%}" if decision.other_states else "",) if looks else ()
-        )
-        rows.append((decision.name, rms, bias, choice, decision.reason, cost, *other_states))
-    lines = [columns(rows, left_aligned=(0, 3, 4)), *_errors(plan)]
-    reasons = "; ".join(plan.slot_loop_reasons) if plan.slot_loop else "of no pixel"
-    lines += [f"words run one by one: {reasons}", plan.time_summary]
-    if plan.reused:
-        lines.append("made for an earlier scene")
-    return "\n".join(lines)
-
-
-def _errors(plan: Plan) -> list[str]:
-    """Return the one or two lines of a plan (the effects that are simulated) on its errors:
-    predicted, allowed, and in which fraction of the pixels measured; if nothing was measured, the
-    tolerance alone."""
-    if plan.predicted_e is None:
-        return [f"no error was measured; tolerance {plan.allowed or plan.tolerance}"]
-    lines = [
-        f"predicted error {plan.predicted_e:.3g} e (at most {plan.bound_e or 0.0:.3g}), tolerance "
-        f"{plan.allowed}, worst pixel {plan.worst_e or 0.0:.3g} e, measured on "
-        f"{plan.sampled_fraction:.1%} of the pixels"
-    ]
-    if plan.other_states is not None:
-        lines.append(
-            f"predicted to end in other states: {plan.other_states:.2%} of the pixels, at most "
-            f"{MOST_OTHER_STATES:.1%}"
-        )
-    return lines
+def _shown(value: float | None, form: str) -> str:
+    """Return a figure as text in a format; empty without one."""
+    return "" if value is None else format(value, form)

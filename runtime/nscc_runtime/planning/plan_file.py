@@ -48,18 +48,16 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     version, NS0748 if the plan was made for another program or sensor. A plan is a choice of the
     effects that are simulated. A container is a compiled program."""
     stored = _read(path)
-    for kind, plan_sha256, actual_sha256 in (
-        ("program", stored.program_sha256, program_sha256),
-        ("sensor", stored.sensor_sha256, sensor_sha256(sensor)),
+    for name, here in (
+        ("program_sha256", program_sha256),
+        ("sensor_sha256", sensor_sha256(sensor)),
     ):
-        if plan_sha256 != actual_sha256:
+        its = getattr(stored, name)
+        if its != here:
             raise rejected(
                 "NS0748",
-                f"the plan '{path}' was made for another {kind}",
-                notes=(
-                    f"its {kind}_sha256 is {plan_sha256[:12]}.., but here it is "
-                    f"{actual_sha256[:12]}..",
-                ),
+                f"the plan '{path}' was made for another {name.removesuffix('_sha256')}",
+                notes=(f"its {name} is {its[:12]}.., but here it is {here[:12]}..",),
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
     return stored.plan

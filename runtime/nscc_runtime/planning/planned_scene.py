@@ -6,33 +6,36 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
 from nscc.arrays import Floats, Ints32
 from nscc.words.container import Container
 from nscc_runtime.caches import remembered
-from nscc_runtime.effects import Selection, everything, selected
-from nscc_runtime.effects.parts import Saturates
+from nscc_runtime.effects import Selection, everything, registered, selected
+from nscc_runtime.effects.parts import FixedCodes, Saturates
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.block_program import block_program, lacks
-from nscc_runtime.execution.block_scene import (
-    expose_pixels,
-    prepare_pixels,
-    without_draws,
-)
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.execution.frames import frame_source, reference_reasons
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation, near_saturation
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import Planes, block_exposer, next_planes
+from nscc_runtime.looked_frames import Planes, block_exposer, frame_exposer, next_planes
 from nscc_runtime.looked_frames import frames as looked_frames
-from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
-from nscc_runtime.planning.tolerance import mean_signal_e, with_readout_e
+from nscc_runtime.planning.sample import (
+    Sample,
+    SampledErrors,
+    draw_sample,
+    drawing_chances,
+    sampled_errors,
+)
+from nscc_runtime.planning.tolerance import mean_signal_e
 from nscc_runtime.pool import threads_of
-from nscc_runtime.reference.capture import Reference, reference_scene
+from nscc_runtime.readout_noise import readout_rms_e
 from nscc_runtime.run_kinds import KINDS, refuse_planless
 
 SAMPLED = 4000
@@ -52,8 +55,8 @@ class PlannedScene:
     """A program on a scene and a chip, to be planned, exposed and audited. `device_seed`: seed of
     the chip's fixed patterns. Results do not depend on `threads` (None: all processors).
 
-    Raises Rejected for programs to which plans do not apply (NS0750), and for light of another size
-    (NS0734)."""
+    Raises Rejected for programs to which plans do not apply (NS0750), for light of another size
+    (NS0734), and if the words cannot be simulated or open no shutters (NS0442)."""
 
     container: Container
     sensor: Sensor
@@ -62,9 +65,13 @@ class PlannedScene:
     threads: int | None = None
 
     def __post_init__(self) -> None:
-        """Check the program and the light."""
+        """Check the program and the light, and analyse the program: its analyses are cached."""
         refuse_planless(self.container, "planning")
         check_size(self.container, self.light)
+        if not self.looks:
+            analysed(self.container, self.sensor)
+        if not self.needs_reference(everything()):
+            block_program(self.container, self.sensor, everything())
 
     @cached_property
     def looks(self) -> bool:
@@ -74,15 +81,7 @@ class PlannedScene:
     @property
     def pixels(self) -> int:
         """The number of pixels."""
-        return self.light.shape[0] * self.light.shape[1]
-
-    def ready(self) -> None:
-        """Analyse the program, so that later steps are timed without it. Raises Rejected if its
-        words cannot be simulated, or open no shutters (NS0442)."""
-        if not self.looks:
-            analysed(self.container, self.sensor)
-        if not self.needs_reference(everything()):
-            block_program(self.container, self.sensor, everything())
+        return math.prod(self.light.shape)
 
     def near_pixels(self, effects: Selection) -> NearSaturation:
         """Return the pixels that may saturate under `effects`; none for pixels that look, which all
@@ -118,18 +117,6 @@ class PlannedScene:
         )
         return source.frames(seed, count)
 
-    def expected_e(self, effects: Selection) -> tuple[Floats, Floats] | None:
-        """Return exposures (buckets, pixels) of two frames that draw no random numbers: one as a
-        run exposes it with `effects`, one of the loop over words with every effect. None if pixels
-        look, or if the loop lacks an effect."""
-        if self.looks or self.needs_reference(everything()):
-            return None
-        chip, device_seed = (self.container, self.sensor, self.light), self.device_seed
-        source = frame_source(*chip, effects, device_seed, self.threads).without_draws()
-        scene = prepare_pixels(*chip, everything(), np.arange(self.pixels), device_seed)
-        loop_e = expose_pixels(without_draws(scene), SEED, 0).exposure_e
-        return source.expose(SEED, 0).exposure_e.reshape(loop_e.shape), loop_e
-
     def signal_e(self) -> float:
         """Return the mean signal of a frame without effects, in electrons: the mean of absolute
         exposures, each limited to the full well; 0 if no exposure is a number."""
@@ -145,13 +132,12 @@ class PlannedScene:
         return trial_of(self).noise_e()
 
 
-@dataclass(frozen=True, eq=False)
-class SampledExposures:
+class SampledExposures(NamedTuple):
     """Exposures of sampled pixels.
 
-    `exposure_e` (outputs, frames, pixels): electrons. An output is a bucket of one frame of a
-    series; `frames` are its repeats with other noise. `endings`, of the same shape: the states in
-    which each pixel ended, as numbers (`_states`); 0 without states."""
+    `exposure_e` (series, frames, buckets, pixels): electrons; `frames` are repeats of a frame of a
+    series with other noise. `endings` (series, frames, 1, pixels): the states in which each pixel
+    ended, as numbers (`_states`); a single 0 for all pixels without states."""
 
     exposure_e: Floats
     endings: Ints32
@@ -181,7 +167,7 @@ class Trial:
     truth: SampledExposures
 
     @remembered
-    def exposures(self, effects: Selection) -> SampledExposures:
+    def exposed(self, effects: Selection) -> SampledExposures:
         """Return the exposures of the sampled pixels with `effects`, for all `begins` and
         `repeats`, with the random numbers of `truth`; remembered for each selection."""
         if effects.on == everything().on:
@@ -191,19 +177,26 @@ class Trial:
 
     def errors(self, effects: Selection, true: Selection) -> SampledErrors:
         """Return the differences of exposures with `effects` from those with the effects `true`."""
-        return self.between(self.exposures(effects), self.exposures(true))
+        return self._between(self.exposed(effects), self.exposed(true))
 
     def frames(self, count: int, first_number: int = 0) -> SampledExposures:
         """Return `count` frames of the sample with every effect, numbered from `first_number`,
         which selects their noise. All begin with the states that the program starts with."""
         return _exposures(self.scene, self.expose_full, self.begins[:1], count, first_number)[0]
 
-    def between(self, exposed: SampledExposures, true: SampledExposures) -> SampledErrors:
-        """Return the differences of the exposures `exposed` from the exposures `true`, both of this
-        sample and of equal shape; pixels that ended in other states are not compared."""
-        return SampledErrors.between(
-            exposed.exposure_e, true.exposure_e, exposed.endings == true.endings, self.sample.weight
-        )
+    def noise_e(self) -> float:
+        """Return the noise of a frame with every effect, including readout and rounding, in
+        electrons: the standard deviation over frames, as a root mean square over the sample and the
+        buckets."""
+        # Frame numbers that `truth` does not use have independent noise.
+        other = self.frames(self.repeats, len(self.begins) * self.repeats)
+        first = SampledExposures(self.truth.exposure_e[:1], self.truth.endings[:1])
+        # The difference of two independent frames has twice the variance of one.
+        noise_e2 = float(self._between(other, first).mean_e2.mean()) / 2.0
+        # The fixed pattern of the readout does not vary over frames.
+        varying = (effect for effect in registered() if not effect.parts_of_kind(FixedCodes))
+        readout_e = (readout_rms_e(effect, self.scene.sensor) or 0.0 for effect in varying)
+        return math.hypot(math.sqrt(noise_e2), *readout_e)
 
     @remembered
     def unseen_e2(self, effects: Selection) -> float:
@@ -224,25 +217,13 @@ class Trial:
         )
         just_full = full_e / np.maximum(np.nan_to_num(np.abs(complete_e)), full_e)
         square_e2 = (np.nan_to_num(kept_e - complete_e) * just_full) ** 2
-        mean_e2 = (square_e2 * near.weight).sum(axis=1) / near.weight.sum()
-        return float(mean_e2.max()) * sample.unseen_share
+        return float((square_e2 @ near.weight).max() / near.weight.sum()) * sample.unseen_share
 
-    def signal_e(self) -> float:
-        """Return the mean signal of a frame of the whole scene without effects, in electrons."""
-        return self.scene.signal_e()
-
-    def noise_e(self) -> float:
-        """Return the noise of a frame with every effect, including readout and rounding, in
-        electrons: the standard deviation over frames, as a root mean square over the sample and the
-        buckets."""
-        buckets, number = len(self.scene.container.buckets), len(self.begins) * self.repeats
-        # The frames of the first entry of `begins` come first in `truth`. The second set has frame
-        # numbers that `truth` does not use, and therefore independent noise.
-        first = SampledExposures(self.truth.exposure_e[:buckets], self.truth.endings[:buckets])
-        second = self.frames(self.repeats, number)
-        # The difference of two independent frames has twice the variance of one.
-        mean_e2 = self.between(second, first).mean_square_e2 / 2.0
-        return with_readout_e(math.sqrt(float(mean_e2.mean())), self.scene.sensor)
+    def _between(self, exposed: SampledExposures, true: SampledExposures) -> SampledErrors:
+        """Return the differences of the exposures `exposed` from the exposures `true`, both of this
+        sample and of equal shape; pixels that ended in other states are not compared."""
+        same = exposed.endings == true.endings
+        return sampled_errors(exposed.exposure_e, true.exposure_e, same, self.sample.weight)
 
 
 def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = None) -> Trial:
@@ -264,12 +245,10 @@ def trial_of(scene: PlannedScene, count: int = SAMPLED, repeats: int | None = No
     keeps_states = container.keeps_states and not scene.needs_reference(full)
     while keeps_states and len(begins) < _MOST_FRAMES:
         following = next_planes(container, begins[0], planes)
-        is_known = [
-            np.all([bits == before[name] for name, bits in following.items()], axis=0)
-            for before in begins
-        ]
-        new_weight = sample.weight[~np.any(is_known, axis=0)]
-        if new_weight.sum() <= _SETTLED * sample.weight.sum():
+        is_known = np.zeros(len(sample.places), np.bool_)
+        for before in begins:
+            is_known |= np.all([bits == before[name] for name, bits in following.items()], axis=0)
+        if sample.weight[~is_known].sum() <= _SETTLED * sample.weight.sum():
             break
         begins.append(following)
         truth, planes = _exposures(scene, expose, begins, repeats)
@@ -284,34 +263,28 @@ def _sampled(scene: PlannedScene, sample: Sample, effects: Selection) -> Expose:
     random numbers."""
     container, sensor, light = scene.container, scene.sensor, scene.light
     places, threads, device_seed = sample.places, threads_of(scene.threads), scene.device_seed
-    # The loop over words exposes the sample alone; the reference would need the whole scene.
+    # The loop over words exposes the sample alone; the reference needs the whole scene.
     if scene.needs_reference(everything()):
-        reference = Reference.of(container, sensor, effects)
-        whole = reference_scene(container, light)
+        seeds, shown = (SEED, device_seed), places
+        run = frame_exposer(container, light, sensor, effects, seeds, threads, by_words=True)
+    else:
+        block = prepare_pixels(
+            container, sensor, light, effects, places, device_seed, threads, sample.known_means
+        )
+        if not scene.looks:
+            return lambda _, number: (expose_pixels(block, SEED, number, threads).exposure_e, {})
+        shown = np.arange(len(places))
+        run = block_exposer(container, sensor, block, places.shape, SEED, threads)
 
-        def expose(_loaded: Planes, number: int) -> tuple[Floats, Planes]:
-            """Expose the whole scene by the reference, and return the sampled pixels. Frames begin
-            with the states that the program starts with."""
-            seeds = SEED, device_seed
-            executed = reference.execute(whole, container.planes(), seeds, number, threads=threads)
-            exposure_e = executed.exposure.exposure_e
-            planes = {name: bits.reshape(-1)[places] for name, bits in executed.planes.items()}
-            return exposure_e.reshape(len(exposure_e), -1)[:, places], planes
+    def expose(loaded: Planes, number: int) -> tuple[Floats, Planes]:
+        """Expose a frame, and return the sampled pixels. A whole scene begins with the states that
+        the program starts with."""
+        executed = run(container.planes() if shown is places else loaded, number)
+        exposure_e = executed.exposure.exposure_e
+        planes = {name: bits.reshape(-1)[shown] for name, bits in executed.planes.items()}
+        return exposure_e.reshape(len(exposure_e), -1)[:, shown], planes
 
-        return expose
-    block = prepare_pixels(
-        container, sensor, light, effects, places, device_seed, threads, sample.known_means
-    )
-    if not scene.looks:
-        return lambda _, number: (expose_pixels(block, SEED, number, threads).exposure_e, {})
-    expose_block = block_exposer(container, sensor, block, places.shape, SEED, threads)
-
-    def expose_looking(loaded: Planes, number: int) -> tuple[Floats, Planes]:
-        """Expose the sampled pixels by the block loop."""
-        executed = expose_block(loaded, number)
-        return executed.exposure.exposure_e, executed.planes
-
-    return expose_looking
+    return expose
 
 
 def _exposures(
@@ -324,26 +297,20 @@ def _exposures(
     """Return `repeats` frames for each element of `begins`, at least one, and the registers at the
     end of the first frame of the last element.
 
-    Frames are numbered from `first_number`, all repeats of an element one after the other. Outputs
-    are the buckets of the first element, then those of the next."""
-    exposed = [
+    Frames are numbered from `first_number`, all repeats of an element one after the other."""
+    frames = [
         [expose(begin, first_number + series * repeats + turn) for turn in range(repeats)]
         for series, begin in enumerate(begins)
     ]
-    exposure_e = [np.stack([frame_e for frame_e, _ in frames], axis=1) for frames in exposed]
-    endings = [np.stack([_states(scene, *frame) for frame in frames]) for frames in exposed]
-    sampled = SampledExposures(
-        np.concatenate(exposure_e), np.repeat(endings, exposure_e[0].shape[0], axis=0)
-    )
-    return sampled, exposed[-1][0][1]
+    exposure_e = np.array([[frame_e for frame_e, _ in same] for same in frames])
+    endings = np.array([[_states(scene, planes) for _, planes in same] for same in frames])
+    endings = endings.reshape(len(frames), repeats, 1, -1)
+    return SampledExposures(exposure_e, endings), frames[-1][0][1]
 
 
-def _states(scene: PlannedScene, exposure_e: Floats, planes: Planes) -> Ints32:
+def _states(scene: PlannedScene, planes: Planes) -> Ints32:
     """Return the states in which pixels ended as numbers (pixels,): bit k is that of the k-th state
-    register; a register that is missing is 0."""
-    of_states = scene.container.state_planes.values()
-    numbers = np.zeros(exposure_e.shape[1], np.int32)
-    for k, name in enumerate(name for each in of_states for name in each.registers):
-        if name in planes:
-            numbers |= planes[name].astype(np.int32) << k
-    return numbers
+    register; a register that is missing is 0. A single 0 without any."""
+    names = (name for each in scene.container.state_planes.values() for name in each.registers)
+    bits = (planes[name].astype(np.int32) << k for k, name in enumerate(names) if name in planes)
+    return np.asarray(sum(bits), np.int32)

@@ -82,34 +82,28 @@ class Work:
         """Return the predicted nanoseconds of one core for one pixel that runs through its words in
         one frame with `effects`."""
         # With exchange, the charge of neighbours is counted too: about one more site per pixel.
-        sites = 1.0 if effects.find_part(Exchange) is None else 2.0
+        sites = len(effects.names(Counted)) * (1 + len(effects.names(Exchange)))
         word_ns = _WORD_NS + _ERROR_NS * len(effects.errors())
-        count_ns = _COUNT_NS * sites * len(effects.names(Counted))
-        return _LOOP_NS + self.words * word_ns + self.stretches * count_ns
+        return _LOOP_NS + self.words * word_ns + self.stretches * _COUNT_NS * sites
 
     @remembered
     def milliseconds(self, effects: Selection, frames: int = 1) -> float:
         """Return the predicted milliseconds of one core for the first `frames` frames of the scene
-        with `effects`, including what is computed once for a scene; remembered."""
+        with `effects`, including what is computed once for a scene."""
         scene = self.scene
         if scene.needs_reference(effects):
             return frames * SLOT_NS * scene.light.slots * scene.pixels * 1e-6
-        if scene.looks:
-            return frames * self.loop_ns(effects) * scene.pixels * 1e-6
-        buckets, passes = len(scene.container.buckets), len(scene.light.frames)
-        scene_ns = _SCENE_NS + _LIGHT_NS * passes * buckets
-        scene_ns += sum(effect.summed_ns(passes * buckets) for effect in effects.effects)
-        frame_ns = buckets * FRAME_NS
-        if effects.names(Counted):
-            exchanges = effects.find_part(Exchange) is not None
-            frame_ns += buckets * (_COUNTS_NS + _EXCHANGE_NS * exchanges)
-        if effects.names(SmallErrors):
-            frame_ns += buckets * _ERRORS_NS
-        near = self.near * bool(effects.names(Saturates)) + self.uneven * bool(effects.names(Leak))
-        if exchanges_much(effects, analysed(scene.container, scene.sensor)):
-            near = scene.pixels
-        near_ns = near * self.loop_ns(effects)
-        return ((scene_ns + frames * frame_ns) * scene.pixels + frames * near_ns) * 1e-6
+        sums_ns, near = 0.0, scene.pixels
+        if not scene.looks:
+            sums_ns = _sums_ns(
+                effects, len(scene.container.buckets), len(scene.light.frames), frames
+            )
+            near = self.near * bool(effects.names(Saturates))
+            near += self.uneven * bool(effects.names(Leak))
+            if exchanges_much(effects, analysed(scene.container, scene.sensor)):
+                near = scene.pixels
+        near_ns = frames * near * self.loop_ns(effects) if near else 0.0
+        return (sums_ns * scene.pixels + near_ns) * 1e-6
 
     def saved_ms(self, effects: Selection, names: frozenset[str], frames: int = 1) -> float:
         """Return the predicted milliseconds that leaving out the effects `names` of `effects`
@@ -117,12 +111,22 @@ class Work:
         without = effects.without(*names)
         return self.milliseconds(effects, frames) - self.milliseconds(without, frames)
 
-    def trials_ms(self, sets: int, pixels: int) -> float:
+    def trial_ms(self, pixels: int) -> float:
         """Return the predicted milliseconds of one core for exposing a sample of `pixels` pixels,
-        at most those of the scene, once with each of `sets` sets of effects. The reference exposes
-        the whole scene each time."""
-        effects = everything()
-        if self.scene.needs_reference(effects):
-            return self.milliseconds(effects, sets)
-        pixels = min(pixels, self.scene.pixels)
-        return sets * (_TRIAL_MS + 2e-6 * self.loop_ns(effects) * pixels)
+        at most those of the scene, with a set of effects. The reference exposes the whole scene."""
+        if self.scene.needs_reference(everything()):
+            return self.milliseconds(everything())
+        sampled_ns = self.loop_ns(everything()) * min(pixels, self.scene.pixels)
+        return _TRIAL_MS + 2e-6 * sampled_ns
+
+
+def _sums_ns(effects: Selection, buckets: int, passes: int, frames: int) -> float:
+    """Return the predicted nanoseconds of one core for a pixel by sums, with `effects`: of the
+    first `frames` frames of a scene with `passes` frames of light."""
+    passes *= buckets
+    scene_ns = _SCENE_NS + _LIGHT_NS * passes
+    scene_ns += sum(effect.summed_ns(passes) for effect in effects.effects)
+    frame_ns = FRAME_NS + _ERRORS_NS * bool(effects.names(SmallErrors))
+    if effects.names(Counted):
+        frame_ns += _COUNTS_NS + _EXCHANGE_NS * len(effects.names(Exchange))
+    return scene_ns + frames * buckets * frame_ns

@@ -6,6 +6,7 @@ these (`drawing_chances`). Pixels near saturation are a stratum of their own, or
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -60,8 +61,6 @@ class Sample:
         Number of pixels of the scene that each sampled pixel represents.
     near : bool, shape (pixels,)
         Which pixels are near saturation.
-    scene_pixels : int
-        Number of pixels of the scene.
     known_means : Recent
         Cache of means of the light of the sampled pixels, for
         `nscc_runtime.execution.block_scene.prepare_pixels`.
@@ -70,14 +69,13 @@ class Sample:
     places: Places
     weight: Floats
     near: Bools
-    scene_pixels: int
     known_means: Recent = field(default_factory=lambda: Recent(_MOST_MEANS))
 
     @cached_property
     def near_only(self) -> Sample:
         """The sampled pixels that are near saturation, with means of their own."""
         near = self.near
-        return Sample(self.places[near], self.weight[near], near[near], self.scene_pixels)
+        return Sample(self.places[near], self.weight[near], near[near])
 
     @property
     def unseen_share(self) -> float:
@@ -86,96 +84,72 @@ class Sample:
         drawn = self.weight[self.near & (self.weight > 1.0)]
         if not len(drawn):
             return 0.0
-        return float(drawn.sum()) / self.scene_pixels * min(1.0, _UNSEEN / len(drawn))
+        return float(drawn.sum() / self.weight.sum()) * min(1.0, _UNSEEN / len(drawn))
 
 
 @dataclass(frozen=True, eq=False)
 class SampledErrors:
-    """Differences of the exposures of sampled pixels from their true exposures.
+    """Differences of the exposures of sampled pixels from their true exposures, in electrons.
 
-    `size_e` (outputs, frames, pixels): the differences in electrons, 0 where not compared. An
-    output is a bucket of one frame; further `frames` are repeats with other noise. `compared`, of
-    the same shape: False where a pixel ended in another state. `weight` (pixels,): pixels of the
-    scene that each sampled pixel represents."""
+    `size_e` (series, frames, buckets, pixels): the differences, 0 where not compared. The next two
+    have a value for each bucket of each frame of a series: `mean_e2`, the mean square error over
+    repeated `frames` and pixels, and its standard error `chance_e2`. `bias_e`: the mean error where
+    the mean square is largest; 0 if within three standard errors of 0. `other_states`: the largest
+    fraction of pixels that ended in other states, or whose true exposure is not finite."""
 
     size_e: Floats
-    compared: Bools
-    weight: Floats
-
-    @classmethod
-    def between(
-        cls, exposed_e: Floats, true_e: Floats, same: Bools, weight: Floats
-    ) -> SampledErrors:
-        """Return the errors of `exposed_e` against `true_e`, electrons (outputs, frames, pixels).
-
-        Pixels that ended in other states (`same`, of the same shape, is False) and true exposures
-        that are not finite are not compared. An exposure that is not finite where the true one is
-        counts as an error of 1e30 e. `weight` (pixels,): each pixel's weight in the scene."""
-        compared = same & np.isfinite(true_e)
-        with np.errstate(invalid="ignore"):
-            size_e = np.where(np.isfinite(exposed_e), exposed_e - true_e, _NOT_FINITE_E)
-        return cls(np.where(compared, size_e, 0.0), compared, weight)
+    mean_e2: Floats
+    chance_e2: Floats
+    bias_e: float
+    other_states: float
 
     def square_e2(self, standard_errors: float = 0.0) -> float:
-        """Return the mean square error, in square electrons, of the output in which it is largest.
+        """Return the mean square error, in square electrons, of the bucket in which it is largest.
         This number of its `standard_errors` is added first."""
-        mean_e2 = self.mean_square_e2
-        if standard_errors:
-            mean_e2 = mean_e2 + standard_errors * self._standard_error(self.size_e**2)
-        return float(mean_e2.max(initial=0.0))
-
-    @property
-    def is_zero(self) -> bool:
-        """Whether all pixels are compared, and none differs."""
-        return bool(self.compared.all() and not self.size_e.any())
-
-    @property
-    def mean_square_e2(self) -> Floats:
-        """Mean square error of each output over the pixels that are compared, in square electrons,
-        (outputs,)."""
-        return self._mean(self.size_e**2) / self._compared
+        return float((self.mean_e2 + standard_errors * self.chance_e2).max(initial=0.0))
 
     @property
     def rms_e(self) -> float:
-        """Root mean square error of the worst output, in electrons."""
-        return float(np.sqrt(self.square_e2()))
-
-    @property
-    def bias_e(self) -> float:
-        """Mean error of the worst output in electrons; 0 if within three standard errors of 0."""
-        worst = int(np.argmax(self._mean(self.size_e**2)))
-        mean_e = float(self._mean(self.size_e)[worst])
-        standard_error_e = float(self._standard_error(self.size_e)[worst])
-        return mean_e if abs(mean_e) > _SIGMAS * standard_error_e else 0.0
+        """Root mean square error of the worst bucket, in electrons."""
+        return math.sqrt(self.square_e2())
 
     @property
     def worst_e(self) -> float:
         """Largest measured error of a pixel, in electrons."""
         return float(np.abs(self.size_e).max(initial=0.0))
 
-    @property
-    def other_states(self) -> float:
-        """Fraction of the pixels of the worst output that end in other states."""
-        return float(1.0 - self._compared.min(initial=1.0))
 
-    @property
-    def _compared(self) -> Floats:
-        """Fraction of the scene that is compared, (outputs,); at least 1e-12, because errors are
-        divided by it."""
-        return np.maximum(self._mean(self.compared.astype(np.float64)), 1e-12)
+def sampled_errors(exposed_e: Floats, true_e: Floats, same: Bools, weight: Floats) -> SampledErrors:
+    """Return the errors of `exposed_e` against `true_e`, electrons (series, frames, buckets,
+    pixels).
 
-    def _mean(self, values: Floats) -> Floats:
-        """Return the mean (outputs,) of values (outputs, frames, pixels) over frames and, weighted
-        by the scene's pixels, over pixels; 0 without pixels."""
-        total = (values.mean(axis=1) * self.weight).sum(axis=-1)
-        return np.asarray(total / max(float(self.weight.sum()), 1e-300))
+    Pixels that ended in other states (`same`, of a shape that broadcasts to theirs, is False) and
+    true exposures that are not finite are not compared. An exposure that is not finite where the
+    true one is counts as an error of 1e30 e. `weight` (pixels,): number of pixels of the scene that
+    each sampled pixel represents."""
+    compared = same & np.isfinite(true_e)
+    with np.errstate(invalid="ignore"):
+        size_e = np.where(np.isfinite(exposed_e), exposed_e - true_e, _NOT_FINITE_E)
+    size_e = np.where(compared, size_e, 0.0)
+    share = weight / max(float(weight.sum()), 1e-300)
 
-    def _standard_error(self, values: Floats) -> Floats:
-        """Return the standard error (outputs,) of the weighted mean of values (outputs, frames,
-        pixels): other pixels could have been drawn, and the noise of the drawn ones differs."""
-        deviation = (values.mean(axis=1) - self._mean(values)[:, None]) * self.weight
-        total = max(float(self.weight.sum()), 1e-300)
-        return np.asarray(np.sqrt((deviation**2).sum(axis=-1)) / total)
+    def mean(values: Floats | Bools) -> tuple[Floats, Floats]:
+        """Return the mean over frames and, weighted, over pixels, and its standard error: other
+        pixels could have been drawn, and the noise of the drawn ones differs."""
+        of_pixels = values.mean(axis=1)
+        means = (of_pixels * share).sum(axis=-1)
+        return means, np.linalg.norm((of_pixels - means[..., None]) * share, axis=-1)
+
+    (square_e2, chance_e2), (bias_e, bias_chance_e) = mean(size_e**2), mean(size_e)
+    part = mean(compared)[0]
+    worst = np.unravel_index(square_e2.argmax(), square_e2.shape)
+    return SampledErrors(
+        size_e,
+        square_e2 / np.maximum(part, 1e-12),
+        chance_e2,
+        float(bias_e[worst]) if abs(bias_e[worst]) > _SIGMAS * bias_chance_e[worst] else 0.0,
+        0.0 if compared.all() else float(1.0 - part.min()),
+    )
 
 
 def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Floats) -> Sample:
@@ -187,37 +161,24 @@ def draw_sample(near: NearSaturation, full_well_e: float, count: int, chance: Fl
     pixels, is_near = chance.size, np.zeros(chance.size, np.bool_)
     is_near[near.places] = True
     if pixels <= count:
-        return Sample(np.arange(pixels), np.ones(pixels), is_near, pixels)
+        return Sample(np.arange(pixels), np.ones(pixels), is_near)
     # Room that the pixels far from saturation do not need goes to those near it.
     far = np.flatnonzero(~is_near)
     far_count = min(len(far), int((1.0 - _NEAR_FRACTION) * count))
     near_count = min(len(near.places), count - far_count)
+    sure = np.arange(len(near.places))
+    if near_count < len(sure):
+        sizes = near.most_e, -near.most_e, -np.abs(near.most_e - full_well_e)
+        sure = np.unique([np.argpartition(size, -_EXTREMES)[-_EXTREMES:] for size in sizes])
     weights = np.zeros(pixels)
-    drawn, weight = _drawn(chance[far], count - near_count)
-    weights[far[drawn]] = weight
-    drawn, weight = _near_drawn(near, full_well_e, chance[near.places], near_count)
-    weights[near.places[drawn]] = weight
+    weights[near.places[sure]] = 1.0
+    ordered = np.setdiff1d(np.arange(len(near.places)), sure)
+    ordered = near.places[ordered[np.argsort(near.most_e[ordered], kind="stable")]]
+    for places, number in ((far, count - near_count), (ordered, near_count - len(sure))):
+        drawn, weight = _drawn(chance[places], number)
+        weights[places[drawn]] = weight
     places = np.flatnonzero(weights)
-    return Sample(places, weights[places], is_near[places], pixels)
-
-
-def _near_drawn(
-    near: NearSaturation, full_well_e: float, chance: Floats, count: int
-) -> tuple[Places, Floats]:
-    """Draw about `count` of the pixels near saturation; all if there are no more. Return their
-    indices in `near`, and how many such pixels each represents, 1 if it is certain to be drawn.
-
-    `full_well_e`: full well in electrons. `chance`: relative probabilities of these pixels."""
-    if len(near.places) <= count:
-        return np.arange(len(near.places)), np.ones(len(near.places))
-    sure = np.zeros(len(near.places), np.bool_)
-    for size in (near.most_e, -near.most_e, -np.abs(near.most_e - full_well_e)):
-        sure[np.argpartition(size, -_EXTREMES)[-_EXTREMES:]] = True
-    ordered = np.flatnonzero(~sure)
-    ordered = ordered[np.argsort(near.most_e[ordered], kind="stable")]
-    drawn, weight = _drawn(chance[ordered], count - int(sure.sum()))
-    certain = np.flatnonzero(sure)
-    return np.append(certain, ordered[drawn]), np.append(np.ones(len(certain)), weight)
+    return Sample(places, weights[places], is_near[places])
 
 
 def _drawn(chance: Floats, count: int) -> tuple[Places, Floats]:
@@ -255,10 +216,12 @@ def drawing_chances(
     have a share each if few pixels of the chip have most of it."""
     source = light.motion or light
     total_e = np.minimum(np.nan_to_num(source.sum_e), _MOST_E).astype(np.float32)
-    contrast = within_well = _contrast(total_e)
-    if total_e.max(initial=0.0) > sensor.full_well_e:
-        within_well = _contrast(np.minimum(total_e, np.float32(sensor.full_well_e)))
-    scores = [(4.0, np.ones(total_e.shape, np.float32)), (2.0, within_well), (1.0, contrast**2)]
+    within_well = _contrast(np.minimum(total_e, np.float32(sensor.full_well_e)))
+    scores = [
+        (4.0, np.ones_like(total_e)),
+        (2.0, within_well),
+        (1.0, _contrast(total_e) ** 2),
+    ]
     if len(source.frames) > 1:
         change = np.zeros_like(total_e)
         for rows, _, strip in source.strips():
@@ -266,7 +229,14 @@ def drawing_chances(
             for before, after in pairwise(frames):
                 change[rows.start : rows.stop] += np.abs(after - before)
         scores.append((1.0, _contrast(change)))
-    scores += [(1.0, score) for score in _fixed_scores(total_e, frame_s, sensor, device_seed)]
+    device, effects = whole_device(sensor, device_seed, total_e.size), everything()
+    dark_e = device.fixed(effects.require_part(CountedDark).per_s) * frame_s
+    leaked = device.fixed(effects.require_part(Leak).per_s) * frame_s
+    for pattern, charge_e in ((dark_e, dark_e), (leaked, -np.expm1(-leaked) * total_e.reshape(-1))):
+        # A spread of a normal distribution needs no draws of its own.
+        if ((square := pattern**2) ** 2).mean() > _HEAVY * square.mean() ** 2:
+            of_charge = _contrast(charge_e.reshape(total_e.shape).astype(np.float32))
+            scores.append((1.0, of_charge**2))
     chance = np.zeros(total_e.size)
     for share, score in scores:
         # Each stratum has its own sum: lamps that saturate must not hide the pixels beside them.
@@ -277,28 +247,12 @@ def drawing_chances(
     return chance
 
 
-def _fixed_scores(
-    total_e: Floats32, frame_s: float, sensor: Sensor, device_seed: int
-) -> list[Floats32]:
-    """Return the square contrasts (rows, cols) of the dark charge and of the leaked charge of a
-    frame with the light `total_e`, in square electrons; only of a pattern that few pixels have."""
-    device, effects = whole_device(sensor, device_seed, total_e.size), everything()
-    dark_e = device.fixed(effects.require_part(CountedDark).per_s) * frame_s
-    leaked = device.fixed(effects.require_part(Leak).per_s) * frame_s
-    return [
-        _contrast(light_e * charge.reshape(total_e.shape).astype(np.float32)) ** 2
-        for pattern, charge, light_e in (
-            (dark_e, dark_e, np.float32(1.0)),
-            (leaked, -np.expm1(-leaked), total_e),
-        )
-        # A spread of a normal distribution needs no draws of its own.
-        if ((square := pattern**2) ** 2).mean() > _HEAVY * square.mean() ** 2
-    ]
-
-
 def _contrast(light_e: Floats32) -> Floats32:
     """Return each pixel's light plus the absolute differences from its four neighbours, in
     electrons, (rows, cols) as `light_e`; beyond the border there is no difference."""
-    around = np.pad(light_e, 1, mode="edge")
-    beside = around[:-2, 1:-1], around[2:, 1:-1], around[1:-1, :-2], around[1:-1, 2:]
-    return np.asarray(light_e + sum(np.abs(light_e - neighbour_e) for neighbour_e in beside))
+    contrast = light_e.copy()
+    for values, differences in ((light_e, contrast), (light_e.T, contrast.T)):
+        step = np.abs(values[1:] - values[:-1])
+        differences[1:] += step
+        differences[:-1] += step
+    return contrast

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
-from typing import Protocol
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from nscc.arrays import Floats
 from nscc.diagnostics.diagnostic import Rejected, rejected
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.effect import MOST_E
-from nscc_runtime.effects.parts import Codes, Well
+from nscc_runtime.effects.parts import Well
 from nscc_runtime.effects.sensor import Sensor
 
 LEAST_E = 1e-9
@@ -24,9 +24,6 @@ DEFAULT = "0.15noise"
 """The default tolerance. An error of 0.15 times the noise increases the standard deviation by 1.1
 %; frames of 4,000 pixels are needed to detect that."""
 
-_ANY_E = 1e4
-"""The signal and noise that relative tolerances refer to if there is no scene."""
-
 _TOLERANCE = re.compile(
     r"\s*((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(e|lsb|%|noise)\s*"
 )
@@ -34,95 +31,81 @@ _TOLERANCE = re.compile(
 
 @dataclass(frozen=True)
 class Tolerance:
-    """A tolerance as the user entered it (`text`), and in electrons before the ADC.
-
-    `signal_e`, `noise_e`: the mean signal or the noise of the scene that a relative tolerance
-    refers to, in electrons; both are None for an absolute tolerance."""
+    """A tolerance as the user entered it (`text`), and in electrons before the ADC."""
 
     text: str
     electrons: float
-    signal_e: float | None = None
-    noise_e: float | None = None
-
-    @property
-    def in_electrons(self) -> bool:
-        """Whether the tolerance was entered in electrons."""
-        return unit_of(self.text) == "e"
 
     @property
     def name(self) -> str:
         """A text that identifies the tolerance independently of the scene: the electrons, or the
         text of the user if it is in other units."""
-        return f"{self.electrons:g}e" if self.in_electrons else self.text
+        return f"{self.electrons:g}e" if unit_of(self.text) == "e" else self.text
 
     def __str__(self) -> str:
         """Return the tolerance in electrons, with the text that the user wrote."""
-        electrons = f"{self.electrons:.4g} e"
-        if self.noise_e is not None:
+        electrons, (value, unit) = f"{self.electrons:.4g} e", _parsed(self.text) or (1.0, "")
+        if unit == "noise":
             return f"{self.text.removesuffix('noise')} of the frame's own noise = {electrons}"
-        if self.signal_e is not None:
-            return f"{electrons} ({self.text} of the mean signal, {self.signal_e:.4g} e)"
-        return electrons if self.in_electrons else f"{electrons} ({self.text})"
+        if unit == "%":
+            signal_e = 100 * self.electrons / value
+            return f"{electrons} ({self.text} of the mean signal, {signal_e:.4g} e)"
+        return electrons if unit == "e" else f"{electrons} ({self.text})"
 
 
 ToleranceInput = str | float | Tolerance
 """A tolerance as text, as a number of electrons, or already converted."""
 
 
-class ToleranceScene(Protocol):
-    """A scene that relative tolerances refer to, with its mean signal and noise in electrons."""
-
-    def signal_e(self) -> float: ...
-
-    def noise_e(self) -> float: ...
+def _any_e() -> float:
+    """Return the signal and noise that relative tolerances refer to if there is no scene."""
+    return 1e4
 
 
 def tolerance_of(
-    requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene | None
+    requested: ToleranceInput,
+    sensor: Sensor,
+    signal_e: Callable[[], float] = _any_e,
+    noise_e: Callable[[], float] = _any_e,
 ) -> Tolerance:
     """Convert `5e`, `0.1lsb`, `1%` of the scene's signal, `0.1noise`, or a number of electrons.
 
-    The signal or noise of the scene is computed only for a relative tolerance; without a `scene`
-    it is a large number, so that only the tolerance itself can be wrong. Raises Rejected
-    (NS0746, status 2) for any other text, for values outside LEAST_E to MOST_E electrons, and for a
-    percentage of a scene without signal."""
+    `signal_e`, `noise_e`: compute the mean signal and the noise of the scene in electrons. They are
+    called only for a relative tolerance; by default they return a large number, so that only the
+    tolerance itself can be wrong. Raises Rejected (NS0746, status 2) for any other text, for values
+    outside LEAST_E to MOST_E electrons, and for a percentage of a scene without signal."""
     if isinstance(requested, Tolerance):
         return requested
-    if not isinstance(requested, str):
-        text = f"{float(requested)!r}".removesuffix(".0") + "e"
-        return _within(Tolerance(text, float(requested)), str(requested))
-    match = _TOLERANCE.fullmatch(requested.lower())
-    if match is None:
-        raise _malformed(f"'{requested[:40]}'")
-    # Electrons and codes are absolute; fractions of the noise or the signal need the scene.
-    value, unit = float(match[1]), match[2]
-    text = f"{match[1]}{unit}"
+    if isinstance(requested, str):
+        text, shown = requested, f"'{requested[:40]}'"
+    else:
+        text, shown = f"{float(requested)!r}".removesuffix(".0") + "e", str(requested)
+    parsed = _parsed(text)
+    if parsed is None:
+        raise _malformed(shown)
+    (value, unit), text = parsed, "".join(text.lower().split())
     if unit in ("e", "lsb"):
-        electrons = value * (1.0 if unit == "e" else sensor.electrons_per_lsb)
-        return _within(Tolerance(text, electrons), f"'{requested[:40]}'")
-    if not 0 < value < math.inf:
-        raise _malformed(f"'{requested[:40]}'")
-    if unit == "noise":
-        noise = scene.noise_e() if scene else _ANY_E
-        tolerance = Tolerance(text, value * noise, noise_e=noise)
-        return _within(tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons")
-    signal = scene.signal_e() if scene else _ANY_E
-    if not signal > 0:
+        unit_e = 1.0 if unit == "e" else sensor.electrons_per_lsb
+    else:
+        unit_e = noise_e() if unit == "noise" else signal_e() / 100
+    if unit == "%" and not unit_e > 0:
         raise rejected(
             "NS0746",
             f"{text[:40]} of this scene is 0: its mean signal is 0 electrons",
             notes=("a percentage refers to the mean exposure without effects",),
             helps=("use electrons, --tolerance 5e, or codes, --tolerance 0.1lsb",),
         )
-    tolerance = Tolerance(text, value / 100 * signal, signal_e=signal)
-    return _within(tolerance, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
+    electrons = value * unit_e
+    if not LEAST_E <= electrons <= MOST_E:  # also NaN
+        raise _malformed(f"{shown}, {electrons:.3g} electrons")
+    return Tolerance(text, electrons)
 
 
 def unit_of(tolerance: ToleranceInput) -> str | None:
     """Return the unit of a tolerance given as text: "e", "lsb", "%" or "noise". None for text that
     is no tolerance, for numbers, and for a `Tolerance`."""
-    match = _TOLERANCE.fullmatch(tolerance.lower()) if isinstance(tolerance, str) else None
-    return match[2] if match else None
+    parsed = _parsed(tolerance) if isinstance(tolerance, str) else None
+    return parsed[1] if parsed else None
 
 
 @lru_cache(64)
@@ -130,7 +113,7 @@ def check_tolerance(tolerance: ToleranceInput, sensor: Sensor) -> None:
     """Raise Rejected (NS0746) if the tolerance is invalid whatever the scene; `sensor` gives the
     electrons of a converter code. The check does not see the scene, so it accepts a percentage also
     for a scene without signal."""
-    tolerance_of(tolerance, sensor, None)
+    tolerance_of(tolerance, sensor)
 
 
 def mean_signal_e(exposure_e: Floats, sensor: Sensor) -> float:
@@ -141,22 +124,11 @@ def mean_signal_e(exposure_e: Floats, sensor: Sensor) -> float:
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0
 
 
-def with_readout_e(noise_e: float, sensor: Sensor) -> float:
-    """Return the standard deviation `noise_e` of exposures combined with those of the converter's
-    noise and of rounding, all in electrons. The fixed pattern of the readout does not vary over
-    frames, so it is left out."""
-    all_effects = everything()
-    code_e = all_effects.require_part(Codes).electrons(sensor)
-    noise_lsb = all_effects.converter_lsb(sensor, fixed=False)
-    return math.hypot(noise_e, noise_lsb * code_e, code_e / math.sqrt(12.0))
-
-
-def _within(tolerance: Tolerance, shown: str) -> Tolerance:
-    """Return `tolerance` if it lies within LEAST_E to MOST_E electrons. Raises Rejected (NS0746)
-    otherwise, also for NaN. `shown`: the text of it in the message."""
-    if not LEAST_E <= tolerance.electrons <= MOST_E:
-        raise _malformed(shown)
-    return tolerance
+def _parsed(text: str) -> tuple[float, str] | None:
+    """Return the number and the unit of a tolerance; None for text that is no tolerance, and for
+    numbers that are 0 or too large."""
+    match = _TOLERANCE.fullmatch(text.lower())
+    return (float(match[1]), match[2]) if match and 0 < float(match[1]) < math.inf else None
 
 
 def _malformed(shown: str) -> Rejected:

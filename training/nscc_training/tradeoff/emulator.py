@@ -23,7 +23,7 @@ from nscc_runtime.planning.audit import SLACK, audit
 from nscc_runtime.planning.make import make_plan
 from nscc_runtime.planning.plan import Plan, PlanRequest
 from nscc_runtime.planning.planned_scene import PlannedScene
-from nscc_runtime.planning.tolerance import Tolerance, tolerance_of
+from nscc_runtime.planning.tolerance import Tolerance, tolerance_of, unit_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import Reference, reference_scene
 from nscc_training.command_settings import EmulatorStudySettings
@@ -156,7 +156,7 @@ class MeasuredPlan(NamedTuple):
     @property
     def in_electrons(self) -> bool:
         """Whether the tolerance was given in electrons."""
-        return self.plan.allowed is None or self.plan.allowed.in_electrons
+        return unit_of(self.plan.tolerance) == "e"
 
     @property
     def keeps_promise(self) -> bool:
@@ -340,7 +340,7 @@ class EmulatorBench:
         """Return a tolerance for this scene from its text or number (electrons). Raise Rejected
         (NS0746) for an invalid one."""
         scene = self._on(self.scene.light)
-        return tolerance_of(tolerance, scene.sensor, scene)
+        return tolerance_of(tolerance, scene.sensor, scene.signal_e, scene.noise_e)
 
     def _plan(self, tolerance: Tolerance) -> Plan:
         """Make the plan (the effects that are simulated) for a tolerance, of light without stored

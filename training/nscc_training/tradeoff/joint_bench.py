@@ -142,7 +142,7 @@ class Bench:
         Raises Rejected (NS0827) for other texts, and for an error larger than the signal."""
         text, reason = self.request.target_error, None
         try:
-            tolerance = tolerance_of(text, self.sensor, self)
+            tolerance = tolerance_of(text, self.sensor, self.signal_e, self.noise_e)
         except Rejected as refused:
             if refused.diagnostics[0].code != "NS0746":
                 raise

@@ -189,7 +189,6 @@ def effects(bench: Bench) -> Iterator[StudyPoint]:
         next(iter(scene.frames(made_plan(scene, *way).kept, request.seed, 1)))
 
     scene = PlannedScene(container, bench.sensor, bench.light, request.device_seed)
-    scene.ready()
 
     @cache  # both ways to expose share the error of their plan
     def figures(way: tuple[str, str], _exposed: None) -> Figures:

@@ -114,7 +114,7 @@ def plan(tolerance_e: float, predicted_e: float, effects: int = 4) -> Plan:
         *(decision(f"effect_{i}", "dropped", 0.1 * i, 0.1) for i in range(4, effects)),
     )  # fmt: skip
     text = f"{tolerance_e:g}e"
-    return Plan(text, tolerance_e, predicted_e, 9.0, 99.0, False, (), 1.0, 3.0, 4.0, decisions)
+    return Plan(text, tolerance_e, False, (), 3.0, 4.0, decisions, 1.0, predicted_e, 9.0, 99.0)
 
 
 def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[EmulatorStudy]:

@@ -80,17 +80,22 @@ def test_all_effects_agree_with_the_loop(mid: Setting) -> None:
     assert found.holds
 
 
+def means(*frames_e: np.ndarray) -> tuple[np.ndarray, ...]:
+    """The means of frames (buckets, frames, pixels) over frames and pixels."""
+    return tuple(np.broadcast_to(each.mean(), each[:, 0].shape) for each in frames_e)
+
+
 def test_an_audit_reports_frames_whose_mean_or_noise_differs_from_the_loop(mid: Setting) -> None:
     plan = plan_of("all", tolerance_e=5.0)
     rng = np.random.default_rng(3)
     loop, own = rng.normal(100.0, 20.0, (2, 1, 8, 20_000))
     report = Audit(0.0, 0.0, 0.0, 1, 0.0)
-    alike = in_distribution(report, own, loop)
+    alike = in_distribution(report, own, loop, means(own, loop))
     assert alike.breach(plan) is None
-    shifted = in_distribution(report, own + 7.0, loop)
+    shifted = in_distribution(report, own + 7.0, loop, means(own + 7.0, loop))
     assert shifted.path_e == pytest.approx(7.0, rel=0.15)
     assert shifted.bias_e == pytest.approx(7.0, rel=0.05)
-    noisier = in_distribution(report, 100 + (own - 100) * 1.1, loop)
+    noisier = in_distribution(report, 100 + (own - 100) * 1.1, loop, means(own, loop))
     # Noise 1.1 times as large: its square, 400, grows by 0.21 times.
     assert noisier.path_e == pytest.approx((0.21 * 400) ** 0.5, rel=0.15)
     assert noisier.std_ratio == pytest.approx(1.1, rel=0.01)

@@ -43,8 +43,12 @@ class SceneOf:
         return self.noise
 
 
+def scene_tolerance(given: str | float | Tolerance, scene: SceneOf) -> Tolerance:
+    return tolerance_of(given, SENSOR, scene.signal_e, scene.noise_e)
+
+
 def tolerance(given: str | float, signal_e: float | None = None) -> Tolerance:
-    return tolerance_of(given, SENSOR, SceneOf(signal_e))
+    return scene_tolerance(given, SceneOf(signal_e))
 
 
 @given(st.floats(LEAST_E, MOST_E))
@@ -64,7 +68,8 @@ def test_percentages_are_parts_of_the_signal(value: float, signal_e: float) -> N
     """A percentage is that part of the signal in electrons, and its text keeps the percentage."""
     found = tolerance(f" {value!r} %", signal_e)
     assert found.electrons == pytest.approx(signal_e * value / 100)
-    assert found == Tolerance(f"{value!r}%", found.electrons, signal_e)
+    assert found == Tolerance(f"{value!r}%", found.electrons)
+    assert f"of the mean signal, {signal_e:.4g} e" in str(found)
 
 
 @given(st.floats(LEAST_E, MOST_E) | st.floats(1e-3, 1e3).map(lambda x: f"{x!r}%"))
@@ -73,16 +78,16 @@ def test_the_printed_tolerance_can_be_entered_again(given: str | float) -> None:
     second time."""
     found = tolerance(given, 700.0)
     assert tolerance(found.text, 700.0) == found
-    assert tolerance_of(found, SENSOR, SceneOf(math.nan)) is found
+    assert scene_tolerance(found, SceneOf(math.nan)) is found
 
 
 @given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e9))
 def test_a_tolerance_in_noise_is_a_part_of_the_frames_noise(value: float, noise_e: float) -> None:
     """A value with `noise` is that part of the frame's noise, and it is printed with both."""
-    found = tolerance_of(f"{value!r} noise", SENSOR, SceneOf(None, noise_e))
+    found = scene_tolerance(f"{value!r} noise", SceneOf(None, noise_e))
     assert found.electrons == pytest.approx(noise_e * value)
     assert str(found) == f"{value!r} of the frame's own noise = {found.electrons:.4g} e"
-    assert tolerance_of(found.text, SENSOR, SceneOf(None, noise_e)) == found
+    assert scene_tolerance(found.text, SceneOf(None, noise_e)) == found
 
 
 @pytest.mark.parametrize("signal_e", [0.0, -1.0, math.nan])

@@ -13,7 +13,7 @@ from nscc.chips.load import load_target
 from nscc_runtime.effects.dark import current_e_per_s
 from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation
 from nscc_runtime.light import Light
-from nscc_runtime.planning.sample import Sample, SampledErrors, draw_sample, drawing_chances
+from nscc_runtime.planning.sample import Sample, draw_sample, drawing_chances, sampled_errors
 from nscc_runtime.scenes.timing import with_motion
 from nscc_runtime.sensor.file import completed
 
@@ -137,8 +137,9 @@ def test_the_standard_error_is_that_of_other_samples(seed: int) -> None:
     said, means = [], []
     for _ in range(400):
         drawn = rng.choice(20_000, 500, p=chance / chance.sum())
-        size_e, weight = errors_e[drawn][None, None], 1.0 / chance[drawn]
-        found = SampledErrors(size_e, np.ones(size_e.shape, np.bool_), weight)
+        size_e, weight = errors_e[drawn][None, None, None], 1.0 / chance[drawn]
+        same = np.ones(size_e.shape, np.bool_)
+        found = sampled_errors(size_e, np.zeros(size_e.shape), same, weight)
         means.append(found.square_e2())
         said.append(found.square_e2(1.0) - found.square_e2())
     assert np.mean(said) == pytest.approx(np.std(means), rel=0.15)
@@ -146,12 +147,13 @@ def test_the_standard_error_is_that_of_other_samples(seed: int) -> None:
 
 
 def test_exposures_that_are_not_finite_are_large_errors_and_other_states_are_left_out() -> None:
-    exposed, true = np.array([[[1.0, np.nan, 3.0]]]), np.array([[[0.0, 0.0, np.nan]]])
+    exposed, true = np.array([[[[1.0, np.nan, 3.0]]]]), np.array([[[[0.0, 0.0, np.nan]]]])
     same = np.ones(true.shape, np.bool_)
-    found = SampledErrors.between(exposed, true, same, np.ones(3))
+    found = sampled_errors(exposed, true, same, np.ones(3))
     assert found.worst_e == 1e30
-    assert found.compared.tolist() == [[[True, True, False]]]
-    same[0, 0, 1] = False
-    found = SampledErrors.between(exposed, true, same, np.ones(3))
+    assert found.size_e.tolist() == [[[[1.0, 1e30, 0.0]]]]
+    assert found.other_states == pytest.approx(1 / 3)
+    same[0, 0, 0, 1] = False
+    found = sampled_errors(exposed, true, same, np.ones(3))
     assert found.square_e2() == pytest.approx(1.0)
     assert found.other_states == pytest.approx(2 / 3)
