@@ -24,7 +24,7 @@ from nscc.chips.target import Target
 from nscc.record import Record
 from nscc.toml.kinds import Number
 from nscc.toml.schema import Key
-from nscc_runtime.effects.parts import Part
+from nscc_runtime.effects.parts import CodeErrors, Codes, Part
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import OnDevice
 
@@ -255,6 +255,14 @@ class Effect:
         if isinstance(self.sums, CannotHave):
             return []
         return [member for member in self.sums if isinstance(member, kind)]
+
+    def code_error_lsb(self, sensor: Sensor) -> float | None:
+        """Return the error of a converter code that the effect causes before rounding or by
+        rounding, as its standard deviation in codes; None for effects without one."""
+        error_lsb = 1.0 / math.sqrt(12.0) if self.parts_of_kind(Codes) else None
+        for errors in self.parts_of_kind(CodeErrors):
+            error_lsb = errors.sigma_lsb(sensor)
+        return error_lsb
 
     def lacks(self) -> list[str]:
         """Return the missing or wrong entries of the declaration, each a text that completes "it

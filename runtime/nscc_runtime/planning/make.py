@@ -49,7 +49,6 @@ from nscc_runtime.planning.tolerance import (
     tolerance_of,
     unit_of,
 )
-from nscc_runtime.readout_noise import readout_rms_e
 
 _WORTH, _EACH_WORTH = 6.0, 2.0
 """Effects are measured if leaving them out is predicted to save `_WORTH` times the time of a trial;
@@ -330,7 +329,8 @@ def _decision(effect: Effect, case: _Case) -> Decision:
     is_forced = name in request.forced and not effect.always
     if effect.kind == "after":
         reason = "named in --effects" if is_forced else "always applied, after the exposure"
-        rms_e = readout_rms_e(effect, scene.sensor)
+        error_lsb, lsb_e = effect.code_error_lsb(scene.sensor), scene.sensor.electrons_per_lsb
+        rms_e = None if error_lsb is None else error_lsb * lsb_e
         return Decision(name, effect.kind, decision, is_forced, reason, rms_e, 0.0)
     full, alone, saved_ms, tried = everything(), None, 0.0, case.tried.get(name)
     if case.trial and request.figures and name not in case.absent:

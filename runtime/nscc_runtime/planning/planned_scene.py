@@ -35,7 +35,6 @@ from nscc_runtime.planning.sample import (
 )
 from nscc_runtime.planning.tolerance import mean_signal_e
 from nscc_runtime.pool import threads_of
-from nscc_runtime.readout_noise import readout_rms_e
 from nscc_runtime.run_kinds import KINDS, refuse_planless
 
 SAMPLED = 4000
@@ -195,8 +194,9 @@ class Trial:
         noise_e2 = float(self._between(other, first).mean_e2.mean()) / 2.0
         # The fixed pattern of the readout does not vary over frames.
         varying = (effect for effect in registered() if not effect.parts_of_kind(FixedCodes))
-        readout_e = (readout_rms_e(effect, self.scene.sensor) or 0.0 for effect in varying)
-        return math.hypot(math.sqrt(noise_e2), *readout_e)
+        sensor = self.scene.sensor
+        readout_lsb = math.hypot(*(effect.code_error_lsb(sensor) or 0.0 for effect in varying))
+        return math.hypot(math.sqrt(noise_e2), readout_lsb * sensor.electrons_per_lsb)
 
     @remembered
     def unseen_e2(self, effects: Selection) -> float:
