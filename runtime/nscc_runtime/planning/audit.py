@@ -33,8 +33,8 @@ _NO_NOISE_E2 = 1e-12
 """A variance over frames below this value, in square electrons, counts as rounding."""
 _SIGMAS = 3.0
 """An error exceeds a limit if it does so by this number of standard errors."""
-_NOT_FINITE_E = 1e30
-"""What an exposure that is NaN or infinite counts as, in electrons."""
+_ONE_SIDED_E2 = 1e60
+"""Square error, in square electrons, of a pixel that is finite on one side only."""
 
 
 @dataclass(frozen=True)
@@ -143,13 +143,17 @@ def in_distribution(
 
     `own_e`, `loop_e`: exposures in electrons, (buckets, frames, pixels), at least two frames, of
     the run's own simulation and of the loop over words. `expected_e`: their expected values, for
-    each bucket and pixel. Pixels that are not finite are equal if both sides agree in this."""
-    own_e, loop_e, own_mean_e, loop_mean_e = (
-        np.nan_to_num(values_e, nan=-_NOT_FINITE_E, posinf=_NOT_FINITE_E, neginf=-_NOT_FINITE_E)
-        for values_e in (own_e, loop_e, *(each.reshape(len(own_e), -1) for each in expected_e))
-    )
+    each bucket and pixel. Pixels that are not finite count as equal if both sides agree in this,
+    else as an error of 1e30 e."""
+    own_mean_e, loop_mean_e = (each.reshape(len(own_e), -1) for each in expected_e)
     own_e2, loop_e2 = own_e.var(axis=1, ddof=1), loop_e.var(axis=1, ddof=1)
-    difference_e, change_e2 = own_mean_e - loop_mean_e, own_e2 - loop_e2
+    # Both are not finite if a frame is not, or the expected value.
+    own_known, loop_known = np.isfinite(own_mean_e + own_e2), np.isfinite(loop_mean_e + loop_e2)
+    difference_e, own_e2, loop_e2 = (
+        np.where(own_known & loop_known, values, 0.0)
+        for values in (own_mean_e - loop_mean_e, own_e2, loop_e2)
+    )
+    change_e2 = own_e2 - loop_e2
     # A variance over few normal frames has this standard error. Scatter over pixels tells of other
     # distributions, frames of few pixels do not.
     chance_e2 = np.hypot(own_e2, loop_e2) * math.sqrt(2.0 / (own_e.shape[1] - 1))
@@ -157,6 +161,7 @@ def in_distribution(
     chance_e2 /= math.sqrt(change_e2.shape[1])
     path_e2 = np.maximum(np.abs(change_e2.mean(axis=1)) - _SIGMAS * chance_e2, 0.0)
     path_e2 += (difference_e**2).mean(axis=1)
+    path_e2 += _ONE_SIDED_E2 * (own_known != loop_known).any(axis=1)
     worst = int(path_e2.argmax())
     noise_e2 = float(loop_e2[worst].mean())
     return replace(
