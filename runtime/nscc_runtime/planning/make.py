@@ -46,6 +46,7 @@ from nscc_runtime.planning.sample import SampledErrors
 from nscc_runtime.planning.tolerance import (
     Tolerance,
     ToleranceInput,
+    check_tolerance,
     tolerance_of,
     unit_of,
 )
@@ -160,7 +161,7 @@ def _case(scene: PlannedScene, request: PlanRequest) -> _Case:
     asked, sensor = request.tolerance, scene.sensor
     allowed = None if unit_of(asked) == "noise" else tolerance_of(asked, sensor, scene.signal_e)
     if allowed is None:
-        tolerance_of(asked, sensor)
+        check_tolerance(asked, sensor)
     return _Case(Work.of(scene), request, absent_effects(scene), allowed, Names(), {})
 
 
