@@ -16,7 +16,7 @@ from nscc.arrays import Floats, Ints
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.noise import key, poisson
+from nscc_runtime.noise import RATE_CAP, key, poisson
 
 LIGHT, WITHOUT_LIGHT = 0, 1
 """Numbers of the sources of charge."""
@@ -100,24 +100,25 @@ class Slots(Where):
         """Return the electrons that `light` gives in each interval of slots, (intervals, rows,
         cols); remembered for each light. Callers do not change the result.
 
-        Light that is NaN counts as 0, so that neighbours of its pixel stay valid."""
+        A slot of light that is NaN counts as 0, so that neighbours of its pixel stay valid."""
         shape = len(self.starts), len(self.places) // light.shape[1], light.shape[1]
         out = np.zeros(shape)
         for interval, (start, stop) in enumerate(pairwise([*self.starts, light.slots])):
             for n in range(start, stop):
-                out[interval] += light.slot(n, self.rows)
-        out[np.isnan(out)] = 0.0
+                slot_e = light.slot(n, self.rows)
+                out[interval] += np.where(np.isnan(slot_e), 0.0, slot_e)
         return out
 
     def counted(self, stream: int, source: int, rates: Floats) -> Floats:
         """Return Poisson counts with the means `rates`, both float64 (intervals, rows, cols).
 
-        Rates outside 0..`RATE_CAP` are clipped to it. `stream` (of the effect) and `source` (LIGHT
-        or WITHOUT_LIGHT) select the random numbers. The count of a NaN is 0."""
+        Rates below 0 count as 0. For rates above `RATE_CAP` the count is the rate, and for NaN 0.
+        `stream` (of the effect) and `source` (LIGHT or WITHOUT_LIGHT) select the random numbers."""
         places, counted = self.places.reshape(rates.shape[1:]), np.empty(rates.shape)
         for n, slot_rates in enumerate(rates):
             of_slot = key(self.seed, stream, source, self.frame, n)
-            counted[n], _ = poisson(of_slot, places, slot_rates)
+            drawn, _ = poisson(of_slot, places, slot_rates)
+            counted[n] = np.where(slot_rates > RATE_CAP, slot_rates, drawn)
         return counted
 
 

@@ -16,7 +16,6 @@ from nscc.arrays import Floats, Ints, Ints32
 from nscc_runtime.execution.layout import WORD_BLOCK
 from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
-from nscc_runtime.noise.poisson_law import RATE_CAP
 
 NEIGHBOURS, NONE = 4, -1
 """Number of neighbours of a pixel. What stands for a number that is not known yet."""
@@ -238,8 +237,8 @@ def _set_light(
     count: int,
     slot_e: Floats,
 ) -> None:
-    """Set `slot_e` to the mean light of slot n, electrons, between 0 and `RATE_CAP`, or NaN, for
-    `count` sites from number `begin` on. A site is a pixel whose charge is computed."""
+    """Set `slot_e` to the mean light of slot n, electrons, at least 0, or NaN, for `count` sites
+    from number `begin` on. A site is a pixel whose charge is computed."""
     for j in range(count):
         slot_e[j] = 0.0
     for k in range(light.row_start[n], light.row_start[n + 1]):
@@ -249,8 +248,7 @@ def _set_light(
     for j in range(count):
         # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
         rate = float(np.float32(slot_e[j])) * sites.factor[begin + j]
-        rate = 0.0 if rate < 0.0 else rate
-        slot_e[j] = RATE_CAP if rate > RATE_CAP else rate
+        slot_e[j] = 0.0 if rate < 0.0 else rate
 
 
 @compiled

@@ -63,13 +63,15 @@ def _moved(
     `frame`: index in `frames` of the frame's first pixel. The steps are the differences of index to
     the four neighbours; 0 at a border, so that the pixel itself stands for a missing neighbour."""
     own_light = share[p] * frames[frame + p]
-    four = (
-        share[p + up_step] * frames[frame + p + up_step]
-        + share[p + down_step] * frames[frame + p + down_step]
-        + share[p + left_step] * frames[frame + p + left_step]
-        + share[p + right_step] * frames[frame + p + right_step]
+    # Quarters are exact, and their sum stays within the range of float32.
+    quarter = np.float32(0.25)
+    mean = (
+        quarter * (share[p + up_step] * frames[frame + p + up_step])
+        + quarter * (share[p + down_step] * frames[frame + p + down_step])
+        + quarter * (share[p + left_step] * frames[frame + p + left_step])
+        + quarter * (share[p + right_step] * frames[frame + p + right_step])
     )
-    exchanged: np.float32 = own_light + c * (four - np.float32(4.0) * own_light)
+    exchanged: np.float32 = own_light + np.float32(4.0) * c * (mean - own_light)
     return exchanged
 
 

@@ -9,12 +9,14 @@ from weakref import ref
 import numpy as np
 import pytest
 from plan_cases import CASES, case, moving_light
-from reference_programs import exposures, sensor_of
+from reference_programs import exposures, program, sensor_of
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.effects import registry, selected
 from nscc_runtime.effects.effect import CannotHave
 from nscc_runtime.effects.read import READ
+from nscc_runtime.execution import block_scene
+from nscc_runtime.execution.block_scene import expose_pixels, prepare_pixels
 from nscc_runtime.execution.frames import FrameSource, frame_source
 from nscc_runtime.light import Light
 
@@ -201,3 +203,57 @@ def test_the_light_of_a_frame_is_freed_with_it(effects: str, electrons: float) -
         assert gone() is None
     finally:
         gc.enable()
+
+
+ALWAYS = "nsl 1\nframe 4 slots of 1ms\nopen when true"
+
+
+def by_each(effects: str, light: Light, **values: float) -> list[np.ndarray]:
+    """A frame by sums, by the loop over words, and by the reference: exposures (rows, cols)."""
+    container = program(ALWAYS, "auto", *light.shape)
+    chip = container, sensor_of(container, **values), light, selected(effects)
+    places = np.arange(light.shape[0] * light.shape[1])
+    by_words = expose_pixels(prepare_pixels(*chip, places, DEVICE), SEED, 0).exposure_e
+    whole = [frame_source(*chip, DEVICE, by_words=each).expose(SEED, 0) for each in (False, True)]
+    return [whole[0].exposure_e[0], by_words.reshape(light.shape), whole[1].exposure_e[0]]
+
+
+def test_neighbours_lack_the_light_of_one_slot_that_is_nan() -> None:
+    """A pixel with NaN in one of four slots gives its neighbours that of the other three."""
+    clip = np.full((4, 1, 3), 1000.0, np.float32)
+    clip[1, 0, 1] = np.nan
+    for found in by_each("crosstalk", Light.of_clip(clip), crosstalk_fraction=0.05):
+        np.testing.assert_allclose(found, [[3950.0, np.nan, 3950.0]], rtol=1e-6)
+
+
+def test_crosstalk_of_the_brightest_light_is_finite() -> None:
+    clip = np.zeros((4, 3, 3), np.float32)
+    clip[2, 1, 1] = 3e38
+    for found in by_each("crosstalk", Light.of_clip(clip), crosstalk_fraction=0.05):
+        assert found[1] == pytest.approx([1.5e37, 2.4e38, 1.5e37])
+        assert found[0] == pytest.approx([0.0, 1.5e37, 0.0])
+
+
+@pytest.mark.parametrize("electrons", [1e11, 1e30])
+def test_bright_light_is_counted_to_its_mean(electrons: float) -> None:
+    """Counts of more than 1e12 electrons have no noise, and are not clipped."""
+    light = Light.of_clip(np.full((4, 2, 3), electrons, np.float32))
+    for found in by_each("shot", light):
+        np.testing.assert_allclose(found, 4.0 * electrons, rtol=1e-4)
+
+
+def test_what_all_frames_share_is_computed_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The mean charge of pixels that run through their words does not depend on the frame."""
+    calls, compute = [], block_scene._charge_scene
+
+    def counted(*arguments: object) -> object:
+        calls.append(arguments)
+        return compute(*arguments)
+
+    monkeypatch.setattr(block_scene, "_charge_scene", counted)
+    light = Light.of_clip(np.full((8, ROWS, COLS), 1e5, np.float32))
+    scene = source("b edges", "all", light)
+    assert len(scene.near) == ROWS * COLS
+    for number in range(3):
+        scene.expose(SEED, number)
+    assert len(calls) == 1

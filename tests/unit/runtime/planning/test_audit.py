@@ -47,6 +47,12 @@ def test_the_audit_equals_an_independent_comparison(mid: Setting) -> None:
     assert "more than 1.1 times the tolerance of 5 e" in str(found.breach(plan))
 
 
+def test_the_audit_compares_expected_values_without_noise(mid: Setting) -> None:
+    """Of means over frames, the difference would have the noise of these frames."""
+    found = audited(mid, plan_of("all", tolerance_e=5.0))
+    assert abs(found.bias_e) < 0.01
+
+
 @pytest.mark.parametrize("shape", [(1, 1), (1, 3)])
 def test_an_audit_of_few_pixels_takes_chance_from_its_frames(shape: tuple[int, int]) -> None:
     """With all effects nothing is left out: for each of 12 chips, the audit of a few pixels holds,
