@@ -82,7 +82,7 @@ def _start(
 
 
 @compiled
-def _same_light(light: LightMatrix, slot: int) -> bool:
+def same_light(light: LightMatrix, slot: int) -> bool:
     """Return whether slot number `slot` has the same entries of `light`, frames and weights, as the
     slot before it; False for slot 0."""
     if slot == 0:
@@ -183,7 +183,7 @@ def _add_slot(
     only if the slot's light differs from that of the slot before. The row at `shape.total` of
     `values` is overwritten."""
     start, stop, total = light.row_start[n], light.row_start[n + 1], shape.total
-    is_same, is_frame = _same_light(light, n), stop - start == 1 and light.weight[start] == 1.0
+    is_same, is_frame = same_light(light, n), stop - start == 1 and light.weight[start] == 1.0
     for y in range(shape.rows):
         pix, pixel, at = row_of(shape, chosen.pix, y), first + y * shape.cols, y * shape.cols
         if is_frame:

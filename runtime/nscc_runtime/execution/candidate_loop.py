@@ -112,6 +112,7 @@ def compare_candidates(
     lanes: Annotated[Ints32, "pixels"],
     dark_part: Annotated[Floats, "kinds lane_count"],
     mean_e: Annotated[Floats, "kinds lane_count"],
+    seen_e: Written[Annotated[Floats, "kinds candidates"]],
     pix_e: Written[Annotated[Floats, "candidates"]],
     is_near: Written[Annotated[Bytes, "candidates"]],
 ) -> None:
@@ -119,10 +120,17 @@ def compare_candidates(
     `mean_e`, and `pix_e` to the mean charge on PIX (the photodiode).
 
     `table`: the weight of each frame of `light` in each sum. `sum_e`: the light of all slots, and
-    `dark_e` the dark charge, of which each sum contains `dark_part`."""
-    cols, lit_pixels = sizes.cols, sizes.lit_rows * sizes.cols
-    for i in range(sizes.candidates):
-        p, near, neighbours, gained_e = places[i], 0, 0, 0.0
+    `dark_e` the dark charge, of which each sum contains `dark_part`. `seen_e` is
+    working memory, 0 before."""
+    cols, count, lit_pixels = sizes.cols, sizes.candidates, sizes.lit_rows * sizes.cols
+    # Frame by frame, so that candidates share cache lines of the light and of the table.
+    for row in range(sizes.kinds * sizes.frames):
+        at, weights = row // sizes.frames * count, row * sizes.lane_count
+        first = row % sizes.frames * lit_pixels - sizes.first_row * cols
+        for i in range(count):
+            seen_e[at + i] += table[weights + lanes[places[i]]] * light[first + places[i]]
+    for i in range(count):
+        p, neighbours, gained_e = places[i], 0, 0.0
         column = np.int64(np.uint32(p) % np.uint32(cols))
         for side in range(4):
             step = (2 * side - 1) * cols if side < 2 else 2 * side - 5
@@ -133,17 +141,13 @@ def compare_candidates(
                 gained_e += _given_e(sum_e, factor, dark_e, other)
         gained_e *= sizes.exchanged
         for kind in range(sizes.kinds):
-            seen, at = 0.0, kind * sizes.frames * sizes.lane_count + lanes[p]
-            for k in range(sizes.frames):
-                frame_e = light[k * lit_pixels + p - sizes.first_row * cols]
-                seen += table[at + k * sizes.lane_count] * frame_e
-            seen *= factor[p]
+            seen = seen_e[kind * count + i] * factor[p]
             # Crosstalk is counted in the pixel's own slots, whatever the codes of the neighbours.
             mixed = (1.0 - sizes.exchanged * neighbours) * seen + gained_e
             at = kind * sizes.lane_count + lanes[p]
             charge_e = (seen if seen > mixed else mixed) + dark_e[p] * dark_part[at]
-            pix_e[i] = charge_e if kind == 0 else pix_e[i]
-            near = charge_e >= mean_e[at]
-            if near:
+            if kind == 0:
+                pix_e[i] = charge_e
+            is_near[i] = charge_e >= mean_e[at]
+            if is_near[i]:
                 break
-        is_near[i] = near

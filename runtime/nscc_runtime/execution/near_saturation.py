@@ -139,6 +139,7 @@ def _search(
             table=table,
             dark_part=limits.dark_part,
             mean_e=limits.mean_e,
+            seen_e=np.zeros((kinds, len(places[part]))),
             pix_e=pix_e[part],
             is_near=is_near[part].view(np.uint8),
         )

@@ -13,6 +13,7 @@ from typing import Annotated, NamedTuple
 import numpy as np
 
 from nscc.arrays import Floats, Ints, Ints32
+from nscc_runtime.emulator.loops import same_light
 from nscc_runtime.execution.layout import WORD_BLOCK
 from nscc_runtime.light import LightMatrix
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
@@ -338,7 +339,7 @@ def stretch_means(
         due, n = 0, 0
         while n <= sizes.slots:
             is_new = n == 0 or (n < sizes.slots and not sizes.even)
-            if is_new:
+            if is_new and not same_light(light, n):
                 _set_light(sizes, light, n, sites, begin, count, block.slot_e)
             for p in range(first, stop if sizes.even and n == 0 else first):
                 if index[p] < sizes.own:
