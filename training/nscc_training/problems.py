@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from nscc.diagnostics.diagnostic import Rejected, rejected
-from nscc.npy import InvalidArrays
+
+if TYPE_CHECKING:  # It needs numpy, whose absence is one of the problems.
+    from nscc.npy import InvalidArrays
 
 
 def listed(names: Sequence[str], most: int = 12) -> str:

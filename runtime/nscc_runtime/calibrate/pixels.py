@@ -1,5 +1,5 @@
-"""Pixels: those that are no defects, and the fits of each, its code without charge, its dark
-current and its response to light. Flats are checked to be flat."""
+"""Fits of single pixels: the code without charge, the dark current, and the response to light.
+Defects are left out, and flats are checked to be flat."""
 
 from __future__ import annotations
 

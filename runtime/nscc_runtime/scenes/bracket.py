@@ -32,7 +32,9 @@ def parse_times(text: str | tuple[float, ...] | None) -> tuple[float, ...] | Non
     try:
         quotients = (item.partition("/") for item in text.split(","))
         times = tuple(
-            float(top) / (float(bottom) if slash else 1.0) for top, slash, bottom in quotients
+            # A divisor below 0 is refused like 0.
+            float(top) / (max(float(bottom), 0.0) if slash else 1.0)
+            for top, slash, bottom in quotients
         )
     except (ValueError, ZeroDivisionError):
         times = ()

@@ -16,7 +16,7 @@ Warn = Callable[[Diagnostic], object]
 
 
 def unheard(_message: Diagnostic) -> None:
-    """Ignore a message: the default of `Warn`."""
+    """Ignore a message: the default of arguments of the type `Warn`."""
 
 
 def damaged(name: Path_or_name, reason: object) -> Rejected:
