@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from dataclasses import dataclass, fields, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from itertools import pairwise
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.arrays import Bools, Floats, Floats32, Ints, Ints32
 from nscc.diagnostics.arguments import as_array, shown, wrong_argument
@@ -21,22 +21,6 @@ _MOST_E = 1e36
 
 _STRIP_BYTES = 1 << 26
 """Memory of the frames of one strip of rows, if frames are drawn."""
-
-
-@lru_cache(4)
-def _multipliers(count: int) -> NDArray[np.uint64]:
-    """Return `count` odd random numbers, always the same."""
-    return np.random.default_rng(0).integers(0, 1 << 64, count, np.uint64) | np.uint64(1)
-
-
-def _digest(pixels: Floats32) -> int:
-    """Return a number that tells arrays (pixels,) of this size apart: a sum of their bits with odd
-    random factors, modulo 2**64."""
-    bits = np.ascontiguousarray(pixels, np.float32).view(np.uint32)
-    pairs = bits[: bits.size // 2 * 2].view(np.uint64)
-    # Ten times as fast as numpy's product of vectors of integers.
-    total = int((pairs * _multipliers(pairs.size)).sum())
-    return total ^ int(bits[-1] if bits.size % 2 else 0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -242,8 +226,8 @@ class Light:
 
     def current(self) -> Light:
         """Return this light, or a new one without remembered sums if frames were changed in place
-        since the first call. Frames are compared by sums of their bits, which takes much less time
-        than a frame.
+        since the first call. They are compared by a checksum, which takes much less time than a
+        frame.
 
         Returns
         -------
@@ -251,8 +235,7 @@ class Light:
         """
         if isinstance(self.frames, DrawnFrames):
             return self
-        # Not a product of matrices: threads of BLAS wait busily for more work after it.
-        digest = [_digest(frame.reshape(-1)) for frame in self.frames]
+        digest = zlib.crc32(np.ascontiguousarray(self.frames).data)
         if "digest" not in vars(self):
             self._forget_sums()
         if vars(self).setdefault("digest", digest) == digest:
@@ -431,7 +414,8 @@ class Light:
         weight = self.frame_weight[used]
         with np.errstate(over="ignore", invalid="ignore"):
             strips = (np.asarray(light.frames)[used] for _, _, light in self.strips())
-            if len(weight) and (weight == weight[0]).all():
+            # Weights beyond float32 are not rounded to it.
+            if len(weight) and 1e-37 < weight[0] < 1e38 and (weight == weight[0]).all():
                 sums = [
                     (frames[0] if len(frames) == 1 else frames.sum(axis=0)) * np.float32(weight[0])
                     for frames in strips

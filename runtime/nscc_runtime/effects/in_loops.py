@@ -10,7 +10,7 @@ import numpy as np
 from nscc.arrays import Floats
 from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.registry import registered
+from nscc_runtime.effects.registry import of_registered, registered
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device, OnDevice, Places
@@ -18,7 +18,7 @@ from nscc_runtime.loop import Words
 from nscc_runtime.noise.arrays import bases
 
 
-@lru_cache(64)
+@of_registered
 def switches(effects: Selection) -> Mapping[str, int]:
     """Return the switches of the compiled loop by field of `Switches`: 1 if the effect to which it
     belongs is among `effects`, else 0."""
@@ -29,7 +29,7 @@ def switches(effects: Selection) -> Mapping[str, int]:
     }
 
 
-@lru_cache(64)
+@of_registered
 def figures(sensor: Sensor, effects: Selection) -> Mapping[str, float]:
     """Return the numbers of effects that the compiled loop takes, by field of `Numbers`, with the
     values of `sensor`; 0 for effects that are not in `effects`."""
@@ -46,7 +46,7 @@ def patterns(effects: Selection, device: Device) -> dict[str, Floats]:
     return {name: device.fixed(pattern) for name, pattern in _patterns_on(effects).items()}
 
 
-@lru_cache(64)
+@of_registered
 def _patterns_on(effects: Selection) -> Mapping[str, OnDevice]:
     """Return the functions that make the fixed patterns of `patterns`, by field of
     `FixedPatterns`."""

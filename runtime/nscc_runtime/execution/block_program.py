@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from nscc_runtime.caches import OfContainer
 from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import figures, switches
 from nscc_runtime.effects.parts import Exchange
+from nscc_runtime.effects.registry import of_registered
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.layout import (
     LoopProgram,
@@ -332,14 +333,14 @@ def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numb
     )
 
 
-@lru_cache(8)
-def switches_of(program: BlockProgram, effects: Selection) -> Switches:
+@of_registered
+def switches_of(registers: int, buckets: int, effects: Selection) -> Switches:
     """Return which effects the compiled loop simulates, the bits of their saturation marks (0 for
     marks that no effect sets), and the numbers of analog registers in use and of buckets."""
     marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
     return Switches(
-        registers=len(program.words.signs),
-        buckets=len(program.readouts.register),
+        registers=registers,
+        buckets=buckets,
         **switches(effects),
         **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
     )

@@ -206,7 +206,7 @@ def prepare_pixels(
         effects,
         places,
         device_seed,
-        switches_of(program, effects),
+        switches_of(len(program.words.signs), len(program.readouts.register), effects),
         numbers_of(container, sensor, effects),
         parts,
         # Several scenes share means only if about eight sets of them fit into the memory.

@@ -151,7 +151,7 @@ def add_up(
     pixels of one distinct shutter); `lanes` has the lane of each pixel. `own_weights`: electrons
     for one count of the pixel itself. `neighbour_weights` (draws, 4, buckets, pixels): for one
     count of a neighbour, used if neighbours exchange counts. The other arrays are working memory:
-    as for `counted`, `away` for `ROWS_KEPT` rows and draws, `drawn` for a row and one number."""
+    as for `counted`, `away` for `ROWS_KEPT` rows and draws, `drawn` for a row."""
     cols, pixels, around = adding.cols, adding.pixels, 1 if adding.exchanges else 0
     for counting in range(adding.begin - around, adding.end + around):
         if 0 <= counting < adding.rows:

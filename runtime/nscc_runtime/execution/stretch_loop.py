@@ -139,10 +139,11 @@ class StretchSizes:
     sites: int
     slots: int
     own: int
-    """Number of pixels that run through their words: the first sites. `pixels`: in a frame of
-    light. `together`: number of sites whose light is added up together."""
+    """Number of pixels that run through their words: the first sites."""
     pixels: int
+    """Number of pixels of a frame of light."""
     together: int
+    """Number of sites whose light is added up together."""
     even: int
     """Whether all slots have the same light."""
     counts_light: int

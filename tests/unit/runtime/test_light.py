@@ -120,3 +120,21 @@ def test_light_notices_frames_that_change_in_place(cols: int) -> None:
         assert light.current() is light
         pixels[first] = np.nextafter(pixels[first], np.float32(2.0))
         assert light.current() is not light
+
+
+@pytest.mark.parametrize("value", [2.0, 16384.0, 32768.0])
+def test_light_notices_a_bar_of_one_value_that_moves_in_place(value: float) -> None:
+    frame = np.zeros((64, 64), np.float32)
+    frame[:, 0] = value
+    light = Light.of_still(frame, np.ones(4))
+    assert light.current() is light
+    for col in range(1, 64):
+        frame[:] = 0.0
+        frame[:, col] = value
+        assert light.current() is not light
+
+
+def test_dark_pixels_stay_dark_if_the_weight_of_all_slots_is_beyond_float32() -> None:
+    frame = np.array([[0.0, 1e-36]], np.float32)
+    light = Light.of_still(frame, np.full(8, 1e38))
+    np.testing.assert_allclose(light.sum_e, [[0.0, 800.0]], rtol=1e-6)
