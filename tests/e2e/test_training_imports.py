@@ -10,15 +10,15 @@ from pathlib import Path
 import pytest
 
 CODE = (
-    "import sys; sys.modules['torch'] = None; "
+    "import sys; sys.modules['{package}'] = None; "
     "from nscc_cli.main import main; sys.exit(main(sys.argv[1:]))"
 )
 
 
-def without_torch(arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+def without(package: str, arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
     paths = [str(Path(path).resolve()) for path in sys.path if path]
     return subprocess.run(
-        [sys.executable, "-c", CODE, *arguments],
+        [sys.executable, "-c", CODE.format(package=package), *arguments],
         cwd=folder,
         env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
         capture_output=True,
@@ -52,7 +52,7 @@ def folder(tmp_path: Path) -> Path:
     ids=" ".join,
 )
 def test_commands_that_train_nothing_work_without_torch(arguments: list[str], folder: Path) -> None:
-    done = without_torch(arguments, folder)
+    done = without("torch", arguments, folder)
     assert done.returncode == 0, done.stderr
 
 
@@ -69,10 +69,18 @@ def test_commands_that_train_nothing_work_without_torch(arguments: list[str], fo
 )
 def test_a_missing_torch_is_reported(arguments: list[str], folder: Path) -> None:
     (folder / "c.toml").write_text("[train]\nsteps = 1\n")
-    done = without_torch(arguments, folder)
+    done = without("torch", arguments, folder)
     assert done.returncode == 2
     assert "NS0904" in done.stderr
     assert "nscc[train]" in done.stderr
+
+
+def test_a_missing_numpy_is_reported(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when true\n")
+    done = without("numpy", ["run", "p.nsl", "--scene", "builtin:hdr"], tmp_path)
+    assert done.returncode == 2
+    assert "NS0904" in done.stderr
+    assert "'numpy'" in done.stderr
 
 
 def test_the_package_itself_imports_nothing_heavy() -> None:
