@@ -15,7 +15,7 @@ from nscc.toml.kinds import Flag, Integer, Number, Several, TextKind
 from nscc.toml.schema import FileCodes, Key, Schema, file_text
 from nscc.toml.toml_text import parsed
 from nscc_runtime.sensor import default_sensor, parameter, parameters
-from nscc_runtime.sensor.file import schema_of
+from nscc_runtime.sensor.file import schema
 
 ROWS = (
     Key("", "title", TextKind(), "what it is called", default=""),
@@ -90,9 +90,9 @@ def test_what_is_written_is_read_back(title: str) -> None:
 
 def test_a_schema_refuses_duplicate_keys_and_unknown_headings() -> None:
     glow = parameter("glow_e", "light", 0.0, "e", 0, 10, "of the chip itself")
-    assert "glow_e" in schema_of((*parameters(), glow)).by_path
+    assert "glow_e" in replace(schema(), keys=(*parameters(), glow)).by_path
     with pytest.raises(ValueError, match="glow_e"):
-        schema_of((glow, *parameters(), glow))
+        replace(schema(), keys=(glow, *parameters(), glow))
     with pytest.raises(ValueError, match="no such"):
         replace(CAMERA, keys=(replace(ROWS[0], heading="no such"),))
 
