@@ -15,6 +15,8 @@ from nscc.arrays import Bools, Floats, Floats32, Ints, Ints32
 from nscc.diagnostics.arguments import as_array, shown, wrong_argument
 from nscc_runtime.caches import remembered
 
+BRIGHTEST_E = 3.4e38
+"""Infinite light of a slot counts as this, if effects are simulated, so that it saturates."""
 _MOST_E = 1e36
 """Sums of float32 are limited to this value, because they may be infinite."""
 

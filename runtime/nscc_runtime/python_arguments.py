@@ -106,12 +106,13 @@ def laid_of(
 
 @remembered
 def _check_values(light: Light) -> None:
-    """Raise Rejected (NS0736) for light that is negative or infinite. Light that is NaN is allowed:
-    frames mark such pixels as invalid."""
+    """Raise Rejected (NS0736) for negative light, also -inf; remembered for each light. Light that
+    is NaN or +inf is allowed: frames mark such pixels as invalid, but +inf saturates if effects are
+    simulated."""
     for _, _, strip in light.strips():
         frames = np.asarray(strip.frames)
-        if (frames < 0).any() or np.isposinf(frames).any():
-            refuse_no_light(np.where(np.isnan(frames), np.float32(0.0), frames), "the light")
+        if (frames < 0).any():
+            refuse_no_light(np.nan_to_num(frames, posinf=0.0, neginf=-np.inf), "the light")
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:

@@ -15,7 +15,7 @@ import numpy as np
 from nscc.arrays import Floats, Ints
 from nscc_runtime.caches import remembered
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.light import Light
+from nscc_runtime.light import BRIGHTEST_E, Light
 from nscc_runtime.noise import RATE_CAP, key, poisson
 
 LIGHT, WITHOUT_LIGHT = 0, 1
@@ -112,13 +112,14 @@ class Slots(Where):
     def counted(self, stream: int, source: int, rates: Floats) -> Floats:
         """Return Poisson counts with the means `rates`, both float64 (intervals, rows, cols).
 
-        Rates below 0 count as 0. For rates above `RATE_CAP` the count is the rate, and for NaN 0.
-        `stream` (of the effect) and `source` (LIGHT or WITHOUT_LIGHT) select the random numbers."""
+        Rates below 0 count as 0. For rates above `RATE_CAP` the count is the rate, at most
+        `BRIGHTEST_E`, and for NaN 0. `stream` (of the effect) and `source` (LIGHT or WITHOUT_LIGHT)
+        select the random numbers."""
         places, counted = self.places.reshape(rates.shape[1:]), np.empty(rates.shape)
         for n, slot_rates in enumerate(rates):
             of_slot = key(self.seed, stream, source, self.frame, n)
             drawn, _ = poisson(of_slot, places, slot_rates)
-            counted[n] = np.where(slot_rates > RATE_CAP, slot_rates, drawn)
+            counted[n] = np.where(slot_rates > RATE_CAP, slot_rates.clip(max=BRIGHTEST_E), drawn)
         return counted
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from nscc.arrays import Floats, Ints, Ints32
 from nscc_runtime.emulator.loops import same_light
 from nscc_runtime.execution.layout import WORD_BLOCK
-from nscc_runtime.light import LightMatrix
+from nscc_runtime.light import BRIGHTEST_E, LightMatrix
 from nscc_runtime.loop import Written, compiled, inlined, loop, record
 
 NEIGHBOURS, NONE = 4, -1
@@ -239,8 +239,8 @@ def _set_light(
     count: int,
     slot_e: Floats,
 ) -> None:
-    """Set `slot_e` to the mean light of slot n, electrons, at least 0, or NaN, for `count` sites
-    from number `begin` on. A site is a pixel whose charge is computed."""
+    """Set `slot_e` to the mean light of slot n, electrons, between 0 and `BRIGHTEST_E`, or NaN, for
+    `count` sites from number `begin` on. A site is a pixel whose charge is computed."""
     for j in range(count):
         slot_e[j] = 0.0
     for k in range(light.row_start[n], light.row_start[n + 1]):
@@ -250,7 +250,8 @@ def _set_light(
     for j in range(count):
         # Rounded like `Light.slot`. Light below 0 is none; NaN stays NaN.
         rate = float(np.float32(slot_e[j])) * sites.factor[begin + j]
-        slot_e[j] = 0.0 if rate < 0.0 else rate
+        rate = 0.0 if rate < 0.0 else rate
+        slot_e[j] = BRIGHTEST_E if rate > BRIGHTEST_E else rate
 
 
 @compiled

@@ -293,15 +293,15 @@ def test_sums_read_before_the_first_capture_do_not_outlast_a_change_in_place() -
         assert (taken.light.total_e() == fresh.light.total_e()).all()
 
 
-@pytest.mark.parametrize("value", [np.inf, -np.inf])
-def test_infinite_light_is_refused(value: float) -> None:
-    """As an array and as a `Light`, beside light that is NaN."""
+def test_infinite_light_is_accepted_unless_it_is_negative() -> None:
+    """A pixel with infinite light is invalid in the frame. Negative infinity is no light."""
     clip = np.array(CLIP)
-    clip[0, 1, 2], clip[0, 0, 0] = value, np.nan
-    for light in (clip, Light.of_clip(clip)):
-        with pytest.raises(Rejected) as refused:
-            capture(PROGRAM, light)
-        assert refused.value.diagnostics[0].code == "NS0736"
+    clip[0, 1, 2] = np.inf
+    assert not capture(PROGRAM, Light.of_clip(clip)).valid[0, 1, 2]
+    clip[0, 1, 2] = -np.inf
+    with pytest.raises(Rejected) as refused:
+        capture(PROGRAM, Light.of_clip(clip))
+    assert refused.value.diagnostics[0].code == "NS0736"
 
 
 @pytest.mark.parametrize("name", ["tolerance_max", "torch_device"])
